@@ -1,0 +1,304 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+// Times of the whole pipeline, stage by stage, beside two references measured in the same run.
+//
+// How to read: the first column is canonical_pose_3() with its defaults, the median of --runs
+// calls. Rows of stages add up to the total. Indented rows belong to the row above.
+// - Second column: the same distances by CGAL's Heat_method_3 (Intrinsic_Delaunay, its default
+//   solver), for the same landmarks one by one.
+// - Third column: the same registration done literally as the paper prints it
+//   (Literal_registration.h), one thread but for the solver: the matrix is assembled and factored
+//   at every iteration, rotations come from JacobiSVD. It is run on the chosen target for as many
+//   iterations as ours needs for that target from the start (or for --literal), and its time is
+//   extended to the number of iterations of the first column, in which both reflections are tried.
+//   The matrix has n rows with three right-hand sides; lines below the table tell what the paper's
+//   3n rows take.
+// Totals of the references have their own time in place of ours in those rows, and ours elsewhere.
+// Below the table the results are compared: mean difference of the distances, energies after as
+// many iterations.
+// Usage: pipeline_benchmark [--vertices 53000] [--runs 3] [--literal ITERATIONS] [mesh files]
+
+#include <CGAL/canonical_pose_3.h>
+
+#include <CGAL/Canonical_pose_3/tetgen_body.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Heat_method_3/Surface_mesh_geodesic_distances_3.h>
+#include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
+#include <CGAL/Real_timer.h>
+#include <CGAL/Surface_mesh.h>
+
+#include "../../examples/Canonical_pose_3/Articulated_figure.h"
+#include "Literal_registration.h"
+#include "setting.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <iostream>
+#include <string>
+#include <vector>
+
+namespace CP = CGAL::Canonical_pose_3;
+using Canonical_pose_benchmark::Literal_registration;
+using Canonical_pose_examples::Articulated_figure;
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+
+namespace {
+
+struct Arguments
+{
+  std::size_t vertices = 53000;
+  int runs = 3, literal = 0;
+  std::vector<std::string> files;
+};
+
+template <typename Function>
+double seconds(const Function& f)
+{
+  CGAL::Real_timer timer;
+  timer.start();
+  f();
+  return timer.time();
+}
+
+double median(std::vector<double> values)
+{
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
+}
+
+// The first column.
+struct Ours
+{
+  CP::Registration_summary summary; // with the medians of the seconds
+  CP::Intermediate_results results;
+  double set_up = 0, fields = 0;
+};
+
+Ours run_ours(const Mesh& mesh, const int runs)
+{
+  Ours ours;
+  std::vector<std::vector<double>> stages;
+  std::vector<double> set_up, fields;
+  for(int run = 0; run < runs; ++run)
+  {
+    ours.results = {};
+    CP::Options options;
+    options.intermediate_results = &ours.results;
+    Mesh pose = mesh;
+    ours.summary = CGAL::canonical_pose_3(mesh, pose.points(), options);
+    stages.resize(ours.summary.stages.size());
+    for(std::size_t s = 0; s < stages.size(); ++s)
+      stages[s].push_back(ours.summary.stages[s].second);
+
+    CGAL::Real_timer timer;
+    timer.start();
+    const CP::Heat_geodesics_3<Mesh> geodesics(mesh);
+    set_up.push_back(timer.time());
+    const Mesh::Vertex_index first(Mesh::size_type(ours.results.landmark_fields->landmarks[0]));
+    fields.push_back(seconds([&] { CP::farthest_point_landmarks(geodesics, 80, first); }));
+  }
+  for(std::size_t s = 0; s < stages.size(); ++s)
+    ours.summary.stages[s].second = median(stages[s]);
+  ours.set_up = median(set_up);
+  ours.fields = median(fields);
+  return ours;
+}
+
+// The second column.
+struct Heat_method
+{
+  double set_up = 0, fields = 0;
+  double difference = 0; // mean over vertices and sources, relative to the mean distance
+};
+
+Heat_method run_heat_method(const Mesh& input, const CP::Landmark_fields_3& ours)
+{
+  using Distances = CGAL::Heat_method_3::Surface_mesh_geodesic_distances_3<
+    Mesh, CGAL::Heat_method_3::Intrinsic_Delaunay>;
+  Heat_method result;
+  Mesh mesh = input;
+  auto distance = mesh.add_property_map<Mesh::Vertex_index, double>("v:distance", 0.).first;
+  CGAL::Real_timer timer;
+  timer.start();
+  Distances distances(mesh);
+  result.set_up = timer.time();
+  double difference = 0;
+  for(std::size_t j = 0; j < ours.landmarks.size(); ++j)
+  {
+    result.fields += seconds([&] {
+      distances.clear_sources();
+      distances.add_source(Mesh::Vertex_index(Mesh::size_type(ours.landmarks[j])));
+      distances.estimate_geodesic_distances(distance);
+    });
+    for(const Mesh::Vertex_index v : mesh.vertices())
+      difference += std::abs(distance[v] - ours.distances(Eigen::Index(v), Eigen::Index(j)));
+  }
+  result.difference = difference / ours.distances.sum();
+  return result;
+}
+
+// The third column, for one iteration.
+struct Literal
+{
+  Literal_registration::Seconds per_iteration;
+  double paper_size_per_iteration = 0; // with 3n rows
+  int iterations = 0, iterations_of_ours = 0;
+  double energy = 0, energy_of_ours = 0;
+};
+
+Literal run_literal(const Mesh& mesh, const CP::Intermediate_results& results,
+                    const int wished_iterations)
+{
+  const CP::Conforming_body_3 body = CP::tetgen_body(mesh, mesh.points());
+  const Eigen::VectorXd weights = CP::vertex_area_shares(mesh, mesh.points());
+  const double length_scale = results.landmark_fields->distances.maxCoeff();
+  CP::Registration_options options;
+  CP::Tetrahedral_arap_registrar_3<CP::Conforming_body_3> registrar(body, weights, length_scale,
+                                                                    options);
+  registrar.set_target(*results.target);
+  registrar.set_number_of_iterations(0);
+  CP::Point_matrix start, pose;
+  registrar.register_to_target(start); // both begin here
+
+  Literal result;
+  registrar.set_number_of_iterations(wished_iterations > 0 ? wished_iterations
+                                                           : options.number_of_iterations);
+  const CP::Registration_summary ours = registrar.register_to_target(pose);
+  result.energy_of_ours = ours.energy;
+  result.iterations = result.iterations_of_ours = ours.iterations;
+
+  const double alpha = std::pow(options.detail_length * length_scale, 2);
+  Literal_registration literal(body, weights, *results.target, alpha, 0,
+                               Literal_registration::ONE_PER_VERTEX);
+  CP::Point_matrix v = start;
+  for(int k = 0; k < result.iterations; ++k)
+    literal.iterate(v);
+  result.energy = literal.energy(v) / (length_scale * length_scale);
+  result.per_iteration = literal.seconds();
+  result.per_iteration.rotations /= result.iterations;
+  result.per_iteration.matrix /= result.iterations;
+  result.per_iteration.solution /= result.iterations;
+
+  Literal_registration large(body, weights, *results.target, alpha, 0,
+                             Literal_registration::THREE_PER_VERTEX);
+  v = start;
+  for(int k = 0; k < 2; ++k)
+    large.iterate(v);
+  result.paper_size_per_iteration = large.seconds().total() / 2;
+  return result;
+}
+
+void print_row(const std::string& name, const double ours, const double heat = -1,
+               const double literal = -1)
+{
+  std::printf("%-22s%14.3f", name.c_str(), ours);
+  for(const double s : {heat, literal})
+    s < 0 ? std::printf("%18s", "") : std::printf("%18.3f", s);
+  std::printf("\n");
+}
+
+void print_table(const Ours& ours, const Heat_method& heat, const Literal& literal)
+{
+  const double n = ours.summary.iterations;
+  std::printf("%-22s%14s%18s%18s\n", "seconds", "this package", "CGAL heat method",
+              "paper, literally");
+  double total_heat = 0, total_literal = 0;
+  for(const auto& [stage, s] : ours.summary.stages)
+  {
+    const double heat_here = stage == "geodesics" ? heat.set_up + heat.fields : -1;
+    const double literal_here = stage == "factorization"  ? n * literal.per_iteration.matrix
+                                : stage == "local_steps"  ? n * literal.per_iteration.rotations
+                                : stage == "global_steps" ? n * literal.per_iteration.solution
+                                                          : -1;
+    print_row(stage, s, heat_here, literal_here);
+    total_heat += heat_here < 0 ? s : heat_here;
+    total_literal += literal_here < 0 ? s : literal_here;
+    if(stage == "geodesics")
+    {
+      print_row("  set-up", ours.set_up, heat.set_up);
+      print_row("  fields", ours.fields, heat.fields);
+    }
+  }
+  print_row("total", ours.summary.total_seconds(), total_heat, total_literal);
+}
+
+void compare(const std::string& name, const Mesh& mesh, const Arguments& arguments)
+{
+  const Ours ours = run_ours(mesh, arguments.runs);
+  const CP::Registration_summary& summary = ours.summary;
+  std::printf("\n%s: %zu vertices, %zu cells, %zu landmarks; median of %d runs\n", name.c_str(),
+              std::size_t(mesh.number_of_vertices()), summary.body.tetrahedra,
+              summary.target.landmarks, arguments.runs);
+  const Heat_method heat = run_heat_method(mesh, *ours.results.landmark_fields);
+  const Literal literal = run_literal(mesh, ours.results, arguments.literal);
+  print_table(ours, heat, literal);
+  std::printf("outcome: %s\n", summary.brief_report().c_str());
+  std::printf("distances: ours differ from CGAL's by %.2f %% in the mean\n", 100 * heat.difference);
+  std::printf("literal registration: %d iterations timed (%.3f s each), extended to the %d of the "
+              "first column\n",
+              literal.iterations, literal.per_iteration.total(), summary.iterations);
+  std::printf("  with the paper's 3n rows: %.3f s per iteration (2 timed), %.1f s for all\n",
+              literal.paper_size_per_iteration,
+              summary.iterations * literal.paper_size_per_iteration);
+  std::printf("  energy after %d iterations on one target: ours %.10f, literal %.10f, relative "
+              "difference %.1e\n",
+              literal.iterations, literal.energy_of_ours, literal.energy,
+              std::abs(literal.energy / literal.energy_of_ours - 1));
+}
+
+Arguments read(const int argc, char** argv)
+{
+  Arguments arguments;
+  for(int i = 1; i < argc; ++i)
+  {
+    const std::string argument = argv[i];
+    const bool has_value = i + 1 < argc;
+    if(argument == "--vertices" && has_value)
+      arguments.vertices = std::stoul(argv[++i]);
+    else if(argument == "--runs" && has_value)
+      arguments.runs = (std::max)(1, std::stoi(argv[++i]));
+    else if(argument == "--literal" && has_value)
+      arguments.literal = std::stoi(argv[++i]);
+    else
+      arguments.files.push_back(argument);
+  }
+  return arguments;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  try
+  {
+    const Arguments arguments = read(argc, argv);
+    std::printf("%s\n", Canonical_pose_benchmark::setting().c_str());
+    if(arguments.files.empty())
+      compare("figure, sitting",
+              Articulated_figure(arguments.vertices)
+                .make_mesh<Mesh>(Articulated_figure::named_poses()[1].angles),
+              arguments);
+    for(const std::string& file : arguments.files)
+    {
+      Mesh mesh;
+      if(!CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(file, mesh))
+        throw std::runtime_error("cannot read " + file);
+      compare(file, mesh, arguments);
+    }
+  }
+  catch(const std::exception& e)
+  {
+    std::cerr << "pipeline_benchmark: " << e.what() << '\n';
+    return EXIT_FAILURE;
+  }
+  return EXIT_SUCCESS;
+}

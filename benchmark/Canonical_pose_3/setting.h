@@ -1,0 +1,51 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_BENCHMARK_SETTING_H
+#define CGAL_CANONICAL_POSE_3_BENCHMARK_SETTING_H
+
+#include <CGAL/Canonical_pose_3/Default_factor_traits_d.h>
+
+#include <CGAL/version.h>
+
+#include <Eigen/Core>
+
+#include <sstream>
+#include <string>
+#include <thread>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/task_arena.h>
+#endif
+
+// set by the build
+#ifndef CANONICAL_POSE_3_COMPILED_WITH
+#define CANONICAL_POSE_3_COMPILED_WITH "compiler and flags not told"
+#endif
+
+namespace Canonical_pose_benchmark {
+
+/// In one line, what times depend on: compiler, flags, libraries, solver, threads.
+inline std::string setting()
+{
+  std::ostringstream out;
+  out << CANONICAL_POSE_3_COMPILED_WITH << "; CGAL " << CGAL_VERSION_STR << ", Eigen "
+      << EIGEN_WORLD_VERSION << '.' << EIGEN_MAJOR_VERSION << '.' << EIGEN_MINOR_VERSION
+      << "; solver " << CGAL::Canonical_pose_3::Default_factor_traits_d::name() << "; "
+      << std::thread::hardware_concurrency() << " cores, ";
+#ifdef CGAL_LINKED_WITH_TBB
+  out << tbb::this_task_arena::max_concurrency() << " threads of TBB";
+#else
+  out << "no TBB";
+#endif
+  return out.str();
+}
+
+} // namespace Canonical_pose_benchmark
+
+#endif // CGAL_CANONICAL_POSE_3_BENCHMARK_SETTING_H

@@ -1,0 +1,50 @@
+/*!
+\ingroup PkgCanonicalPose3Concepts
+\cgalConcept
+
+The concept `RegistrationConstraint_3` describes a further wish on the surface vertices, which the
+registrar weighs against the target and the details.
+
+A constraint has an energy \f$ e(x) \f$ of the \f$ n \times 3 \f$ positions \f$ x \f$ of the surface
+vertices. In the global step that follows positions \f$ \tilde x \f$ a quadratic form takes its
+place,
+\f[ q(x) = \mathrm{tr}(x^t C x) - 2\, \mathrm{tr}(x^t D(\tilde x)) + \mathrm{const}, \f]
+with a symmetric positive semidefinite matrix \f$ C \f$ that does not depend on the positions. If
+\f$ q \ge e \f$ everywhere, with equality at \f$ \tilde x \f$, then the energy of the registration
+still never rises.
+
+Positions are in the unit of the mesh, the energy in its square, \f$ C \f$ has no unit. The
+registrar divides energies by \f$ L^2 \f$. Row \f$ i \f$ is surface vertex \f$ i \f$ of the body;
+the registrar brings \f$ C \f$ and \f$ D \f$ to the body vertices itself.
+
+\cgalHasModel `CGAL::Canonical_pose_3::Spring_constraint_adaptor_3`
+
+\sa `CGAL::Canonical_pose_3::Tetrahedral_arap_registrar_3`
+*/
+class RegistrationConstraint_3
+{
+public:
+  /// \name Operations
+  /// @{
+
+  /// returns a number that changes whenever \f$ C \f$ does. The registrar factors its matrix anew
+  /// when it has changed at the beginning of a registration; what changes \f$ D \f$ alone, a length
+  /// for instance, should leave it as it is.
+  std::size_t matrix_revision() const;
+
+  /// appends the entries of \f$ C \f$, those of both triangles. Entries at the same place are
+  /// summed.
+  void add_to_matrix(std::vector<Eigen::Triplet<double>>& matrix) const;
+
+  /// adds \f$ D(\tilde x) \f$ to `right_hand_side`; called once per iteration.
+  /// \param points \f$ \tilde x \f$, \f$ n \times 3 \f$.
+  /// \param right_hand_side \f$ n \times 3 \f$.
+  void add_to_right_hand_side(const CGAL::Canonical_pose_3::Point_matrix& points,
+                              CGAL::Canonical_pose_3::Point_matrix& right_hand_side);
+
+  /// returns \f$ e(x) \f$.
+  /// \param points \f$ x \f$, \f$ n \times 3 \f$.
+  double energy(const CGAL::Canonical_pose_3::Point_matrix& points) const;
+
+  /// @}
+};

@@ -1,0 +1,57 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+// Landmarks, distances and target of one call had out and used again: for other knobs at no cost,
+// and to hand in a target of one's own.
+
+#include <CGAL/canonical_pose_3.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
+
+#include "Articulated_figure.h"
+
+#include <cstdlib>
+#include <iostream>
+
+namespace CP = CGAL::Canonical_pose_3;
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using Canonical_pose_examples::Articulated_figure;
+
+int main()
+{
+  const Articulated_figure figure(2500);
+  const auto named_poses = Articulated_figure::named_poses();
+  const Mesh mesh = figure.make_mesh<Mesh>(named_poses[1].angles); // sitting
+  Mesh pose = mesh;
+
+  CP::Intermediate_results results; // empty: filled by the first call
+  CP::Options options;
+  options.intermediate_results = &results;
+  const auto first = CGAL::canonical_pose_3(mesh, pose.points(), options);
+  std::cout << "detail length 0.1:  " << first << '\n'
+            << "landmarks " << results.landmark_fields->landmarks.size() << ", largest distance "
+            << results.landmark_fields->distances.maxCoeff() << '\n';
+
+  options.registration.detail_length = 0.05; // the target is followed more closely
+  const auto second = CGAL::canonical_pose_3(mesh, pose.points(), options);
+  std::cout << "detail length 0.05: " << second << '\n';
+
+  // Our own target: the figure standing. Distances are kept, their largest one is the unit of
+  // length.
+  options.registration.detail_length = 0.1;
+  results.target = CP::point_matrix(figure.make_mesh<Mesh>(named_poses[0].angles));
+  const auto third = CGAL::canonical_pose_3(mesh, pose.points(), options);
+  std::cout << "own target:         " << third << '\n';
+
+  return first.is_usable() && second.energy_match < first.energy_match
+             && third.target.kernel == "given"
+           ? EXIT_SUCCESS
+           : EXIT_FAILURE;
+}

@@ -1,0 +1,60 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+// The canonical pose with the two hands of the figure pulled together by a spring, stiff or soft.
+// Usage: spring_constraint [prefix of the poses to write, as OFF]
+
+#include <CGAL/canonical_pose_3.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
+#include <CGAL/Surface_mesh.h>
+
+#include "Articulated_figure.h"
+
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+#include <map>
+#include <string>
+
+namespace CP = CGAL::Canonical_pose_3;
+namespace Examples = Canonical_pose_examples;
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+
+int main(int argc, char* argv[])
+{
+  const Examples::Articulated_figure figure(2500);
+  const Mesh mesh = figure.make_mesh<Mesh>();
+  const std::size_t left = figure.landmark(Examples::Landmark::LEFT_HAND);
+  const std::size_t right = figure.landmark(Examples::Landmark::RIGHT_HAND);
+
+  CP::Intermediate_results reused; // distances and target are the same for all three
+  std::map<std::string, double> distance;
+  for(const auto& [name, stiffness] :
+      std::map<std::string, double>{{"none", 0}, {"soft", 0.01}, {"stiff", 1}})
+  {
+    CP::Options options;
+    options.intermediate_results = &reused;
+    if(stiffness > 0)
+      options.springs.push_back({left, right, 0.1 /* rest length, metres */, stiffness});
+    Mesh pose = mesh;
+    const auto summary = CGAL::canonical_pose_3(mesh, pose.points(), options);
+    if(!summary.is_usable())
+      return EXIT_FAILURE;
+    const auto& points = pose.points();
+    distance[name] = std::sqrt(
+      CGAL::squared_distance(points[Mesh::Vertex_index(left)], points[Mesh::Vertex_index(right)]));
+    std::cout << name << ": hands " << distance[name] << " m apart; " << summary << '\n';
+    if(argc > 1 && !CGAL::IO::write_polygon_mesh(std::string(argv[1]) + name + ".off", pose))
+      return EXIT_FAILURE;
+  }
+  const bool pulled = distance["stiff"] < distance["soft"] && distance["soft"] < distance["none"];
+  return pulled ? EXIT_SUCCESS : EXIT_FAILURE;
+}

@@ -1,0 +1,60 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+// The steps of canonical_pose_3(), one after the other. Usage: step_by_step [input.off]
+
+#include <CGAL/Canonical_pose_3/Heat_geodesics_3.h>
+#include <CGAL/Canonical_pose_3/Landmark_mds_target_builder_3.h>
+#include <CGAL/Canonical_pose_3/Tetrahedral_arap_registrar_3.h>
+#include <CGAL/Canonical_pose_3/align_target.h>
+#include <CGAL/Canonical_pose_3/farthest_point_landmarks.h>
+#include <CGAL/Canonical_pose_3/surface_measures.h>
+#include <CGAL/Canonical_pose_3/tetgen_body.h>
+#include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>#include "Articulated_figure.h"
+#include <cstdlib>
+#include <iostream>
+#include <map>
+
+namespace CP = CGAL::Canonical_pose_3;
+using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
+
+int main(int argc, char* argv[])
+{
+  Mesh mesh = Canonical_pose_examples::Articulated_figure(2500).make_mesh<Mesh>();
+  if(argc > 1 && !CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(argv[1], mesh))
+    return EXIT_FAILURE;
+
+  // Distances to 80 landmarks; the systems of the heat method are factored once.
+  const CP::Heat_geodesics_3<Mesh> geodesics(mesh);
+  const auto fields = CP::farthest_point_landmarks(geodesics, 80, *vertices(mesh).begin());
+  std::cout << "covering radius of the landmarks: " << fields.covering_radius << '\n';
+
+  // A target point for each vertex.
+  CP::Landmark_mds_target_builder_3<> builder;
+  builder.build(fields);
+  std::cout << "stress of the target: " << builder.stress() << '\n';
+  // Tetrahedra inside, and the registration; its matrix is factored once for both reflections.
+  const auto points = CP::point_matrix(mesh);
+  const auto shares = CP::vertex_area_shares(mesh, mesh.points());
+  const auto body = CP::tetgen_body(mesh, mesh.points());
+  const double largest_distance = builder.length_scale();
+  CP::Tetrahedral_arap_registrar_3<CP::Conforming_body_3> registrar(body, shares, largest_distance);
+  std::map<double, CP::Point_matrix> poses; // by their energies; the surface comes first in a pose
+  for(const bool mirrored : {false, true})
+  {
+    registrar.set_target(CP::align_target(builder.targets(), points, shares, mirrored));
+    CP::Point_matrix pose; // empty: start from the target
+    const auto summary = registrar.register_to_target(pose);
+    if(summary.is_usable())
+      poses[summary.energy] = pose;
+    std::cout << (mirrored ? "mirrored: " : "as is: ") << summary << '\n';
+  }
+  return poses.empty() ? EXIT_FAILURE : EXIT_SUCCESS;
+}

@@ -1,0 +1,199 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_CHOLMOD_FACTOR_TRAITS_D_H
+#define CGAL_CANONICAL_POSE_3_CHOLMOD_FACTOR_TRAITS_D_H
+
+#include <CGAL/Canonical_pose_3/Eigen_factor_traits_d.h>
+#include <CGAL/Canonical_pose_3/internal/Cholmod_workspace.h>
+#include <CGAL/Eigen_sparse_matrix.h>
+#include <CGAL/Eigen_vector.h>
+#include <CGAL/assertions.h>
+
+#include <Eigen/Core>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#endif
+
+#include <cholmod.h>
+
+#include <atomic>
+#include <cstddef>
+#include <memory>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+
+/*!
+\ingroup PkgCanonicalPose3Ref
+
+\brief The class `Cholmod_factor_traits_d` solves sparse symmetric positive definite systems with
+CHOLMOD of SuiteSparse, simplicial or supernodal, whichever is faster for the matrix.
+
+Available where CHOLMOD is; the CMake target of the package says so by the macro
+`CGAL_CANONICAL_POSE_3_USE_CHOLMOD`. It prints nothing. Copies share one factorization.
+
+Its results do not depend on the number of threads: inside its functions, OpenBLAS is held to one
+thread and set back afterwards, and the columns of a block are solved independently of one another
+(in parallel, if `CGAL_LINKED_WITH_TBB` is defined). Solving from several threads at once is safe.
+
+\cgalModels `SparseLinearAlgebraWithBlockFactorTraits_d`
+
+\sa `CGAL::Canonical_pose_3::Eigen_factor_traits_d`
+\sa `CGAL::Canonical_pose_3::Default_factor_traits_d`
+*/
+class Cholmod_factor_traits_d
+{
+public:
+  /// \name Types
+  /// @{
+
+  using NT = double;                               ///< the number type
+  using Vector = CGAL::Eigen_vector<double>;       ///< the vector type
+  using Matrix = CGAL::Eigen_sparse_matrix<double>; ///< the matrix type
+  using Index = Eigen::Index;                      ///< the type of a row or column
+
+  /// @}
+
+  /// \name Operations
+  /// @{
+
+  /// factors `matrix`, of which the lower triangle is read.
+  /// \returns `false` if the matrix is not numerically positive definite: a pivot is not positive,
+  /// not finite, or below 1e-14 times the diagonal entry it comes from; or if memory runs out.
+  bool factor(const Matrix& matrix, NT& denominator)
+  {
+    denominator = 1;
+    m_factor.reset();
+    const internal::Single_threaded_blas guard;
+    internal::Cholmod_common common;
+    Eigen::SparseMatrix<double> compressed = matrix.eigen_object();
+    compressed.makeCompressed();
+    cholmod_sparse view = lower_triangle(compressed);
+    Factor_pointer result(cholmod_analyze(&view, common.get()), free_factor);
+    if(result == nullptr || !cholmod_factorize(&view, result.get(), common.get())
+       || result->minor < result->n || !has_positive_pivots(*result, compressed.diagonal()))
+      return false;
+    m_factor = result;
+    return true;
+  }
+
+  /// factors `matrix` and solves for one right-hand side.
+  bool linear_solver(const Matrix& matrix, const Vector& right_hand_side, Vector& solution,
+                     NT& denominator)
+  {
+    return factor(matrix, denominator) && linear_solver(right_hand_side, solution);
+  }
+
+  /// solves for one right-hand side, with the last matrix given to `factor()`.
+  bool linear_solver(const Vector& right_hand_side, Vector& solution) const
+  {
+    CGAL_precondition(m_factor != nullptr);
+    const internal::Single_threaded_blas guard;
+    solution.eigen_object().resize(right_hand_side.size());
+    return internal::Cholmod_workspace().solve(m_factor.get(), right_hand_side.data(),
+                                               solution.eigen_object().data());
+  }
+
+  /// solves for a block of right-hand sides, one per column. Each column of the solution has the
+  /// same bytes as if it were solved for alone.
+  /// \returns `false` if the solution is not finite
+  bool linear_solver(const Eigen::Ref<const Eigen::MatrixXd>& right_hand_sides,
+                     Eigen::MatrixXd& solutions) const
+  {
+    CGAL_precondition(m_factor != nullptr);
+    const internal::Single_threaded_blas guard;
+    solutions.resize(right_hand_sides.rows(), right_hand_sides.cols());
+    std::atomic<bool> solved(true);
+    const auto solve_columns = [&](Index first, Index last) {
+      internal::Cholmod_workspace workspace;
+      for(Index k = first; k < last; ++k)
+        if(!workspace.solve(m_factor.get(), right_hand_sides.col(k).data(),
+                            solutions.col(k).data()))
+          solved = false;
+    };
+#ifdef CGAL_LINKED_WITH_TBB
+    tbb::parallel_for(
+      tbb::blocked_range<Index>(0, right_hand_sides.cols()),
+      [&](const tbb::blocked_range<Index>& r) { solve_columns(r.begin(), r.end()); });
+#else
+    solve_columns(0, right_hand_sides.cols());
+#endif
+    return solved;
+  }
+
+  /// returns "CHOLMOD".
+  static const char* name() { return "CHOLMOD"; }
+
+  /// @}
+
+private:
+  using Factor_pointer = std::shared_ptr<cholmod_factor>;
+
+  static void free_factor(cholmod_factor* factor)
+  {
+    internal::Cholmod_common common;
+    cholmod_free_factor(&factor, common.get());
+  }
+
+  static cholmod_sparse lower_triangle(Eigen::SparseMatrix<double>& matrix)
+  {
+    cholmod_sparse view = {};
+    view.nrow = static_cast<std::size_t>(matrix.rows());
+    view.ncol = static_cast<std::size_t>(matrix.cols());
+    view.nzmax = static_cast<std::size_t>(matrix.nonZeros());
+    view.p = matrix.outerIndexPtr();
+    view.i = matrix.innerIndexPtr();
+    view.x = matrix.valuePtr();
+    view.stype = -1;
+    view.itype = CHOLMOD_INT;
+    view.xtype = CHOLMOD_REAL;
+    view.dtype = CHOLMOD_DOUBLE;
+    view.sorted = 1;
+    view.packed = 1;
+    return view;
+  }
+
+  static bool has_positive_pivots(const cholmod_factor& factor, const Eigen::VectorXd& diagonal)
+  {
+    const auto* const values = static_cast<const double*>(factor.x);
+    const auto* const order = static_cast<const int*>(factor.Perm);
+    const auto is_positive
+      = [&](int j, double pivot) { return internal::is_positive_pivot(pivot, diagonal[order[j]]); };
+    if(!factor.is_super)
+    {
+      const auto* const starts = static_cast<const int*>(factor.p);
+      for(int j = 0; j < static_cast<int>(factor.n); ++j)
+        if(!is_positive(j, values[starts[j]]))
+          return false;
+      return true;
+    }
+    // LL' in dense blocks by columns: block s holds the columns super[s] .. super[s+1]-1
+    const auto* const super = static_cast<const int*>(factor.super);
+    const auto* const rows = static_cast<const int*>(factor.pi);
+    const auto* const blocks = static_cast<const int*>(factor.px);
+    for(std::size_t s = 0; s < factor.nsuper; ++s)
+      for(int j = super[s]; j < super[s + 1]; ++j)
+      {
+        const int in_block = j - super[s];
+        const double root = values[blocks[s] + in_block * (rows[s + 1] - rows[s]) + in_block];
+        if(!(root > 0) || !is_positive(j, root * root))
+          return false;
+      }
+    return true;
+  }
+
+  Factor_pointer m_factor;
+};
+
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_CHOLMOD_FACTOR_TRAITS_D_H

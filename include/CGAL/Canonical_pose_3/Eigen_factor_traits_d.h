@@ -1,0 +1,127 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_EIGEN_FACTOR_TRAITS_D_H
+#define CGAL_CANONICAL_POSE_3_EIGEN_FACTOR_TRAITS_D_H
+
+#include <CGAL/Eigen_solver_traits.h>
+#include <CGAL/assertions.h>
+
+#include <Eigen/Core>
+#include <Eigen/SparseCholesky>
+
+#include <cmath>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+
+namespace internal {
+
+// Pivots of a factorization are what is left of the diagonal of the matrix; those of a singular
+// matrix come out as rounding noise of either sign.
+constexpr double SMALLEST_RELATIVE_PIVOT = 1e-14;
+
+// false also when one of the two is not finite
+inline bool is_positive_pivot(double pivot, double diagonal_entry)
+{
+  return pivot > 0 && pivot >= SMALLEST_RELATIVE_PIVOT * diagonal_entry && std::isfinite(pivot);
+}
+
+} // namespace internal
+
+/*!
+\ingroup PkgCanonicalPose3Ref
+
+\brief The class `Eigen_factor_traits_d` solves sparse symmetric positive definite systems with
+Eigen's `SimplicialLDLT`.
+
+It needs nothing but Eigen, and solves from several threads at once. Its results do not depend on
+the number of threads.
+
+\cgalModels `SparseLinearAlgebraWithBlockFactorTraits_d`
+
+\sa `CGAL::Canonical_pose_3::Cholmod_factor_traits_d`
+\sa `CGAL::Canonical_pose_3::Default_factor_traits_d`
+*/
+class Eigen_factor_traits_d
+  : public Eigen_solver_traits<Eigen::SimplicialLDLT<Eigen_sparse_matrix<double>::EigenType>>
+{
+  using Base = Eigen_solver_traits<Eigen::SimplicialLDLT<Eigen_sparse_matrix<double>::EigenType>>;
+
+public:
+  /// \name Types
+  /// @{
+
+  using NT = Base::NT;         ///< `double`
+  using Vector = Base::Vector; ///< `CGAL::Eigen_vector<double>`
+  using Matrix = Base::Matrix; ///< `CGAL::Eigen_sparse_matrix<double>`
+
+  /// @}
+
+  /// \name Operations
+  /// @{
+
+  /// factors `matrix`, of which the lower triangle is read.
+  /// \returns `false` if the matrix is not numerically positive definite: a pivot is not positive,
+  /// not finite, or below 1e-14 times the diagonal entry it comes from.
+  bool factor(const Matrix& matrix, NT& denominator)
+  {
+    m_is_factored = Base::factor(matrix, denominator) && has_positive_pivots(matrix);
+    return m_is_factored;
+  }
+
+  /// factors `matrix` and solves for one right-hand side.
+  bool linear_solver(const Matrix& matrix, const Vector& right_hand_side, Vector& solution,
+                     NT& denominator)
+  {
+    return factor(matrix, denominator) && linear_solver(right_hand_side, solution);
+  }
+
+  /// solves for one right-hand side, with the last matrix given to `factor()`.
+  bool linear_solver(const Vector& right_hand_side, Vector& solution) const
+  {
+    CGAL_precondition(m_is_factored);
+    solution = m_solver_sptr->solve(right_hand_side);
+    return solution.eigen_object().allFinite();
+  }
+
+  /// solves for a block of right-hand sides, one per column. Each column of the solution has the
+  /// same bytes as if it were solved for alone.
+  /// \returns `false` if the solution is not finite
+  bool linear_solver(const Eigen::Ref<const Eigen::MatrixXd>& right_hand_sides,
+                     Eigen::MatrixXd& solutions) const
+  {
+    CGAL_precondition(m_is_factored);
+    solutions = m_solver_sptr->solve(right_hand_sides);
+    return solutions.allFinite();
+  }
+
+  /// returns "Eigen SimplicialLDLT".
+  static const char* name() { return "Eigen SimplicialLDLT"; }
+
+  /// @}
+
+private:
+  bool has_positive_pivots(const Matrix& matrix) const
+  {
+    const auto pivots = m_solver_sptr->vectorD();
+    const Eigen::VectorXd diagonal
+      = m_solver_sptr->permutationP() * Eigen::VectorXd(matrix.eigen_object().diagonal());
+    for(Eigen::Index i = 0; i < pivots.size(); ++i)
+      if(!internal::is_positive_pivot(pivots[i], diagonal[i]))
+        return false;
+    return true;
+  }
+
+  bool m_is_factored = false;
+};
+
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_EIGEN_FACTOR_TRAITS_D_H

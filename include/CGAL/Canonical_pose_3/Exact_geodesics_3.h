@@ -1,0 +1,264 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_EXACT_GEODESICS_3_H
+#define CGAL_CANONICAL_POSE_3_EXACT_GEODESICS_3_H
+
+#include <CGAL/Canonical_pose_3/internal/Intrinsic_triangulation.h>
+#include <CGAL/Canonical_pose_3/point_matrix.h>
+
+#include <CGAL/Default.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/Surface_mesh_shortest_path.h>
+#include <CGAL/assertions.h>
+#include <CGAL/boost/graph/copy_face_graph.h>
+#include <CGAL/boost/graph/properties.h>
+
+#include <Eigen/Core>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/function_property_map.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+
+/*!
+\ingroup PkgCanonicalPose3Ref
+
+\brief The class `Exact_geodesics_3` computes the lengths of shortest paths on the surface of a
+triangle mesh, with `CGAL::Surface_mesh_shortest_path`.
+
+The paths are exact, their lengths correct up to rounding: symmetric, and a metric. It is the
+reference for `Heat_geodesics_3`, and takes hundreds of times as long per source.
+
+The mesh is copied, with points of `Exact_predicates_inexact_constructions_kernel` scaled by a power
+of two, hence any kernel and any unit will do.
+
+\tparam TriangleMesh a model of `FaceListGraph`, oriented and 2-manifold, with or without boundary,
+        with any number of connected components and isolated vertices
+\tparam VertexPointMap a model of `ReadablePropertyMap` with
+        `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `Traits::Point_3` as
+        value type.<br>
+        <b>%Default:</b> `boost::property_map<TriangleMesh, CGAL::vertex_point_t>::%const_type`
+\tparam Traits a model of `CanonicalPoseTraits_3`.<br>
+        <b>%Default:</b> the kernel of the points of `VertexPointMap`
+
+\cgalModels `GeodesicDistances_3`
+
+\sa `CGAL::Canonical_pose_3::Heat_geodesics_3`
+*/
+template <class TriangleMesh, class VertexPointMap = Default, class Traits = Default>
+class Exact_geodesics_3
+{
+  using Default_point_map = typename boost::property_map<TriangleMesh, vertex_point_t>::const_type;
+  using Point_map = typename Default::Get<VertexPointMap, Default_point_map>::type;
+  using Geometry =
+    typename Default::Lazy_get<Traits, internal::Lazy_kernel_of_point_map<Point_map>>::type;
+  using Row_map =
+    typename boost::property_map<TriangleMesh, dynamic_vertex_property_t<std::size_t>>::const_type;
+
+  using Kernel = Exact_predicates_inexact_constructions_kernel;
+  using Copy = Surface_mesh<Kernel::Point_3>;
+  using Copied_vertex = Copy::Vertex_index;
+  using Shortest_path = Surface_mesh_shortest_path<Surface_mesh_shortest_path_traits<Kernel, Copy>>;
+
+public:
+  /// \name Types
+  /// @{
+
+  /// the mesh
+  using Triangle_mesh = TriangleMesh;
+
+  /// its vertices
+  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+
+  /// @}
+
+  /// \name Construction
+  /// @{
+
+  /*!
+  copies the mesh, with the points of its own property map `vertex_point`.
+  */
+  explicit Exact_geodesics_3(const TriangleMesh& tmesh)
+    : Exact_geodesics_3(tmesh, get(vertex_point, tmesh))
+  {}
+
+  /*!
+  copies the mesh.
+
+  \param tmesh the mesh; it must live and keep its vertices as long as this object. Its points are
+         read here only: moving them later changes nothing.
+  \param vertex_point_map the point of each vertex, in any unit
+  \param traits reads the coordinates of the points
+
+  \throws std::invalid_argument if the mesh has no face, or a face that is not a triangle or has no
+          area, or a vertex with a coordinate that is not finite. The message names face or vertex
+          by its number in the range of faces or vertices.
+
+  <em>Complexity:</em> linear.
+  */
+  Exact_geodesics_3(const TriangleMesh& tmesh, Point_map vertex_point_map,
+                    const Geometry& traits = Geometry())
+    : m_tmesh(&tmesh), m_rows(internal::number_vertices(tmesh))
+  {
+    const internal::Face_corners corners = internal::face_corners(tmesh, m_rows);
+    Point_matrix matrix = point_matrix(tmesh, vertex_point_map, traits);
+    m_exponent = internal::normalize(matrix);
+    std::vector<Kernel::Point_3> points;
+    for(Eigen::Index i = 0; i < matrix.rows(); ++i)
+      points.emplace_back(matrix(i, 0), matrix(i, 1), matrix(i, 2));
+    check_faces(corners, points);
+    copy(points);
+  }
+
+  Exact_geodesics_3(const Exact_geodesics_3&) = delete;
+  Exact_geodesics_3& operator=(const Exact_geodesics_3&) = delete;
+
+  /// @}
+
+  /// \name Queries
+  /// @{
+
+  /// returns the mesh.
+  const TriangleMesh& triangle_mesh() const { return *m_tmesh; }
+
+  /*!
+  returns the row of `v` in the results: its number in the range `vertices(tmesh)`.
+  \pre `v` is a vertex of the mesh.
+  */
+  std::size_t index(vertex_descriptor v) const
+  {
+    CGAL_precondition(v != boost::graph_traits<TriangleMesh>::null_vertex());
+    return get(m_rows, v);
+  }
+
+  /*!
+  returns the distances from `source` to all vertices.
+
+  \returns one number per vertex, in the unit of the points: 0 at `source`, positive or 0 elsewhere,
+           `+infinity` at vertices of other connected components; never NaN
+  \pre `source` is a vertex of the mesh.
+
+  <em>Complexity:</em> \f$ O(n^2 \log n) \f$ at worst for \f$ n \f$ vertices.
+  */
+  Eigen::VectorXd distances(vertex_descriptor source) const
+  {
+    const auto n = static_cast<Eigen::Index>(m_copied.size());
+    Eigen::VectorXd result
+      = Eigen::VectorXd::Constant(n, (std::numeric_limits<double>::infinity)());
+    const auto row = static_cast<Eigen::Index>(index(source));
+    if(!is_isolated(row))
+    {
+      Shortest_path paths(m_copy);
+      paths.add_source_point(copied(row));
+      for(Eigen::Index i = 0; i < n; ++i)
+        if(!is_isolated(i))
+        {
+          const double distance = paths.shortest_distance_to_source_points(copied(i)).first;
+          if(distance >= 0) // negative: not reachable
+            result[i] = std::ldexp(distance, m_exponent);
+        }
+    }
+    result[row] = 0;
+    return result;
+  }
+
+  /*!
+  returns the distances from each of `sources`, taken alone, to all vertices.
+
+  \tparam VertexRange a range of vertex descriptors
+  \param sources the sources, which may repeat
+  \returns one row per vertex and one column per source, which is `distances(source)` to the last
+  bit
+  \pre All of `sources` are vertices of the mesh.
+  */
+  template <class VertexRange>
+  Eigen::MatrixXd distances(const VertexRange& sources) const
+  {
+    const std::vector<vertex_descriptor> all(sources.begin(), sources.end());
+    Eigen::MatrixXd result(static_cast<Eigen::Index>(m_copied.size()),
+                           static_cast<Eigen::Index>(all.size()));
+    for(std::size_t k = 0; k < all.size(); ++k)
+      result.col(static_cast<Eigen::Index>(k)) = distances(all[k]);
+    return result;
+  }
+
+  /*!
+  writes the distances from `source` to all vertices to a property map.
+
+  \tparam VertexDistanceMap a model of `WritablePropertyMap` with `vertex_descriptor` as key type
+          and a value type to which `double` converts
+  \pre `source` is a vertex of the mesh.
+  */
+  template <class VertexDistanceMap>
+  void distances(vertex_descriptor source, VertexDistanceMap vertex_distance_map) const
+  {
+    const Eigen::VectorXd values = distances(source);
+    for(vertex_descriptor v : vertices(*m_tmesh))
+      put(vertex_distance_map, v, values[static_cast<Eigen::Index>(index(v))]);
+  }
+
+  /// @}
+
+private:
+  // the unfolding divides by the heights of the faces
+  static void check_faces(const internal::Face_corners& corners,
+                          const std::vector<Kernel::Point_3>& points)
+  {
+    if(corners.origins.empty())
+      throw std::invalid_argument("the mesh is empty: it has no face");
+    const auto point
+      = [&](std::size_t h) { return points[static_cast<std::size_t>(corners.origins[h])]; };
+    for(std::size_t h = 0; h < corners.origins.size(); h += 3)
+      if(collinear(point(h), point(h + 1), point(h + 2)))
+        throw std::invalid_argument("face " + std::to_string(h / 3) + " is degenerate");
+  }
+
+  void copy(const std::vector<Kernel::Point_3>& points)
+  {
+    const auto point = [&](vertex_descriptor v) { return points[index(v)]; };
+    std::vector<std::pair<vertex_descriptor, Copied_vertex>> pairs;
+    copy_face_graph(
+      *m_tmesh, m_copy,
+      parameters::vertex_point_map(boost::make_function_property_map<vertex_descriptor>(point))
+        .vertex_to_vertex_output_iterator(std::back_inserter(pairs)));
+    m_copied.resize(points.size());
+    for(const auto& pair : pairs)
+      m_copied[index(pair.first)] = pair.second;
+  }
+
+  Copied_vertex copied(Eigen::Index row) const { return m_copied[static_cast<std::size_t>(row)]; }
+
+  bool is_isolated(Eigen::Index row) const
+  {
+    return copied(row) == Copy::null_vertex() || m_copy.is_isolated(copied(row));
+  }
+
+  const TriangleMesh* m_tmesh;
+  Row_map m_rows;
+  int m_exponent = 0; // distances are multiplied by 2 to this power
+  Copy m_copy;
+  std::vector<Copied_vertex> m_copied; // of each row
+};
+
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_EXACT_GEODESICS_3_H

@@ -1,0 +1,217 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_HEAT_GEODESICS_3_H
+#define CGAL_CANONICAL_POSE_3_HEAT_GEODESICS_3_H
+
+#include <CGAL/Canonical_pose_3/Default_factor_traits_d.h>
+#include <CGAL/Canonical_pose_3/internal/Heat_solver.h>
+#include <CGAL/Canonical_pose_3/internal/Intrinsic_triangulation.h>
+#include <CGAL/Canonical_pose_3/point_matrix.h>
+
+#include <CGAL/Default.h>
+#include <CGAL/assertions.h>
+#include <CGAL/boost/graph/properties.h>
+
+#include <Eigen/Core>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+
+/*!
+\ingroup PkgCanonicalPose3Ref
+
+\brief The class `Heat_geodesics_3` computes geodesic distances on a triangle mesh by the heat
+method \cgalCite{cgal:canonical-cww-ghnac-13}.
+
+The mesh is first replaced by the intrinsic Delaunay triangulation of the same surface: edges are
+flipped on edge lengths alone, so that the surface and its vertices stay, and long thin faces do no
+harm \cgalCite{cgal:canonical-fsbs-aicid-07}. Nearly degenerate faces are made up for by adding one
+tiny number, at most 1e-10 times the mean edge length, to all edges of their component
+\cgalCite{cgal:canonical-sc-lntm-20}. Both linear systems are factored by the constructor; a query
+is two back substitutions and one pass over the faces.
+
+The distance is an approximation: its error goes to 0 with the edge length, and its mean is usually
+1 to 5 percent. It is not exactly symmetric, and not exactly a metric. Use `Exact_geodesics_3` where
+this matters and time does not. What flips cannot mend is a surface whose *vertices* lie much denser
+in one direction than in the other: from about 15 to 1 on, the steps of the heat no longer reach
+across the gaps, and distances come out far too short. Remesh such a surface.
+
+<em>Time step.</em> The square of \f$ h \f$, the mean edge length of the connected component after the
+flips, or 1/300 of the longest of the shortest paths along edges from the first vertex of the
+component, if this is more: it keeps the heat, which decays like \f$ \exp(-d/h) \f$, within the
+range of `double` everywhere, on meshes of any size. Compact surfaces need it from about a hundred
+thousand vertices on, long thin ones earlier.
+
+<em>Units and determinism.</em> Any unit will do. Multiplying all coordinates by a power of two multiplies
+all distances by it, to the last bit. Distances do not depend on the number of threads, nor on the
+other sources of a batch, nor on the type of the mesh if vertices and faces come in the same order.
+
+\tparam TriangleMesh a model of `FaceListGraph`, oriented and 2-manifold, with or without boundary,
+        with any number of connected components and isolated vertices
+\tparam VertexPointMap a model of `ReadablePropertyMap` with
+        `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `Traits::Point_3` as
+        value type.<br>
+        <b>%Default:</b> `boost::property_map<TriangleMesh, CGAL::vertex_point_t>::%const_type`
+\tparam Traits a model of `CanonicalPoseTraits_3`.<br>
+        <b>%Default:</b> the kernel of the points of `VertexPointMap`
+\tparam FactorTraits a model of `SparseLinearAlgebraWithBlockFactorTraits_d`.<br>
+        <b>%Default:</b> `Default_factor_traits_d`
+
+\cgalModels `GeodesicDistances_3`
+
+\sa `CGAL::Canonical_pose_3::Exact_geodesics_3`
+\sa `CGAL::Canonical_pose_3::farthest_point_landmarks()`
+*/
+template <class TriangleMesh, class VertexPointMap = Default, class Traits = Default,
+          class FactorTraits = Default>
+class Heat_geodesics_3
+{
+  using Default_point_map = typename boost::property_map<TriangleMesh, vertex_point_t>::const_type;
+  using Point_map = typename Default::Get<VertexPointMap, Default_point_map>::type;
+  using Geometry =
+    typename Default::Lazy_get<Traits, internal::Lazy_kernel_of_point_map<Point_map>>::type;
+  using Solver_traits = typename Default::Get<FactorTraits, Default_factor_traits_d>::type;
+  using Row_map =
+    typename boost::property_map<TriangleMesh, dynamic_vertex_property_t<std::size_t>>::const_type;
+
+public:
+  /// \name Types
+  /// @{
+
+  /// the mesh
+  using Triangle_mesh = TriangleMesh;
+
+  /// its vertices
+  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+
+  /// @}
+
+  /// \name Construction
+  /// @{
+
+  /*!
+  flips to intrinsic Delaunay and factors both systems, with the points of the mesh's own property
+  map `vertex_point`.
+  */
+  explicit Heat_geodesics_3(const TriangleMesh& tmesh)
+    : Heat_geodesics_3(tmesh, get(vertex_point, tmesh))
+  {}
+
+  /*!
+  flips to intrinsic Delaunay and factors both systems.
+
+  \param tmesh the mesh; it must live and keep its vertices as long as this object. Its points are
+         read here only: moving them later changes nothing.
+  \param vertex_point_map the point of each vertex, in any unit
+  \param traits reads the coordinates of the points
+
+  \throws std::invalid_argument if the mesh has no face, or no face with an area, or a face that is
+          not a triangle, or a vertex with a coordinate that is not finite. The message names face
+          or vertex by its number in the range of faces or vertices.
+  \throws std::runtime_error if a system cannot be factored (out of memory)
+
+  <em>Complexity:</em> the flips are linear in practice; factoring is \f$ O(n^{1.5}) \f$ for
+  \f$ n \f$ vertices, in \f$ O(n \log n) \f$ memory.
+  */
+  Heat_geodesics_3(const TriangleMesh& tmesh, Point_map vertex_point_map,
+                   const Geometry& traits = Geometry())
+    : m_tmesh(&tmesh), m_rows(internal::number_vertices(tmesh)),
+      m_solver(internal::face_corners(tmesh, m_rows), point_matrix(tmesh, vertex_point_map, traits))
+  {}
+
+  Heat_geodesics_3(const Heat_geodesics_3&) = delete;
+  Heat_geodesics_3& operator=(const Heat_geodesics_3&) = delete;
+
+  /// @}
+
+  /// \name Queries
+  /// All of them are safe to call from several threads at once.
+  /// @{
+
+  /// returns the mesh.
+  const TriangleMesh& triangle_mesh() const { return *m_tmesh; }
+
+  /*!
+  returns the row of `v` in the results: its number in the range `vertices(tmesh)`.
+  \pre `v` is a vertex of the mesh.
+  */
+  std::size_t index(vertex_descriptor v) const
+  {
+    CGAL_precondition(v != boost::graph_traits<TriangleMesh>::null_vertex());
+    return get(m_rows, v);
+  }
+
+  /*!
+  returns the distances from `source` to all vertices.
+
+  \returns one number per vertex, in the unit of the points: 0 at `source`, positive or 0 elsewhere,
+           `+infinity` at vertices of other connected components; never NaN
+  \pre `source` is a vertex of the mesh.
+
+  <em>Complexity:</em> \f$ O(n \log n) \f$.
+  */
+  Eigen::VectorXd distances(vertex_descriptor source) const
+  {
+    return m_solver.distances({static_cast<Eigen::Index>(index(source))});
+  }
+
+  /*!
+  returns the distances from each of `sources`, taken alone, to all vertices; in parallel, if
+  `CGAL_LINKED_WITH_TBB` is defined.
+
+  \tparam VertexRange a range of vertex descriptors
+  \param sources the sources, which may repeat
+  \returns one row per vertex and one column per source, which is `distances(source)` to the last
+  bit
+  \pre All of `sources` are vertices of the mesh.
+
+  <em>Complexity:</em> \f$ O(n \log n) \f$ per source.
+  */
+  template <class VertexRange>
+  Eigen::MatrixXd distances(const VertexRange& sources) const
+  {
+    std::vector<Eigen::Index> rows;
+    for(vertex_descriptor v : sources)
+      rows.push_back(static_cast<Eigen::Index>(index(v)));
+    return m_solver.distances(rows);
+  }
+
+  /*!
+  writes the distances from `source` to all vertices to a property map.
+
+  \tparam VertexDistanceMap a model of `WritablePropertyMap` with `vertex_descriptor` as key type
+          and a value type to which `double` converts
+  \pre `source` is a vertex of the mesh.
+  */
+  template <class VertexDistanceMap>
+  void distances(vertex_descriptor source, VertexDistanceMap vertex_distance_map) const
+  {
+    const Eigen::VectorXd values = distances(source);
+    for(vertex_descriptor v : vertices(*m_tmesh))
+      put(vertex_distance_map, v, values[static_cast<Eigen::Index>(index(v))]);
+  }
+
+  /// @}
+
+private:
+  const TriangleMesh* m_tmesh;
+  Row_map m_rows;
+  internal::Heat_solver<Solver_traits> m_solver;
+};
+
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_HEAT_GEODESICS_3_H

@@ -1,0 +1,44 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_INDEXED_TETRAHEDRA_3_H
+#define CGAL_CANONICAL_POSE_3_INDEXED_TETRAHEDRA_3_H
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+
+/*!
+\ingroup PkgCanonicalPose3Ref
+
+\brief is a tetrahedral complex given by an array of points and an array of cells.
+
+\tparam Point a point type of a kernel, or of a model of `CanonicalPoseTraits_3`
+
+\sa `Tetrahedral_complex_traits_3`
+*/
+template <typename Point>
+struct Indexed_tetrahedra_3
+{
+  /// the type of points.
+  typedef Point Point_3;
+
+  /// the points; points of no cell are allowed, they move with nothing and are rejected where they would matter.
+  std::vector<Point> points;
+
+  /// four indices into `points` per cell, in either orientation.
+  std::vector<std::array<std::size_t, 4>> cells;
+};
+
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_INDEXED_TETRAHEDRA_3_H

@@ -1,0 +1,222 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_LANDMARK_MDS_TARGET_BUILDER_3_H
+#define CGAL_CANONICAL_POSE_3_LANDMARK_MDS_TARGET_BUILDER_3_H
+
+#include <CGAL/Canonical_pose_3/Landmark_fields_3.h>
+#include <CGAL/Canonical_pose_3/Squared_distance_kernel.h>
+
+#include <CGAL/assertions.h>
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+
+/*!
+\ingroup PkgCanonicalPose3Ref
+
+\brief embeds points by landmark multidimensional scaling, from their distances to a few of them.
+
+The landmarks are embedded by the leading eigenvectors of their (centred) kernel matrix, all other points are
+interpolated from their distances to the landmarks \cgalCite{cgal:canonical-st-glmnd-02},
+\cgalCite{cgal:canonical-s-sdacm-15} (Equation 3). With \f$ K_{ij} = k(g_{ij}/L) \f$ over the landmarks (distances
+symmetrised, \f$ L \f$ the largest of all), \f$ H \f$ the centring matrix and \f$ HKH = Q \Lambda Q^t \f$ truncated to the \f$ m \f$ largest
+eigenvalues, point \f$ i \f$ lands at \f$ s\,\Lambda^{-1/2} Q^t (k_i - \bar k) \f$, \f$ \bar k \f$ being the mean of the
+columns of \f$ K \f$. The scale \f$ s = \sum d g / \sum d^2 \f$ over the pairs of landmarks
+(\f$ d \f$ embedded, \f$ g \f$ given) brings any kernel to the unit of the distances.
+
+Where the matrix has fewer than \f$ m \f$ positive eigenvalues, the coordinates left over are 0 (the target is flat) and
+`number_of_positive_eigenvalues()` tells it. Each eigenvector is taken with the sign
+that makes the third moment of its entries non-negative. Landmarks that coincide do no harm.
+
+\tparam MdsKernel a model of `MdsKernel`
+
+\sa `farthest_point_landmarks()`
+\sa `align_target()`
+*/
+template <typename MdsKernel = Squared_distance_kernel>
+class Landmark_mds_target_builder_3
+{
+public:
+  /// constructs a builder without landmarks, for an embedding into `dimension` dimensions.
+  /// \pre `dimension >= 1`
+  explicit Landmark_mds_target_builder_3(MdsKernel kernel = MdsKernel(), const int dimension = 3)
+    : m_kernel(std::move(kernel)), m_dimension(dimension)
+  {
+    CGAL_precondition(dimension >= 1);
+  }
+
+  /*!
+  embeds the points whose distances to the landmarks are given.
+
+  \throws std::invalid_argument if there is no landmark, the sizes do not match, a landmark is no row of the distances,
+  or a distance is negative or not finite (a point that a landmark does not reach); the message names the element.
+
+  <em>Complexity:</em> \f$ O(nl + l^3) \f$ for \f$ n \f$ points and \f$ l \f$ landmarks.
+  */
+  void build(const Landmark_fields_3& fields)
+  {
+    check(fields);
+    m_length_scale = fields.distances.maxCoeff();
+    const Eigen::MatrixXd g = landmark_distances(fields);
+    const double unit = m_length_scale > 0 ? m_length_scale : 1;
+    const Eigen::MatrixXd kernel = g.unaryExpr([&](const double d) { return m_kernel(d / unit); });
+    const Eigen::VectorXd mean = kernel.rowwise().mean();
+
+    Eigen::MatrixXd gram = kernel;
+    if(m_kernel.is_centered())
+    {
+      gram.colwise() -= mean;
+      gram.rowwise() -= Eigen::RowVectorXd(mean.transpose());
+      gram.array() += mean.mean();
+    }
+    const Eigen::MatrixXd projection = eigen_projection(gram);
+    const double kernel_scale = scale_to_distances(kernel, mean, projection, g, unit);
+    interpolate(fields, mean, projection * kernel_scale, unit);
+  }
+
+  /// \name Results
+  /// They refer to the last call of `build()`.
+  /// @{
+
+  /// returns the \f$ n \times m \f$ matrix of embedded points, in the unit of the distances.
+  const Eigen::MatrixXd& targets() const { return m_targets; }
+
+  /// returns \f$ \sqrt{\sum (d - g)^2 / \sum g^2} \f$ over all pairs of landmarks; 0 if all distances are 0.
+  double stress() const { return m_stress; }
+
+  /// returns all eigenvalues of the (centred) kernel matrix of distances divided by the largest one, in decreasing order.
+  const Eigen::VectorXd& eigenvalues() const { return m_eigenvalues; }
+
+  /// returns how many of the first \f$ m \f$ eigenvalues count as positive (beyond rounding).
+  int number_of_positive_eigenvalues() const { return m_number_of_positive_eigenvalues; }
+
+  /// returns `false` if the eigenvalue after the last used one exceeds 0.9 times that one: another choice of axes
+  /// is then about as good, and the pose hangs on details of the distances.
+  bool is_determined() const
+  {
+    return m_eigenvalues.size() <= m_dimension
+           || m_eigenvalues[m_dimension] <= 0.9 * m_eigenvalues[m_dimension - 1];
+  }
+
+  /// returns the largest distance, \f$ L \f$.
+  double length_scale() const { return m_length_scale; }
+
+  /// returns the kernel.
+  const MdsKernel& kernel() const { return m_kernel; }
+
+  /// @}
+
+private:
+  static void check(const Landmark_fields_3& fields)
+  {
+    const Eigen::MatrixXd& d = fields.distances;
+    if(d.cols() == 0 || d.rows() == 0)
+      throw std::invalid_argument("there is no landmark to embed");
+    if(fields.landmarks.size() != static_cast<std::size_t>(d.cols()))
+      throw std::invalid_argument("there are " + std::to_string(fields.landmarks.size()) + " landmarks but "
+                                  + std::to_string(d.cols()) + " columns of distances");
+    for(const std::size_t landmark : fields.landmarks)
+      if(landmark >= static_cast<std::size_t>(d.rows()))
+        throw std::invalid_argument("landmark " + std::to_string(landmark) + " is not one of the "
+                                    + std::to_string(d.rows()) + " points");
+    for(Eigen::Index j = 0; j < d.cols(); ++j)
+      for(Eigen::Index i = 0; i < d.rows(); ++i)
+        if(!std::isfinite(d(i, j)) || d(i, j) < 0)
+          throw std::invalid_argument("the distance of vertex " + std::to_string(i) + " to landmark "
+                                      + std::to_string(fields.landmarks[j]) + " is "
+                                      + (d(i, j) < 0 ? "negative" : "not finite"));
+  }
+
+  static Eigen::MatrixXd landmark_distances(const Landmark_fields_3& fields)
+  {
+    const Eigen::Index l = fields.distances.cols();
+    Eigen::MatrixXd g(l, l);
+    for(Eigen::Index i = 0; i < l; ++i)
+      g.row(i) = fields.distances.row(static_cast<Eigen::Index>(fields.landmarks[i]));
+    return (0.5 * (g + g.transpose())).eval();
+  }
+
+  // The columns are those of Q Lambda^(-1/2), zero where the eigenvalue is not positive.
+  Eigen::MatrixXd eigen_projection(const Eigen::MatrixXd& gram)
+  {
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(gram);
+    if(solver.info() != Eigen::Success)
+      throw std::runtime_error("the eigenvalues of the landmark matrix could not be computed");
+    m_eigenvalues = solver.eigenvalues().reverse();
+    const double smallest_positive = 1e-12 * (std::max)(m_eigenvalues[0], 0.);
+    m_number_of_positive_eigenvalues = 0;
+    Eigen::MatrixXd projection = Eigen::MatrixXd::Zero(gram.rows(), m_dimension);
+    const Eigen::Index available = (std::min)(static_cast<Eigen::Index>(m_dimension), gram.rows());
+    for(Eigen::Index c = 0; c < available; ++c)
+    {
+      if(!(m_eigenvalues[c] > smallest_positive))
+        break;
+      const Eigen::VectorXd q = solver.eigenvectors().col(gram.rows() - 1 - c);
+      projection.col(c) = (q.array().cube().sum() < 0 ? -1. : 1.) / std::sqrt(m_eigenvalues[c]) * q;
+      ++m_number_of_positive_eigenvalues;
+    }
+    return projection;
+  }
+
+  // Returns the scale s and stores the stress after scaling.
+  double scale_to_distances(const Eigen::MatrixXd& kernel, const Eigen::VectorXd& mean,
+                            const Eigen::MatrixXd& projection, const Eigen::MatrixXd& g, const double unit)
+  {
+    const Eigen::MatrixXd embedded = (kernel.colwise() - mean).transpose() * projection;
+    double dg = 0, dd = 0, gg = 0;
+    for(Eigen::Index i = 0; i < g.rows(); ++i)
+      for(Eigen::Index j = 0; j < i; ++j)
+      {
+        const double distance = (embedded.row(i) - embedded.row(j)).norm();
+        const double given = g(i, j) / unit;
+        dg += distance * given;
+        dd += distance * distance;
+        gg += given * given;
+      }
+    const double scale = dd > 0 ? dg / dd : 1;
+    // sum (s d - g)^2 at the optimal s
+    m_stress = gg > 0 ? std::sqrt((std::max)(gg - scale * dg, 0.) / gg) : 0;
+    return scale;
+  }
+
+  void interpolate(const Landmark_fields_3& fields, const Eigen::VectorXd& mean, const Eigen::MatrixXd& projection,
+                   const double unit)
+  {
+    m_targets = Eigen::MatrixXd::Zero(fields.distances.rows(), m_dimension);
+    for(Eigen::Index j = 0; j < fields.distances.cols(); ++j)
+    {
+      const Eigen::VectorXd k = fields.distances.col(j).unaryExpr(
+        [&](const double d) { return m_kernel(d / unit) - mean[j]; });
+      m_targets.noalias() += k * projection.row(j);
+    }
+    m_targets *= unit;
+  }
+
+  MdsKernel m_kernel;
+  int m_dimension;
+  Eigen::MatrixXd m_targets;
+  Eigen::VectorXd m_eigenvalues;
+  double m_stress = 0;
+  double m_length_scale = 0;
+  int m_number_of_positive_eigenvalues = 0;
+};
+
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_LANDMARK_MDS_TARGET_BUILDER_3_H

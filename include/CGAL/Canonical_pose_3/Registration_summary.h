@@ -1,0 +1,151 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_REGISTRATION_SUMMARY_H
+#define CGAL_CANONICAL_POSE_3_REGISTRATION_SUMMARY_H
+
+#include <CGAL/Canonical_pose_3/Diagnosis_3.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <ostream>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+
+/*!
+\ingroup PkgCanonicalPose3Ref
+
+\brief tells how a registration ended, and what was done on the way to it.
+
+`Tetrahedral_arap_registrar_3` fills the members about the registration, `canonical_pose_3()` all of them.
+*/
+struct Registration_summary
+{
+  /// why the iteration stopped.
+  enum Termination
+  {
+    NOT_RUN,         ///< no iteration was done.
+    CONVERGED,       ///< the stopping inequalities of `Registration_options` hold.
+    ITERATION_LIMIT, ///< the cap on the iterations was reached first; the pose is usable.
+    NOT_FINITE       ///< numbers overflowed; there is no pose.
+  };
+
+  /// what the target of the registration is.
+  struct Target
+  {
+    std::string kernel;              ///< name of the kernel; `"given"` for a target handed in.
+    std::size_t landmarks = 0;       ///< number of landmarks.
+    double covering_radius = 0;      ///< largest distance of a vertex to its nearest landmark.
+    double stress = 0;               ///< stress over the landmarks, see `Landmark_mds_target_builder_3::stress()`.
+    std::vector<double> eigenvalues; ///< the six leading eigenvalues (fewer if there are fewer landmarks).
+    double max_geodesic = 0;         ///< \f$ L \f$, the largest distance to a landmark.
+    bool reflected = false;          ///< whether the mirrored target was taken.
+  };
+
+  /// what the surface hangs on.
+  struct Body
+  {
+    std::string kind;           ///< `"tetgen"`, or `"complex"` for a complex handed in.
+    std::size_t vertices = 0;   ///< number of body vertices.
+    std::size_t tetrahedra = 0; ///< number of cells.
+  };
+
+  /// a stage of the pipeline with the seconds that it took.
+  typedef std::pair<std::string, double> Stage;
+
+  /// why the iteration stopped.
+  Termination termination = NOT_RUN;
+  /// number of iterations done.
+  int iterations = 0;
+  /// the energy \f$ E \f$ of the result, without unit.
+  double energy = 0;
+  /// its matching term.
+  double energy_match = 0;
+  /// its as-rigid-as-possible term.
+  double energy_arap = 0;
+  /// the terms of the constraints.
+  double energy_constraints = 0;
+  /// the energy of the start and after each iteration.
+  std::vector<double> energy_history;
+  /// number of cells that are turned inside out (or flat) in the result.
+  std::size_t inverted = 0;
+  /// number of surface faces whose normal turned by more than 90 degrees against the rotation of their cell.
+  std::size_t flipped_faces = 0;
+  /// volume of the result by that of the rest pose.
+  double volume_ratio = 0;
+  /// median over the edges of the surface of \f$ | \log(\text{length in the result} / \text{length at rest}) | \f$.
+  double median_edge_strain = 0;
+  /// name of the linear solver.
+  std::string solver;
+  /// seconds of each stage, in the order of the pipeline.
+  std::vector<Stage> stages;
+  /// what was found on the surface.
+  Diagnosis_3 input;
+  /// the target.
+  Target target;
+  /// the body.
+  Body body;
+  /// one line each: what a user should know although the result is usable.
+  std::vector<std::string> warnings;
+
+  /// returns whether the stopping inequalities hold.
+  bool converged() const { return termination == CONVERGED; }
+
+  /// returns whether there is a pose.
+  bool is_usable() const { return termination == CONVERGED || termination == ITERATION_LIMIT; }
+
+  /// returns the sum of the seconds of all stages.
+  double total_seconds() const
+  {
+    double sum = 0;
+    for(const Stage& stage : stages)
+      sum += stage.second;
+    return sum;
+  }
+
+  /// adds `seconds` to the stage called `name`, which is appended if it is new.
+  void add_seconds(const std::string& name, const double seconds)
+  {
+    const auto stage = std::find_if(stages.begin(), stages.end(), [&](const Stage& s) { return s.first == name; });
+    if(stage != stages.end())
+      stage->second += seconds;
+    else
+      stages.emplace_back(name, seconds);
+  }
+
+  /// returns the outcome in one line.
+  std::string brief_report() const
+  {
+    static const char* const names[] = {"not run", "converged", "iteration limit reached", "not finite"};
+    std::ostringstream out;
+    out.precision(4);
+    out << names[termination] << " after " << iterations << " iterations, energy " << energy << ", " << inverted
+        << " of " << body.tetrahedra << " cells inverted, median edge strain " << median_edge_strain;
+    if(target.landmarks > 0)
+      out << ", stress " << target.stress;
+    out << ", " << total_seconds() << " s (" << solver << ')';
+    return out.str();
+  }
+};
+
+/// \relates Registration_summary
+/// writes `Registration_summary::brief_report()`.
+inline std::ostream& operator<<(std::ostream& out, const Registration_summary& summary)
+{
+  return out << summary.brief_report();
+}
+
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_REGISTRATION_SUMMARY_H

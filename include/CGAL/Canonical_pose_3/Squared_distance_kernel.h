@@ -1,0 +1,43 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_SQUARED_DISTANCE_KERNEL_H
+#define CGAL_CANONICAL_POSE_3_SQUARED_DISTANCE_KERNEL_H
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+
+/*!
+\ingroup PkgCanonicalPose3Ref
+
+\brief is the kernel of classical multidimensional scaling, \f$ k(r) = -r^2/2 \f$.
+
+Centred, it turns Euclidean distances into the Gram matrix of the points that have them, which is why a point set of
+the space is recovered exactly from its distances \cgalCite{cgal:canonical-st-glmnd-02}.
+
+\cgalModels `MdsKernel`
+*/
+struct Squared_distance_kernel
+{
+  /// returns \f$ -r^2/2 \f$ of the relative distance \f$ r = g/L \f$.
+  double operator()(const double relative_distance) const
+  {
+    return -0.5 * relative_distance * relative_distance;
+  }
+
+  /// returns `true`.
+  bool is_centered() const { return true; }
+
+  /// returns `"classical"`.
+  const char* name() const { return "classical"; }
+};
+
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_SQUARED_DISTANCE_KERNEL_H

@@ -1,0 +1,319 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_TETRAHEDRAL_ARAP_REGISTRAR_3_H
+#define CGAL_CANONICAL_POSE_3_TETRAHEDRAL_ARAP_REGISTRAR_3_H
+
+#include <CGAL/Canonical_pose_3/Default_factor_traits_d.h>
+#include <CGAL/Canonical_pose_3/Registration_options.h>
+#include <CGAL/Canonical_pose_3/Registration_summary.h>
+#include <CGAL/Canonical_pose_3/internal/Arap_energy.h>
+#include <CGAL/Canonical_pose_3/internal/Registration_constraint_base.h>
+#include <CGAL/Canonical_pose_3/internal/Sparse_factor.h>
+#include <CGAL/Canonical_pose_3/internal/Taubin_fairing.h>
+#include <CGAL/Canonical_pose_3/internal/check_registration.h>
+#include <CGAL/Canonical_pose_3/point_matrix.h>
+
+#include <CGAL/Default.h>
+#include <CGAL/Deformation_Eigen_polar_closest_rotation_traits_3.h>
+#include <CGAL/Real_timer.h>
+#include <CGAL/assertions.h>
+
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+
+/*!
+\ingroup PkgCanonicalPose3Ref
+
+\brief pulls an elastic body towards a target of its surface while it keeps the details.
+
+It minimises
+\f[ E(v) = \sum_i m_i |(Bv)_i - \hat v_i|^2 / L^2 + \ell^2 \sum_t w_t \|F_t - R_t\|^2 + E_{constraints} / L^2 \f]
+by local and global steps in turn \cgalCite{cgal:canonical-sa-asap-07}, \cgalCite{cgal:canonical-s-sdacm-15} (Equations 4 to 13).
+\f$ v \f$ are the body vertices, \f$ Bv \f$ the surface, \f$ \hat v \f$ the target, \f$ m \f$ the matching weights and
+\f$ w \f$ the cell weights (each with sum 1), \f$ F_t \f$ the deformation gradient of cell \f$ t \f$ and
+\f$ R_t \f$ the rotation closest to it, always of determinant 1. The global step has the constant matrix
+\f[ A = \ell^2 L^2 \sum_t w_t G_t^t G_t + (1 + \beta) B^t M B + A_{constraints}, \f]
+which is factored once. All lengths are divided by \f$ L \f$, hence neither units nor resolution matter.
+Without fairing the energy never rises. Iterations stop by the inequalities of `Registration_options`.
+
+\tparam ElasticBody a model of `ElasticBody_3`
+\tparam ClosestRotationTraits a model of CGAL's `DeformationClosestRotationTraits_3`,
+        by default `CGAL::Deformation_Eigen_polar_closest_rotation_traits_3`
+\tparam FactorTraits a model of `SparseLinearAlgebraWithBlockFactorTraits_d`, by default `Default_factor_traits_d`
+
+\sa `canonical_pose_3()`
+\sa `Spring_constraint_adaptor_3`
+*/
+template <typename ElasticBody, typename ClosestRotationTraits = Default, typename FactorTraits = Default>
+class Tetrahedral_arap_registrar_3
+{
+public:
+  /*!
+  constructs a registrar, without target. Body and weights are measured and checked here, the matrix is
+  factored by `factor()` or at first need.
+
+  \param body the body; it must outlive the registrar.
+  \param matching_weights \f$ n \f$ non-negative weights of the surface vertices; divided by their sum. Vertices of
+         weight 0 have no target.
+  \param length_scale \f$ L \f$, usually the largest geodesic distance. Positive.
+  \param options the knobs.
+
+  \pre `matching_weights.size() == body.embedding().rows()`
+
+  \throws std::invalid_argument if a weight or an option is out of its bounds, or a connected component of the
+  body carries no surface vertex of positive weight (the matrix would be singular); the message names the element.
+
+  <em>Complexity:</em> linear in the size of the body.
+  */
+  Tetrahedral_arap_registrar_3(const ElasticBody& body, const Eigen::VectorXd& matching_weights,
+                               const double length_scale,
+                               const Registration_options& options = Registration_options())
+    : m_body(body), m_length_scale(internal::checked_length_scale(length_scale)), m_options(options),
+      m_weights(internal::checked_matching_weights(body, matching_weights)),
+      m_embedding_transposed(body.embedding().transpose()),
+      m_arap(body.points() / length_scale, body.cells(), body.cell_weights())
+  {
+    m_options.check();
+    if(m_options.fairing_passes > 0)
+      m_fairing.emplace(body.points(), body.cells());
+  }
+
+  /// adds a constraint, which must outlive the registrar. Its right-hand side may change between calls of
+  /// `register_to_target()` at no cost; when its matrix changes, the next call factors anew.
+  /// \tparam Constraint a model of `RegistrationConstraint_3`
+  template <typename Constraint>
+  void add_constraint(Constraint& constraint)
+  {
+    m_constraints.push_back(std::make_unique<internal::Registration_constraint_model<Constraint>>(constraint));
+    m_factored_revisions.clear();
+  }
+
+  /// sets the target \f$ \hat v \f$ (\f$ n \times 3 \f$); no factorisation is needed.
+  /// \pre The number of rows is that of the surface vertices.
+  /// \throws std::invalid_argument if a coordinate is not finite.
+  void set_target(const Point_matrix& target)
+  {
+    CGAL_precondition(target.rows() == m_weights.size());
+    internal::check_finite(target);
+    m_target = target / m_length_scale;
+  }
+
+  /// factors the matrix unless that has been done for the present constraints.
+  /// \throws std::runtime_error if the matrix is not positive definite to working precision.
+  void factor()
+  {
+    std::vector<std::size_t> revisions;
+    for(const auto& constraint : m_constraints)
+      revisions.push_back(constraint->matrix_revision());
+    if(m_factor.is_factored() && revisions == m_factored_revisions)
+      return;
+    m_factor.factor(assemble_matrix(), "the matrix of the registration");
+    m_factored_revisions = revisions;
+  }
+
+  /*!
+  runs the iteration.
+
+  \param body_points \f$ N \times 3 \f$. If it has no row the iteration starts at the target: a body vertex that is
+         a surface vertex starts where its target is, all others where the system without rotations puts them. Otherwise it
+         starts from these positions (warm start). On return the result, unless the summary says that it is not usable; then
+         it is left as it was.
+
+  \returns the outcome; energies per iteration, inverted cells and volume included.
+
+  \pre `set_target()` was called, and `body_points` has no row or as many as the body.
+
+  \throws std::runtime_error see `factor()`.
+
+  <em>Complexity:</em> per iteration one pass over the cells and one solve with the factor for three right-hand sides.
+  */
+  Registration_summary register_to_target(Point_matrix& body_points)
+  {
+    CGAL_precondition(m_target.rows() == m_weights.size());
+    CGAL_precondition(body_points.rows() == 0 || body_points.rows() == m_body.points().rows());
+    Registration_summary summary;
+    summary.solver = Factor::name();
+    for(const char* stage : {"factorization", "local_steps", "global_steps"})
+      summary.add_seconds(stage, 0);
+    summary.body.vertices = static_cast<std::size_t>(m_body.points().rows());
+    summary.body.tetrahedra = m_body.cells().size();
+    timed(summary, "factorization", [&] { factor(); });
+
+    Point_matrix v;
+    timed(summary, "global_steps", [&] {
+      v = body_points.rows() == 0 ? start() : Point_matrix(body_points / m_length_scale);
+    });
+    timed(summary, "local_steps", [&] { evaluate(v, summary); });
+    iterate(v, body_points.rows() > 0, summary);
+    if(summary.is_usable())
+      body_points = v * m_length_scale;
+    return summary;
+  }
+
+  /// returns the surface vertices \f$ Bv \f$ (\f$ n \times 3 \f$) at body positions \f$ v \f$ (\f$ N \times 3 \f$).
+  Point_matrix surface_points(const Point_matrix& body_points) const
+  {
+    CGAL_precondition(body_points.rows() == m_body.points().rows());
+    return m_body.embedding() * body_points;
+  }
+
+  /// changes the cap on the number of iterations; no factorisation is needed. Not negative.
+  void set_number_of_iterations(const int number_of_iterations)
+  {
+    CGAL_precondition(number_of_iterations >= 0);
+    m_options.number_of_iterations = number_of_iterations;
+  }
+
+  /// returns the options.
+  const Registration_options& options() const { return m_options; }
+
+private:
+  typedef typename Default::Get<ClosestRotationTraits, Deformation_Eigen_polar_closest_rotation_traits_3>::type
+    Rotation_traits;
+  typedef internal::Sparse_factor<typename Default::Get<FactorTraits, Default_factor_traits_d>::type> Factor;
+
+  template <typename Function>
+  static void timed(Registration_summary& summary, const char* stage, const Function& f)
+  {
+    Real_timer timer;
+    timer.start();
+    f();
+    summary.add_seconds(stage, timer.time());
+  }
+
+  Eigen::SparseMatrix<double> assemble_matrix() const
+  {
+    const Eigen::Index n = m_body.points().rows();
+    std::vector<Eigen::Triplet<double>> entries;
+    entries.reserve(16 * m_body.cells().size());
+    m_arap.add_to_matrix(m_options.detail_length * m_options.detail_length, entries);
+    Eigen::SparseMatrix<double> matrix(n, n);
+    matrix.setFromTriplets(entries.begin(), entries.end());
+
+    entries.clear();
+    for(Eigen::Index i = 0; i < m_weights.size(); ++i)
+      entries.emplace_back(static_cast<int>(i), static_cast<int>(i), (1 + m_options.tikhonov) * m_weights[i]);
+    for(const auto& constraint : m_constraints)
+      constraint->add_to_matrix(entries);
+    Eigen::SparseMatrix<double> surface(m_weights.size(), m_weights.size());
+    surface.setFromTriplets(entries.begin(), entries.end());
+    const Eigen::SparseMatrix<double> surface_embedded = surface * m_body.embedding();
+    matrix += Eigen::SparseMatrix<double>(m_embedding_transposed * surface_embedded);
+    return matrix;
+  }
+
+  Point_matrix start() const
+  {
+    const Point_matrix weighted = m_weights.asDiagonal() * m_target;
+    Point_matrix v = m_factor.solve((1 + m_options.tikhonov) * (m_embedding_transposed * weighted));
+    for(Eigen::Index i = 0; i < m_weights.size(); ++i)
+      if(m_weights[i] > 0)
+      {
+        Eigen::SparseMatrix<double>::InnerIterator entry(m_embedding_transposed, i);
+        const Eigen::Index vertex = entry.row();
+        if(entry.value() == 1 && !++entry)
+          v.row(vertex) = m_target.row(i);
+      }
+    return v;
+  }
+
+  // Local step; stores the energies at v in the summary and returns the total one.
+  double evaluate(const Point_matrix& v, Registration_summary& summary)
+  {
+    const Point_matrix surface = m_body.embedding() * v;
+    const auto arap = m_arap.fit_rotations(v);
+    summary.energy_match = (surface - m_target).rowwise().squaredNorm().dot(m_weights);
+    summary.energy_arap = m_options.detail_length * m_options.detail_length * arap.energy;
+    summary.energy_constraints = 0;
+    if(!m_constraints.empty())
+    {
+      const Point_matrix points = surface * m_length_scale;
+      for(const auto& constraint : m_constraints)
+        summary.energy_constraints += constraint->energy(points) / (m_length_scale * m_length_scale);
+    }
+    summary.energy = summary.energy_match + summary.energy_arap + summary.energy_constraints;
+    summary.inverted = arap.inverted;
+    summary.volume_ratio = arap.volume_ratio;
+    summary.energy_history.push_back(summary.energy);
+    return summary.energy;
+  }
+
+  Point_matrix right_hand_side(const Point_matrix& v)
+  {
+    const Point_matrix surface = m_body.embedding() * v;
+    Point_matrix on_surface = m_weights.asDiagonal() * (m_target + m_options.tikhonov * surface);
+    if(!m_constraints.empty())
+    {
+      const Point_matrix points = surface * m_length_scale;
+      Point_matrix sum = Point_matrix::Zero(surface.rows(), 3);
+      for(const auto& constraint : m_constraints)
+        constraint->add_to_right_hand_side(points, sum);
+      on_surface += sum / m_length_scale;
+    }
+    Point_matrix result = m_embedding_transposed * on_surface;
+    m_arap.add_to_right_hand_side(m_options.detail_length * m_options.detail_length, result);
+    return result;
+  }
+
+  void iterate(Point_matrix& v, const bool is_warm_start, Registration_summary& summary)
+  {
+    double energy = summary.energy;
+    summary.termination = Registration_summary::ITERATION_LIMIT;
+    while(summary.iterations < m_options.number_of_iterations && std::isfinite(energy))
+    {
+      if(m_fairing && (is_warm_start || summary.iterations > 0))
+        timed(summary, "local_steps", [&] {
+          m_arap.fit_rotations((*m_fairing)(v, m_options.fairing_passes, m_options.fairing_lambda, m_options.fairing_mu));
+        });
+      double move = 0;
+      timed(summary, "global_steps", [&] {
+        Point_matrix next = m_factor.solve(right_hand_side(v));
+        move = std::sqrt((m_body.embedding() * Point_matrix(next - v)).rowwise().squaredNorm().maxCoeff());
+        v.swap(next);
+      });
+      ++summary.iterations;
+      const double previous = energy;
+      timed(summary, "local_steps", [&] { energy = evaluate(v, summary); });
+      if(std::abs(previous - energy) <= m_options.energy_tolerance * (std::max)(previous, 1e-15)
+         && move <= m_options.move_tolerance)
+      {
+        summary.termination = Registration_summary::CONVERGED;
+        return;
+      }
+    }
+    if(!std::isfinite(energy))
+      summary.termination = Registration_summary::NOT_FINITE;
+  }
+
+  const ElasticBody& m_body;
+  double m_length_scale;
+  Registration_options m_options;
+  Eigen::VectorXd m_weights;
+  Eigen::SparseMatrix<double> m_embedding_transposed;
+  internal::Arap_energy<Rotation_traits> m_arap;
+  std::optional<internal::Taubin_fairing> m_fairing;
+  std::vector<std::unique_ptr<internal::Registration_constraint_base>> m_constraints;
+  std::vector<std::size_t> m_factored_revisions;
+  Factor m_factor;
+  Point_matrix m_target;
+};
+
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_TETRAHEDRAL_ARAP_REGISTRAR_3_H

@@ -1,0 +1,162 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_TETRAHEDRAL_COMPLEX_TRAITS_3_H
+#define CGAL_CANONICAL_POSE_3_TETRAHEDRAL_COMPLEX_TRAITS_3_H
+
+#include <CGAL/Canonical_pose_3/Indexed_tetrahedra_3.h>
+
+#include <boost/range/irange.hpp>
+
+#include <array>
+#include <cstddef>
+#include <type_traits>
+#include <unordered_set>
+#include <vector>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+namespace internal {
+
+template <typename...>
+struct Make_void { typedef void type; };
+
+// Vertices of the cells in `cells`, each once, in the order of the triangulation's vertices.
+template <typename Triangulation, typename CellRange>
+std::vector<typename Triangulation::Vertex_handle> vertices_of_cells(const Triangulation& tr, const CellRange& cells)
+{
+  typedef typename Triangulation::Vertex_handle Vertex_handle;
+  std::unordered_set<Vertex_handle> used;
+  for(const auto& cell : cells)
+    used.insert(cell.begin(), cell.end());
+  std::vector<Vertex_handle> result;
+  result.reserve(used.size());
+  for(auto v = tr.finite_vertices_begin(); v != tr.finite_vertices_end(); ++v)
+    if(used.count(v) != 0)
+      result.push_back(v);
+  return result;
+}
+
+template <typename Cell_handle>
+auto handles_of_cell(const Cell_handle c)
+{
+  return std::array{c->vertex(0), c->vertex(1), c->vertex(2), c->vertex(3)};
+}
+
+} // namespace internal
+
+/*!
+\ingroup PkgCanonicalPose3Ref
+
+\brief tells how to read a tetrahedral complex; to be specialised for a complex of one's own.
+
+The package specialises it for
+- `CGAL::Mesh_complex_3_in_triangulation_3` (the result of `CGAL::make_mesh_3()`): its cells in the complex,
+- `CGAL::Triangulation_3` and classes derived from it whose cells have a subdomain index (for instance
+  `CGAL::Tetrahedral_remeshing::Remeshing_triangulation_3`): the finite cells of non-zero index,
+- `Indexed_tetrahedra_3`.
+
+The vertices are those of the cells. Nothing is ever written to a complex: moving the vertices of a
+triangulation in place would invalidate it.
+
+\tparam Complex the type of the complex
+
+\cgalModels `TetrahedralComplexTraits_3`
+*/
+template <typename Complex, typename Enable = void>
+struct Tetrahedral_complex_traits_3;
+
+/// \cond SKIP_IN_MANUAL
+
+// Complexes of Mesh_3.
+template <typename C3t3>
+struct Tetrahedral_complex_traits_3<
+  C3t3, typename internal::Make_void<typename C3t3::Triangulation, typename C3t3::Cells_in_complex_iterator>::type>
+{
+  typedef typename C3t3::Triangulation::Vertex_handle Vertex_descriptor;
+  typedef typename C3t3::Triangulation::Geom_traits::Point_3 Point_3;
+
+  static std::vector<std::array<Vertex_descriptor, 4>> cells(const C3t3& c3t3)
+  {
+    std::vector<std::array<Vertex_descriptor, 4>> result;
+    for(auto c = c3t3.cells_in_complex_begin(); c != c3t3.cells_in_complex_end(); ++c)
+      result.push_back(internal::handles_of_cell(typename C3t3::Triangulation::Cell_handle(c)));
+    return result;
+  }
+
+  static std::vector<Vertex_descriptor> vertices(const C3t3& c3t3)
+  {
+    return internal::vertices_of_cells(c3t3.triangulation(), cells(c3t3));
+  }
+
+  // Points may carry a weight.
+  static Point_3 point(const C3t3& c3t3, const Vertex_descriptor v)
+  {
+    return c3t3.triangulation().geom_traits().construct_point_3_object()(v->point());
+  }
+};
+
+// Triangulations whose cells have a subdomain index.
+template <typename Triangulation>
+struct Tetrahedral_complex_traits_3<
+  Triangulation,
+  typename internal::Make_void<typename Triangulation::Triangulation_data_structure,
+                               decltype(typename Triangulation::Cell_handle()->subdomain_index())>::type>
+{
+  typedef typename Triangulation::Vertex_handle Vertex_descriptor;
+  typedef typename Triangulation::Geom_traits::Point_3 Point_3;
+
+  static std::vector<std::array<Vertex_descriptor, 4>> cells(const Triangulation& tr)
+  {
+    typedef std::decay_t<decltype(typename Triangulation::Cell_handle()->subdomain_index())> Subdomain_index;
+    std::vector<std::array<Vertex_descriptor, 4>> result;
+    for(auto c = tr.finite_cells_begin(); c != tr.finite_cells_end(); ++c)
+      if(c->subdomain_index() != Subdomain_index())
+        result.push_back(internal::handles_of_cell(typename Triangulation::Cell_handle(c)));
+    return result;
+  }
+
+  static std::vector<Vertex_descriptor> vertices(const Triangulation& tr)
+  {
+    return internal::vertices_of_cells(tr, cells(tr));
+  }
+
+  static Point_3 point(const Triangulation& tr, const Vertex_descriptor v)
+  {
+    return tr.geom_traits().construct_point_3_object()(v->point());
+  }
+};
+
+template <typename Point>
+struct Tetrahedral_complex_traits_3<Indexed_tetrahedra_3<Point>>
+{
+  typedef std::size_t Vertex_descriptor;
+  typedef Point Point_3;
+
+  static auto vertices(const Indexed_tetrahedra_3<Point>& complex)
+  {
+    return boost::irange(std::size_t(0), complex.points.size());
+  }
+
+  static const std::vector<std::array<std::size_t, 4>>& cells(const Indexed_tetrahedra_3<Point>& complex)
+  {
+    return complex.cells;
+  }
+
+  static const Point& point(const Indexed_tetrahedra_3<Point>& complex, const std::size_t v)
+  {
+    return complex.points[v];
+  }
+};
+
+/// \endcond
+
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_TETRAHEDRAL_COMPLEX_TRAITS_3_H

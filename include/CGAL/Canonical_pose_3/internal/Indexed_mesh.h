@@ -1,0 +1,82 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_INTERNAL_INDEXED_MESH_H
+#define CGAL_CANONICAL_POSE_3_INTERNAL_INDEXED_MESH_H
+
+#include <CGAL/Canonical_pose_3/point_matrix.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/helpers.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+namespace internal {
+
+// The mesh on which everything inside runs, whatever the user's is: vertex i is row i.
+typedef Exact_predicates_inexact_constructions_kernel Indexed_mesh_kernel;
+typedef Surface_mesh<Indexed_mesh_kernel::Point_3> Indexed_mesh;
+typedef std::array<std::size_t, 3> Index_triangle;
+
+// The triangles of a mesh as triples of rows. Each begins with its smallest row, so that the result
+// does not depend on the halfedge that a data structure keeps for a face.
+template <typename FaceGraph>
+std::vector<Index_triangle> index_triangles(const FaceGraph& tmesh)
+{
+  typedef typename boost::graph_traits<FaceGraph>::vertex_descriptor vertex_descriptor;
+  std::unordered_map<vertex_descriptor, std::size_t> row;
+  for(const vertex_descriptor v : vertices(tmesh))
+    row.emplace(v, row.size());
+  std::vector<Index_triangle> triangles;
+  for(const auto f : faces(tmesh))
+  {
+    std::vector<std::size_t> corners;
+    for(const auto h : halfedges_around_face(halfedge(f, tmesh), tmesh))
+      corners.push_back(row[target(h, tmesh)]);
+    if(corners.size() != 3)
+      throw std::invalid_argument("face " + std::to_string(triangles.size()) + " is not a triangle");
+    std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+    triangles.push_back({corners[0], corners[1], corners[2]});
+  }
+  return triangles;
+}
+
+// Throws std::invalid_argument where the triangles are not an oriented 2-manifold.
+inline Indexed_mesh indexed_mesh(const Point_matrix& points, const std::vector<Index_triangle>& triangles)
+{
+  typedef Indexed_mesh::Vertex_index Vertex_index;
+  Indexed_mesh mesh;
+  mesh.reserve(Indexed_mesh::size_type(points.rows()), Indexed_mesh::size_type(3 * triangles.size() / 2 + 1),
+               Indexed_mesh::size_type(triangles.size()));
+  for(Eigen::Index i = 0; i < points.rows(); ++i)
+    mesh.add_vertex(Indexed_mesh::Point(points(i, 0), points(i, 1), points(i, 2)));
+  for(std::size_t f = 0; f < triangles.size(); ++f)
+  {
+    const Index_triangle& t = triangles[f];
+    if(mesh.add_face(Vertex_index(Indexed_mesh::size_type(t[0])), Vertex_index(Indexed_mesh::size_type(t[1])),
+                     Vertex_index(Indexed_mesh::size_type(t[2]))) == Indexed_mesh::null_face())
+      throw std::invalid_argument("face " + std::to_string(f)
+                                  + " does not fit the others: the surface is not an oriented 2-manifold there");
+  }
+  return mesh;
+}
+
+} // namespace internal
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_INTERNAL_INDEXED_MESH_H

@@ -1,0 +1,71 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_INTERNAL_SPARSE_FACTOR_H
+#define CGAL_CANONICAL_POSE_3_INTERNAL_SPARSE_FACTOR_H
+
+#include <CGAL/Canonical_pose_3/Default_factor_traits_d.h>
+#include <CGAL/assertions.h>
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+#include <stdexcept>
+#include <string>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+namespace internal {
+
+// A factorization of a symmetric positive definite matrix, kept for any number of solves.
+// `FactorTraits`: a model of `SparseLinearAlgebraWithBlockFactorTraits_d`.
+// Solving is const and may be done from several threads at once.
+template <class FactorTraits = Default_factor_traits_d>
+class Sparse_factor
+{
+public:
+  // `matrix`: full symmetric (or its lower triangle); `what`: its name, in words, for the message.
+  // Throws `std::runtime_error` when the matrix is not positive definite; nothing is factored then.
+  void factor(const Eigen::SparseMatrix<double>& matrix, const char* what)
+  {
+    CGAL_precondition(matrix.rows() == matrix.cols());
+    typename FactorTraits::NT denominator;
+    m_what = what;
+    m_size = -1;
+    if(!m_traits.factor(typename FactorTraits::Matrix(matrix), denominator))
+      throw std::runtime_error(m_what + " is not positive definite (" + name() + ")");
+    m_size = matrix.rows();
+  }
+
+  // `right_hand_sides`: one per column, as many rows as the matrix has. Each column of the solution
+  // has the same bytes whatever the other columns are.
+  Eigen::MatrixXd solve(const Eigen::Ref<const Eigen::MatrixXd>& right_hand_sides) const
+  {
+    CGAL_precondition(is_factored());
+    CGAL_precondition(right_hand_sides.rows() == m_size);
+    Eigen::MatrixXd solutions(right_hand_sides.rows(), right_hand_sides.cols());
+    if(!m_traits.linear_solver(right_hand_sides, solutions) || !solutions.allFinite())
+      throw std::runtime_error("a solution for " + m_what + " is not finite (" + name() + ")");
+    return solutions;
+  }
+
+  bool is_factored() const { return m_size >= 0; }
+
+  static const char* name() { return FactorTraits::name(); }
+
+private:
+  FactorTraits m_traits;
+  std::string m_what;
+  Eigen::Index m_size = -1;
+};
+
+} // namespace internal
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_INTERNAL_SPARSE_FACTOR_H

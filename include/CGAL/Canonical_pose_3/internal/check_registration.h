@@ -1,0 +1,78 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_INTERNAL_CHECK_REGISTRATION_H
+#define CGAL_CANONICAL_POSE_3_INTERNAL_CHECK_REGISTRATION_H
+
+#include <CGAL/assertions.h>
+
+#include <Eigen/SparseCore>
+
+#include <boost/pending/disjoint_sets.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+namespace internal {
+
+inline double checked_length_scale(const double length_scale)
+{
+  if(!(length_scale > 0) || !std::isfinite(length_scale))
+    throw std::invalid_argument("the length scale must be positive and finite");
+  return length_scale;
+}
+
+// The matrix of the registration is positive definite if and only if each connected component of the body
+// carries a surface vertex of positive weight.
+template <typename ElasticBody>
+void check_that_components_are_held(const ElasticBody& body, const Eigen::VectorXd& weights)
+{
+  const std::size_t n = static_cast<std::size_t>(body.points().rows());
+  std::vector<std::size_t> rank(n, 0), parent(n);
+  std::iota(parent.begin(), parent.end(), std::size_t(0));
+  boost::disjoint_sets<std::size_t*, std::size_t*> sets(rank.data(), parent.data());
+  for(const auto& cell : body.cells())
+    for(int k = 1; k < 4; ++k)
+      sets.union_set(static_cast<std::size_t>(cell[0]), static_cast<std::size_t>(cell[k]));
+
+  std::vector<bool> held(n, false);
+  const Eigen::SparseMatrix<double>& embedding = body.embedding();
+  for(Eigen::Index v = 0; v < embedding.outerSize(); ++v)
+    for(Eigen::SparseMatrix<double>::InnerIterator it(embedding, v); it; ++it)
+      if(it.value() != 0 && weights[it.row()] > 0)
+        held[sets.find_set(static_cast<std::size_t>(v))] = true;
+  for(std::size_t v = 0; v < n; ++v)
+    if(!held[sets.find_set(v)])
+      throw std::invalid_argument("the component of the body with vertex " + std::to_string(v)
+                                  + " carries no surface vertex of positive weight");
+}
+
+// Returns the weights with sum 1.
+template <typename ElasticBody>
+Eigen::VectorXd checked_matching_weights(const ElasticBody& body, const Eigen::VectorXd& weights)
+{
+  CGAL_precondition(weights.size() == body.embedding().rows());
+  CGAL_precondition(body.embedding().cols() == body.points().rows());
+  for(Eigen::Index i = 0; i < weights.size(); ++i)
+    if(!(weights[i] >= 0) || !std::isfinite(weights[i]))
+      throw std::invalid_argument("the matching weight of vertex " + std::to_string(i) + " is negative or not finite");
+  check_that_components_are_held(body, weights);
+  return weights / weights.sum();
+}
+
+} // namespace internal
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_INTERNAL_CHECK_REGISTRATION_H

@@ -1,0 +1,106 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_SURFACE_MEASURES_H
+#define CGAL_CANONICAL_POSE_3_SURFACE_MEASURES_H
+
+#include <CGAL/Canonical_pose_3/internal/Indexed_mesh.h>
+#include <CGAL/Canonical_pose_3/point_matrix.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+#include <vector>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+
+/*!
+\ingroup PkgCanonicalPose3Ref
+
+\brief returns the share of each vertex in the area of a surface: a third of that of its triangles. The sum is 1.
+
+\param points \f$ n \times 3 \f$, positions.
+\param triangles triples of rows of `points`.
+
+\throws std::invalid_argument if the area is zero or overflows.
+*/
+inline Eigen::VectorXd vertex_area_shares(const Point_matrix& points,
+                                          const std::vector<std::array<std::size_t, 3>>& triangles)
+{
+  const double unit = points.size() > 0 ? points.cwiseAbs().maxCoeff() : 0;
+  Eigen::VectorXd area = Eigen::VectorXd::Zero(points.rows());
+  for(const auto& t : triangles)
+  {
+    const Eigen::Vector3d e = (points.row(t[1]) - points.row(t[0])) / unit;
+    const Eigen::Vector3d f = (points.row(t[2]) - points.row(t[0])) / unit;
+    const double third = e.cross(f).norm() / 6;
+    for(const std::size_t v : t)
+      area[static_cast<Eigen::Index>(v)] += third;
+  }
+  const double sum = area.sum();
+  if(!(sum > 0) || !std::isfinite(sum))
+    throw std::invalid_argument("the surface has no area");
+  return area / sum;
+}
+
+/*!
+\ingroup PkgCanonicalPose3Ref
+
+\brief returns the share of each vertex in the area of a triangle mesh.
+
+\tparam TriangleMesh a model of `FaceListGraph`
+\tparam VertexPointMap a model of `ReadablePropertyMap` with vertex descriptors as keys and points of a kernel as values
+*/
+template <typename TriangleMesh, typename VertexPointMap>
+Eigen::VectorXd vertex_area_shares(const TriangleMesh& tmesh, VertexPointMap vertex_point_map)
+{
+  return vertex_area_shares(point_matrix(tmesh, vertex_point_map), internal::index_triangles(tmesh));
+}
+
+/*!
+\ingroup PkgCanonicalPose3Ref
+
+\brief returns the median over the edges of \f$ |\log(l'/l)| \f$, \f$ l \f$ and \f$ l' \f$ being the lengths of an
+edge at rest and in the pose. Edges of length 0 at rest are left out.
+
+\param rest \f$ n \times 3 \f$, positions at rest.
+\param pose \f$ n \times 3 \f$, positions in the pose.
+\param triangles triples of rows.
+*/
+inline double median_edge_strain(const Point_matrix& rest, const Point_matrix& pose,
+                                 const std::vector<std::array<std::size_t, 3>>& triangles)
+{
+  std::vector<std::array<std::size_t, 2>> edges;
+  for(const auto& t : triangles)
+    for(int k = 0; k < 3; ++k)
+      edges.push_back({(std::min)(t[k], t[(k + 1) % 3]), (std::max)(t[k], t[(k + 1) % 3])});
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  std::vector<double> strains;
+  for(const auto& e : edges)
+  {
+    const double length = (rest.row(e[0]) - rest.row(e[1])).norm();
+    if(length > 0)
+      strains.push_back(std::abs(std::log((pose.row(e[0]) - pose.row(e[1])).norm() / length)));
+  }
+  if(strains.empty())
+    return 0;
+  const auto middle = strains.begin() + static_cast<std::ptrdiff_t>(strains.size() / 2);
+  std::nth_element(strains.begin(), middle, strains.end());
+  return *middle;
+}
+
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_SURFACE_MEASURES_H

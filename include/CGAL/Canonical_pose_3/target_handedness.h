@@ -1,0 +1,105 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_TARGET_HANDEDNESS_H
+#define CGAL_CANONICAL_POSE_3_TARGET_HANDEDNESS_H
+
+#include <CGAL/Canonical_pose_3/point_matrix.h>
+
+#include <CGAL/assertions.h>
+
+#include <Eigen/Dense>
+#include <Eigen/Eigenvalues>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+namespace internal {
+
+// Six times the volume inside the triangles, in units of the cube of the extent.
+inline double signed_volume(const Point_matrix& points, const std::vector<std::array<std::size_t, 3>>& triangles)
+{
+  const Eigen::RowVector3d center = points.colwise().mean();
+  const double extent = (points.rowwise() - center).cwiseAbs().maxCoeff();
+  double sum = 0;
+  for(const auto& t : triangles)
+  {
+    Eigen::Matrix3d corners;
+    for(int k = 0; k < 3; ++k)
+      corners.row(k) = (points.row(static_cast<Eigen::Index>(t[k])) - center) / extent;
+    sum += corners.determinant();
+  }
+  return sum * extent * extent * extent;
+}
+
+// sum m x y z along the principal axes, the longest first, taken as a right-handed frame, by the product of the standard
+// deviations; 0 for flat points. Reversing two axes does not change it, reversing one or three changes the sign.
+inline double chirality(const Point_matrix& points, const Eigen::VectorXd& weights)
+{
+  const Eigen::VectorXd share = weights / weights.sum();
+  const Point_matrix centered = points.rowwise() - Eigen::RowVector3d(share.transpose() * points);
+  const Eigen::Matrix3d covariance = centered.transpose() * share.asDiagonal() * centered;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance);
+  const Eigen::Vector3d variances = solver.eigenvalues();
+  if(!(variances[0] > 1e-10 * variances[2]))
+    return 0;
+  const Eigen::Matrix3d axes = solver.eigenvectors().rowwise().reverse();
+  const Point_matrix along_axes = centered * axes;
+  const double moment = along_axes.rowwise().prod().dot(share);
+  return axes.determinant() * moment / variances.cwiseSqrt().prod();
+}
+
+} // namespace internal
+
+/*!
+\ingroup PkgCanonicalPose3Ref
+
+\brief tells whether a target has the handedness in which the canonical pose is taken (positive), or its mirror
+image has (negative).
+
+The distances do not tell a target from its mirror image. The choice has to be the same for all poses of a shape, so it
+must not depend on the pose; the energy of the registration does, and differs by little. This is the sum of two numbers
+without unit that only depend on the target, both of which change their sign by reflection:
+- the volume enclosed by the surface in the target by that in the input. It decides for shapes such as quadrupeds (magnitude 1.2 to
+  2 over their poses), whose target is inside out if it is mirrored;
+- the third moment \f$ \sum m_i x_i y_i z_i \f$ along the principal axes of the target, the longest first, by the product of the standard deviations. It
+  decides for shapes such as humans (magnitude 0.9 to 1.4 over their poses), whose target is twisted: of a twist and its mirror image
+  neither is inside out.
+
+Near 0 (shapes whose target is its own mirror image, as that of a bar) either choice gives about the same pose.
+
+\param target \f$ n \times 3 \f$, target of each vertex.
+\param points \f$ n \times 3 \f$, points of the input.
+\param triangles triples of rows, oriented.
+\param weights \f$ n \f$ non-negative weights, for instance `vertex_area_shares()`.
+
+\pre The numbers of rows agree, and the sum of the weights is positive.
+
+<em>Complexity:</em> linear.
+
+\sa `align_target()`
+*/
+inline double target_handedness(const Point_matrix& target, const Point_matrix& points,
+                                const std::vector<std::array<std::size_t, 3>>& triangles,
+                                const Eigen::VectorXd& weights)
+{
+  CGAL_precondition(target.rows() == points.rows() && weights.size() == points.rows());
+  CGAL_precondition(weights.sum() > 0);
+  const double volume_ratio
+    = internal::signed_volume(target, triangles) / internal::signed_volume(points, triangles);
+  return (std::isfinite(volume_ratio) ? volume_ratio : 0) + internal::chirality(target, weights);
+}
+
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_TARGET_HANDEDNESS_H

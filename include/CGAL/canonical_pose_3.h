@@ -1,0 +1,153 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_H
+#define CGAL_CANONICAL_POSE_3_H
+
+#include <CGAL/Canonical_pose_3/Options.h>
+#include <CGAL/Canonical_pose_3/Registration_summary.h>
+#include <CGAL/Canonical_pose_3/complex_body.h>
+#include <CGAL/Canonical_pose_3/internal/Canonical_pose_pipeline.h>
+#include <CGAL/Canonical_pose_3/internal/boundary_triangles.h>
+#include <CGAL/Canonical_pose_3/internal/with_solver.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgCanonicalPose3Ref
+
+\brief brings a closed surface into its detail-preserving canonical pose \cgalCite{cgal:canonical-s-sdacm-15}.
+
+Geodesic distances to landmarks give a target point per vertex by multidimensional scaling; a tetrahedral
+body inside the surface is pulled towards it by an as-rigid-as-possible registration that keeps details smaller than the
+detail length. Bent and straight, a shape ends in nearly the same pose. Of the target and its mirror image the one
+of positive `Canonical_pose_3::target_handedness()` is taken. The pose lies where the rigid motion that fits the target
+to the input puts it. It follows rigid motions, scaling and relabelling of the input.
+
+\tparam TriangleMesh a model of `FaceListGraph`
+\tparam PoseVertexPointMap a model of `WritablePropertyMap` with vertex descriptors of `TriangleMesh` as keys and points of the
+        traits as values. It may be the point map of `tmesh` itself.
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param tmesh a closed connected triangle mesh without self-intersections.
+\param pose_vertex_point_map receives the pose, unless the summary says that there is none.
+\param options the knobs of the method.
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{vertex_point_map}
+    \cgalParamDescription{the points of the vertices of `tmesh`}
+    \cgalParamType{a class model of `ReadablePropertyMap` with vertex descriptors as keys and points of the traits as values}
+    \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
+  \cgalParamNEnd
+  \cgalParamNBegin{geom_traits}
+    \cgalParamDescription{an instance of a geometric traits class}
+    \cgalParamType{a class model of `CanonicalPoseTraits_3`}
+    \cgalParamDefault{a \cgal Kernel deduced from the point type, using `CGAL::Kernel_traits`}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\returns the outcome; iterations, energies and seconds per stage included.
+
+\throws std::invalid_argument if the surface is not clean (see `Canonical_pose_3::diagnose()`) or an option is out
+of its bounds; the message names the defect and an element.
+\throws std::runtime_error if the solver or the mesher fails, or the program was built without TetGen.
+
+<em>Complexity:</em> with the default distances two factorisations and one solve per landmark of sparse matrices of the
+size of the surface, one factorisation of a matrix of the size of the body, and per iteration a pass over the cells and a solve.
+*/
+template <typename TriangleMesh, typename PoseVertexPointMap, typename NamedParameters = parameters::Default_named_parameters,
+          std::enable_if_t<!Canonical_pose_3::internal::Is_tetrahedral_complex<TriangleMesh>::value, int> = 0>
+Canonical_pose_3::Registration_summary
+canonical_pose_3(const TriangleMesh& tmesh, PoseVertexPointMap pose_vertex_point_map,
+                 const Canonical_pose_3::Options& options = Canonical_pose_3::Options(),
+                 const NamedParameters& np = parameters::default_values())
+{
+  using namespace Canonical_pose_3;
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  typedef typename GetGeomTraits<TriangleMesh, NamedParameters>::type Traits;
+
+  const Traits traits = choose_parameter<Traits>(get_parameter(np, internal_np::geom_traits));
+  const Point_matrix points = point_matrix(tmesh,
+                                           choose_parameter(get_parameter(np, internal_np::vertex_point),
+                                                            get_const_property_map(vertex_point, tmesh)),
+                                           traits);
+  const auto triangles = Canonical_pose_3::internal::index_triangles(tmesh);
+  Point_matrix pose;
+  const Registration_summary summary = Canonical_pose_3::internal::with_solver(options, [&](const auto factor_traits) {
+    typedef std::decay_t<decltype(factor_traits)> Factor_traits;
+    return Canonical_pose_3::internal::Canonical_pose_pipeline<Factor_traits>(points, triangles, options).run(pose);
+  });
+  if(summary.is_usable())
+    put_points(pose, tmesh, pose_vertex_point_map, traits);
+  return summary;
+}
+
+/*!
+\ingroup PkgCanonicalPose3Ref
+
+\brief brings a tetrahedral complex into its detail-preserving canonical pose.
+
+The distances are those on the boundary of the complex, which must be connected and free of self-intersections; the cells
+of the complex are the body.
+
+\tparam TetrahedralComplex a type for which `Canonical_pose_3::Tetrahedral_complex_traits_3` is specialised
+\tparam PoseVertexPointMap a model of `WritablePropertyMap` with the vertex descriptors of the complex as keys and
+        its points as values
+\tparam Traits a model of `CanonicalPoseTraits_3`, by default the kernel of the points
+
+\param complex the complex; it is not changed.
+\param pose_vertex_point_map receives the pose, unless the summary says that there is none.
+\param options the knobs of the method.
+\param traits the traits.
+
+\returns the outcome.
+
+\throws std::invalid_argument also if a cell has no volume, names a vertex that is not there, or shares a face with two others.
+*/
+template <typename TetrahedralComplex, typename PoseVertexPointMap,
+          typename Traits = typename Kernel_traits<Canonical_pose_3::internal::Complex_point<TetrahedralComplex>>::Kernel,
+          std::enable_if_t<Canonical_pose_3::internal::Is_tetrahedral_complex<TetrahedralComplex>::value, int> = 0>
+Canonical_pose_3::Registration_summary
+canonical_pose_3(const TetrahedralComplex& complex, PoseVertexPointMap pose_vertex_point_map,
+                 const Canonical_pose_3::Options& options = Canonical_pose_3::Options(), const Traits& traits = Traits())
+{
+  using namespace Canonical_pose_3;
+  auto indexed = Canonical_pose_3::internal::indexed_complex(complex, traits);
+  const Conforming_body_3 body(std::move(indexed.points), std::move(indexed.cells), indexed.vertices.size());
+  auto triangles = Canonical_pose_3::internal::boundary_triangles(body.points(), body.cells());
+  std::vector<std::size_t> origins;
+  Canonical_pose_3::internal::make_boundary_manifold(triangles, origins);
+  Point_matrix surface(static_cast<Eigen::Index>(origins.size()), 3);
+  for(std::size_t i = 0; i < origins.size(); ++i)
+    surface.row(static_cast<Eigen::Index>(i)) = body.points().row(static_cast<Eigen::Index>(origins[i]));
+
+  Point_matrix pose;
+  const Registration_summary summary = Canonical_pose_3::internal::with_solver(options, [&](const auto factor_traits) {
+    typedef std::decay_t<decltype(factor_traits)> Factor_traits;
+    return Canonical_pose_3::internal::Canonical_pose_pipeline<Factor_traits>(surface, triangles, options)
+      .run(body, origins, pose);
+  });
+  if(summary.is_usable())
+    for(std::size_t i = 0; i < indexed.vertices.size(); ++i)
+      put(pose_vertex_point_map, indexed.vertices[i],
+          Canonical_pose_3::internal::from_row(traits, pose.row(static_cast<Eigen::Index>(i))));
+  return summary;
+}
+
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_H

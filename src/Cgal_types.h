@@ -1,0 +1,115 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_TOOL_CGAL_TYPES_H
+#define CGAL_CANONICAL_POSE_3_TOOL_CGAL_TYPES_H
+
+#include "Mesh_file.h"
+
+#include <CGAL/Canonical_pose_3/Indexed_tetrahedra_3.h>
+#include <CGAL/Canonical_pose_3/Tetrahedral_complex_traits_3.h>
+#include <CGAL/Canonical_pose_3/diagnose.h>
+#include <CGAL/Canonical_pose_3/extract_boundary.h>
+#include <CGAL/Canonical_pose_3/point_matrix.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <array>
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+// From what a file holds to CGAL's types and back; vertices, faces and cells keep their order.
+
+namespace Canonical_pose_tool {
+
+typedef CGAL::Exact_predicates_inexact_constructions_kernel::Point_3 Point_3;
+typedef CGAL::Surface_mesh<Point_3> Surface;
+typedef CGAL::Canonical_pose_3::Indexed_tetrahedra_3<Point_3> Tetrahedra;
+typedef CGAL::Canonical_pose_3::Point_matrix Point_matrix;
+
+inline std::vector<Point_3> points_of(const Mesh_file& file)
+{
+  std::vector<Point_3> points;
+  for(const std::array<double, 3>& p : file.points)
+    points.emplace_back(p[0], p[1], p[2]);
+  return points;
+}
+
+inline Point_matrix matrix_of(const std::vector<Point_3>& points)
+{
+  Point_matrix matrix(static_cast<Eigen::Index>(points.size()), 3);
+  for(std::size_t i = 0; i < points.size(); ++i)
+    matrix.row(static_cast<Eigen::Index>(i)) << points[i].x(), points[i].y(), points[i].z();
+  return matrix;
+}
+
+inline Mesh_file with_points(Mesh_file file, const Point_matrix& points)
+{
+  for(std::size_t v = 0; v < file.points.size(); ++v)
+    for(std::size_t k = 0; k < 3; ++k)
+      file.points[v][k] = points(static_cast<Eigen::Index>(v), static_cast<Eigen::Index>(k));
+  return file;
+}
+
+inline Tetrahedra tetrahedra_of(const Mesh_file& file)
+{
+  return {points_of(file), file.cells};
+}
+
+// The boundary of a tetrahedral mesh as a surface.
+inline Mesh_file boundary_of(const Mesh_file& file)
+{
+  Surface surface;
+  auto origins = surface.add_property_map<Surface::Vertex_index, std::size_t>("v:origin").first;
+  CGAL::Canonical_pose_3::extract_boundary(tetrahedra_of(file), surface, origins);
+  Mesh_file boundary;
+  for(const Surface::Vertex_index v : surface.vertices())
+    boundary.points.push_back(file.points[origins[v]]);
+  for(const Surface::Face_index f : surface.faces())
+  {
+    std::array<std::size_t, 3> face;
+    std::size_t k = 0;
+    for(const Surface::Vertex_index v : CGAL::vertices_around_face(surface.halfedge(f), surface))
+      face[k++] = v;
+    boundary.faces.push_back(face);
+  }
+  return boundary;
+}
+
+inline CGAL::Canonical_pose_3::Diagnosis_3 diagnosis_of(const Mesh_file& file)
+{
+  if(file.is_tetrahedral)
+    return diagnosis_of(boundary_of(file));
+  return CGAL::Canonical_pose_3::diagnose(matrix_of(points_of(file)), file.faces);
+}
+
+// Throws std::invalid_argument that names the defect if the faces do not fit together to an oriented 2-manifold.
+inline Surface surface_of(const Mesh_file& file)
+{
+  if(file.is_tetrahedral)
+    throw std::invalid_argument("this is a tetrahedral mesh, but a surface is needed");
+  Surface surface;
+  for(const Point_3& p : points_of(file))
+    surface.add_vertex(p);
+  for(const std::array<std::size_t, 3>& f : file.faces)
+  {
+    std::array<Surface::Vertex_index, 3> face;
+    for(std::size_t k = 0; k < 3; ++k)
+      face[k] = Surface::Vertex_index(static_cast<Surface::size_type>(f[k]));
+    if(f[0] == f[1] || f[1] == f[2] || f[2] == f[0] || surface.add_face(face) == Surface::null_face())
+      throw std::invalid_argument(diagnosis_of(file).first_defect);
+  }
+  return surface;
+}
+
+} // namespace Canonical_pose_tool
+
+#endif // CGAL_CANONICAL_POSE_3_TOOL_CGAL_TYPES_H

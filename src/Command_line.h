@@ -1,0 +1,46 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_TOOL_COMMAND_LINE_H
+#define CGAL_CANONICAL_POSE_3_TOOL_COMMAND_LINE_H
+
+#include <CGAL/Canonical_pose_3/Options.h>
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace Canonical_pose_tool {
+
+// What the user asks for.
+struct Arguments
+{
+  enum class Command { POSE, CHECK, GEODESICS };
+
+  Command command = Command::POSE;
+  std::string input;
+  std::string output; // POSE or DISTANCES
+  std::string target; // this one and the next: empty if not wanted
+  std::string report;
+  std::string body = "auto";
+  std::vector<std::size_t> sources;
+  CGAL::Canonical_pose_3::Options options;
+  bool quiet = false;
+};
+
+// Reads the command line. Returns the exit code if there is nothing left to do: 0 after --help, 2 for wrong usage.
+// Throws std::invalid_argument for an option whose work is not there yet.
+std::optional<int> parse_command_line(int argc, char* argv[], Arguments& arguments);
+
+// Throws std::invalid_argument if the files of `pose` cannot have the formats that their extensions tell.
+void check_formats(const Arguments& arguments);
+
+} // namespace Canonical_pose_tool
+
+#endif // CGAL_CANONICAL_POSE_3_TOOL_COMMAND_LINE_H

@@ -1,0 +1,157 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#include "Report.h"
+
+#include <CGAL/version.h>
+#ifdef CGAL_CANONICAL_POSE_3_USE_CHOLMOD
+#  include <cholmod.h>
+#endif
+#ifdef CGAL_LINKED_WITH_TBB
+#  include <tbb/version.h>
+#endif
+
+#include <Eigen/Core>
+
+#include <boost/version.hpp>
+
+#include <nlohmann/json.hpp>
+
+#include <cstddef>
+#include <ostream>
+#include <string>
+#include <sys/resource.h>
+#include <vector>
+
+namespace Canonical_pose_tool {
+
+namespace {
+
+// Numbers that are not finite become null.
+typedef nlohmann::ordered_json Json;
+typedef CGAL::Canonical_pose_3::Diagnosis_3 Diagnosis_3;
+typedef CGAL::Canonical_pose_3::Registration_summary Registration_summary;
+
+Json input_of(const Diagnosis_3& d)
+{
+  return {{"vertices", d.vertices},
+          {"faces", d.faces},
+          {"components", d.components},
+          {"boundary_edges", d.boundary_edges},
+          {"non_manifold", d.non_manifold_edges + d.non_manifold_vertices},
+          {"degenerate_faces", d.degenerate_faces},
+          {"self_intersections", d.self_intersections ? Json(*d.self_intersections) : Json()}};
+}
+
+Json target_of(const Registration_summary& s)
+{
+  return {{"kernel", s.target.kernel},
+          {"landmarks", s.target.landmarks},
+          {"covering_radius", s.target.covering_radius},
+          {"stress", s.target.stress},
+          {"eigenvalues", s.target.eigenvalues},
+          {"max_geodesic", s.target.max_geodesic},
+          {"reflected", s.target.reflected}};
+}
+
+Json registration_of(const Registration_summary& s)
+{
+  return {{"iterations", s.iterations},
+          {"converged", s.converged()},
+          {"energy", s.energy},
+          {"energy_match", s.energy_match},
+          {"energy_arap", s.energy_arap},
+          {"energy_constraints", s.energy_constraints},
+          {"inverted", s.inverted},
+          {"flipped_faces", s.flipped_faces},
+          {"volume_ratio", s.volume_ratio},
+          {"median_edge_strain", s.median_edge_strain}};
+}
+
+std::size_t peak_memory_bytes()
+{
+  rusage usage;
+  getrusage(RUSAGE_SELF, &usage);
+#ifdef __APPLE__
+  return static_cast<std::size_t>(usage.ru_maxrss);
+#else
+  return static_cast<std::size_t>(usage.ru_maxrss) * 1024;
+#endif
+}
+
+std::string dotted(const int major, const int minor, const int patch)
+{
+  return std::to_string(major) + '.' + std::to_string(minor) + '.' + std::to_string(patch);
+}
+
+Json versions()
+{
+  Json result = {{"canonical_pose_3", CANONICAL_POSE_VERSION},
+                 {"cgal", CGAL_VERSION_STR},
+                 {"eigen", dotted(EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)},
+                 {"boost", dotted(BOOST_VERSION / 100000, BOOST_VERSION / 100 % 1000, BOOST_VERSION % 100)},
+                 {"cholmod", nullptr},
+                 {"tbb", nullptr},
+                 {"compiler", __VERSION__}};
+#ifdef CGAL_CANONICAL_POSE_3_USE_CHOLMOD
+  result["cholmod"] = dotted(CHOLMOD_MAIN_VERSION, CHOLMOD_SUB_VERSION, CHOLMOD_SUBSUB_VERSION);
+#endif
+#ifdef CGAL_LINKED_WITH_TBB
+  result["tbb"] = TBB_VERSION_STRING;
+#endif
+  return result;
+}
+
+void write(std::ostream& out, Json report, const std::vector<Registration_summary::Stage>& stages,
+           const double total_seconds)
+{
+  for(const Registration_summary::Stage& stage : stages)
+    report["stages"].push_back({{"name", stage.first}, {"seconds", stage.second}});
+  report["total_seconds"] = total_seconds;
+  report["peak_memory_bytes"] = peak_memory_bytes();
+  report["versions"] = versions();
+  out << report.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+}
+
+} // namespace
+
+void write_report(std::ostream& out, const Registration_summary& summary, const double total_seconds)
+{
+  const Json body = {{"kind", summary.body.kind},
+                     {"vertices", summary.body.vertices},
+                     {"tetrahedra", summary.body.tetrahedra}};
+  write(out,
+        {{"input", input_of(summary.input)},
+         {"body", body},
+         {"target", target_of(summary)},
+         {"registration", registration_of(summary)},
+         {"solver", summary.solver},
+         {"warnings", summary.warnings}},
+        summary.stages, total_seconds);
+}
+
+void write_report(std::ostream& out, const Diagnosis_3& diagnosis,
+                  const std::vector<Registration_summary::Stage>& stages, const double total_seconds)
+{
+  const Json defect = diagnosis.is_clean() ? Json() : Json(diagnosis.first_defect);
+  write(out, {{"input", input_of(diagnosis)}, {"first_defect", defect}}, stages, total_seconds);
+}
+
+void write_table(std::ostream& out, const Diagnosis_3& diagnosis)
+{
+  const Json input = input_of(diagnosis);
+  for(const auto& field : input.items())
+  {
+    std::string name = field.key();
+    name.resize(20, ' ');
+    out << name << (field.value().is_null() ? "not examined" : field.value().dump()) << '\n';
+  }
+  out << "first_defect        " << (diagnosis.is_clean() ? "none" : diagnosis.first_defect) << '\n';
+}
+
+} // namespace Canonical_pose_tool

@@ -1,0 +1,58 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_TOOL_REPORT_H
+#define CGAL_CANONICAL_POSE_3_TOOL_REPORT_H
+
+#include <CGAL/Canonical_pose_3/Registration_summary.h>
+
+#include <chrono>
+#include <iosfwd>
+#include <vector>
+
+namespace Canonical_pose_tool {
+
+// Takes the time of the stages.
+class Stage_clock
+{
+public:
+  // Returns the seconds since the last call, or since the clock was made.
+  double lap()
+  {
+    const auto before = m_last;
+    m_last = Clock::now();
+    return seconds(m_last - before);
+  }
+
+  // Returns the seconds since the clock was made.
+  double total() const { return seconds(Clock::now() - m_start); }
+
+private:
+  typedef std::chrono::steady_clock Clock;
+
+  static double seconds(const Clock::duration duration) { return std::chrono::duration<double>(duration).count(); }
+
+  const Clock::time_point m_start = Clock::now();
+  Clock::time_point m_last = m_start;
+};
+
+// Writes the report (JSON) of a pose.
+void write_report(std::ostream& out, const CGAL::Canonical_pose_3::Registration_summary& summary,
+                  double total_seconds);
+
+// Writes the report (JSON) of an examination.
+void write_report(std::ostream& out, const CGAL::Canonical_pose_3::Diagnosis_3& diagnosis,
+                  const std::vector<CGAL::Canonical_pose_3::Registration_summary::Stage>& stages,
+                  double total_seconds);
+
+// Writes one line per field.
+void write_table(std::ostream& out, const CGAL::Canonical_pose_3::Diagnosis_3& diagnosis);
+
+} // namespace Canonical_pose_tool
+
+#endif // CGAL_CANONICAL_POSE_3_TOOL_REPORT_H

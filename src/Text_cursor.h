@@ -1,0 +1,139 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_TOOL_TEXT_CURSOR_H
+#define CGAL_CANONICAL_POSE_3_TOOL_TEXT_CURSOR_H
+
+#include <cstddef>
+#include <cstdlib>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace Canonical_pose_tool {
+
+// An element of a mesh file, for messages.
+struct Element
+{
+  static constexpr std::size_t THE_ONLY_ONE = std::size_t(-1);
+
+  const char* kind;
+  std::size_t index = THE_ONLY_ONE;
+
+  std::string name() const { return index == THE_ONLY_ONE ? kind : std::string(kind) + ' ' + std::to_string(index); }
+};
+
+// Takes words and numbers from a text, one after the other. '#' begins a comment that ends with the line.
+class Text_cursor
+{
+public:
+  // `text` must outlive the cursor.
+  explicit Text_cursor(const std::string& text) : m_position(text.c_str()), m_end(m_position + text.size()) {}
+
+  // Returns the next word, on whatever line; an empty one at the end of the text.
+  std::string_view word()
+  {
+    while(m_position != m_end && (is_blank(*m_position) || is_line_end(*m_position) || *m_position == '#'))
+      *m_position == '#' ? skip_line() : step();
+    return rest_of_word();
+  }
+
+  // Returns the next word on this line; an empty one at the end of the line.
+  std::string_view word_on_line()
+  {
+    while(m_position != m_end && is_blank(*m_position))
+      ++m_position;
+    return m_position != m_end && *m_position == '#' ? std::string_view() : rest_of_word();
+  }
+
+  // Goes to the end of this line.
+  void skip_line()
+  {
+    while(m_position != m_end && *m_position != '\n')
+      ++m_position;
+  }
+
+  // Goes to the first byte of the next line.
+  void next_line()
+  {
+    skip_line();
+    if(m_position != m_end)
+      step();
+  }
+
+  // Number of the line, from 1.
+  std::size_t line() const { return m_line; }
+
+  const char* position() const { return m_position; }
+  const char* end() const { return m_end; }
+
+  // Converts a word that is part of `element`.
+  double number(const std::string_view word, const Element& element) const
+  {
+    char* end;
+    const double result = std::strtod(checked(word, element).data(), &end);
+    if(end != word.data() + word.size())
+      throw wrong(word, element);
+    return result;
+  }
+
+  long long integer(const std::string_view word, const Element& element) const
+  {
+    char* end;
+    const long long result = std::strtoll(checked(word, element).data(), &end, 10);
+    if(end != word.data() + word.size())
+      throw wrong(word, element);
+    return result;
+  }
+
+private:
+  static bool is_blank(const char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
+  static bool is_line_end(const char c) { return c == '\n'; }
+
+  void step()
+  {
+    if(is_line_end(*m_position))
+      ++m_line;
+    ++m_position;
+  }
+
+  std::string_view rest_of_word()
+  {
+    const char* const begin = m_position;
+    while(m_position != m_end && !is_blank(*m_position) && !is_line_end(*m_position))
+      ++m_position;
+    return std::string_view(begin, static_cast<std::size_t>(m_position - begin));
+  }
+
+  std::string_view checked(const std::string_view word, const Element& element) const
+  {
+    if(!word.empty())
+      return word;
+    const bool at_end = std::string_view(m_position, static_cast<std::size_t>(m_end - m_position))
+                          .find_first_not_of(" \t\r\n\v\f") == std::string_view::npos;
+    throw std::invalid_argument(at_end ? "the file is truncated: it ends in " + element.name()
+                                       : element.name() + " is incomplete (line " + std::to_string(m_line) + ")");
+  }
+
+  std::invalid_argument wrong(const std::string_view word, const Element& element) const
+  {
+    std::string shown;
+    for(const char c : word.substr(0, 20))
+      shown += c < ' ' || c > '~' ? '?' : c;
+    return std::invalid_argument(element.name() + ": '" + shown + "' is not a number (line "
+                                 + std::to_string(m_line) + ")");
+  }
+
+  const char* m_position;
+  const char* m_end;
+  std::size_t m_line = 1;
+};
+
+} // namespace Canonical_pose_tool
+
+#endif // CGAL_CANONICAL_POSE_3_TOOL_TEXT_CURSOR_H

@@ -1,0 +1,150 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+// The command-line tool, see canonical_pose.md: parse, call, write.
+
+#include "Cgal_types.h"
+#include "Command_line.h"
+#include "Mesh_file.h"
+#include "Output_files.h"
+#include "Report.h"
+#include "compute.h"
+
+#include <CGAL/assertions_behaviour.h>
+
+#include <Eigen/Core>
+
+#include <cstdlib>
+#include <exception>
+#include <iostream>
+#include <new>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <unistd.h>
+
+namespace {
+
+using namespace Canonical_pose_tool;
+using CGAL::Canonical_pose_3::Diagnosis_3;
+using CGAL::Canonical_pose_3::Intermediate_results;
+
+// Tells on a terminal what goes on.
+void say(const Arguments& arguments, const std::string& message)
+{
+  if(!arguments.quiet && isatty(STDERR_FILENO))
+    std::cerr << message << '\n';
+}
+
+void run_pose(Arguments& arguments)
+{
+  Stage_clock clock;
+  check_formats(arguments);
+  Output_files files({arguments.output, arguments.target, arguments.report});
+  say(arguments, "reading " + arguments.input);
+  const Mesh_file input = read_mesh_file(arguments.input);
+  const double seconds_to_read = clock.lap();
+
+  say(arguments, "computing the pose");
+  Intermediate_results results;
+  arguments.options.intermediate_results = &results;
+  Point_matrix pose;
+  Registration_summary summary = compute_pose(input, arguments.options, pose);
+  summary.stages.insert(summary.stages.begin(), {"read", seconds_to_read});
+  clock.lap();
+
+  say(arguments, "writing " + arguments.output);
+  files.write(arguments.output, [&](std::ostream& out) {
+    write_mesh(out, format_of(arguments.output), with_points(input, pose));
+  });
+  files.write(arguments.target, [&](std::ostream& out) {
+    const Mesh_file surface = input.is_tetrahedral ? boundary_of(input) : input;
+    write_mesh(out, format_of(arguments.target), with_points(surface, *results.target));
+  });
+  summary.add_seconds("write", clock.lap());
+  files.write(arguments.report, [&](std::ostream& out) { write_report(out, summary, clock.total()); });
+  files.commit();
+  if(arguments.quiet)
+    return;
+  std::cout << summary << '\n';
+  for(const std::string& warning : summary.warnings)
+    std::cout << "warning: " << warning << '\n';
+}
+
+void run_check(const Arguments& arguments)
+{
+  Stage_clock clock;
+  Output_files files({arguments.report});
+  const Mesh_file input = read_mesh_file(arguments.input);
+  const double seconds_to_read = clock.lap();
+  const Diagnosis_3 diagnosis = diagnosis_of(input);
+  const double seconds_to_diagnose = clock.lap();
+  files.write(arguments.report, [&](std::ostream& out) {
+    write_report(out, diagnosis, {{"read", seconds_to_read}, {"diagnosis", seconds_to_diagnose}}, clock.total());
+  });
+  files.commit();
+  if(!arguments.quiet)
+    write_table(std::cout, diagnosis);
+}
+
+void run_geodesics(const Arguments& arguments)
+{
+  Output_files files({arguments.output});
+  const Surface surface = surface_of(read_mesh_file(arguments.input));
+  const Eigen::MatrixXd distances = compute_distances(surface, arguments.sources, arguments.options);
+  files.write(arguments.output, [&](std::ostream& out) {
+    out << distances.format(Eigen::IOFormat(17, Eigen::DontAlignCols, " ", "\n", "", "", "", "\n"));
+  });
+  files.commit();
+}
+
+// The one line that tells why it could not be done.
+void complain(const std::string& subject, const std::exception& error)
+{
+  const bool is_out_of_memory = dynamic_cast<const std::bad_alloc*>(&error) != nullptr;
+  std::string message = subject + (is_out_of_memory ? "out of memory" : error.what());
+  for(char& c : message)
+    if(c == '\n' || c == '\r')
+      c = ' ';
+  std::cerr << "canonical-pose: " << message << '\n';
+}
+
+// CGAL prints what it throws; the tool says it in one line of its own.
+void do_not_print(const char*, const char*, const char*, int, const char*) {}
+
+} // namespace
+
+int main(int argc, char* argv[])
+{
+  CGAL::set_error_handler(do_not_print);
+  CGAL::set_warning_handler(do_not_print);
+  std::string subject;
+  try
+  {
+    Arguments arguments;
+    if(const std::optional<int> exit_code = parse_command_line(argc, argv, arguments))
+      return *exit_code;
+    subject = arguments.input + ": ";
+    switch(arguments.command)
+    {
+      case Arguments::Command::POSE: run_pose(arguments); break;
+      case Arguments::Command::CHECK: run_check(arguments); break;
+      case Arguments::Command::GEODESICS: run_geodesics(arguments); break;
+    }
+    return EXIT_SUCCESS;
+  }
+  catch(const std::exception& error)
+  {
+    complain(subject, error);
+  }
+  catch(...)
+  {
+    complain(subject, std::runtime_error("unknown error"));
+  }
+  return EXIT_FAILURE;
+}

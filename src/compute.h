@@ -1,0 +1,89 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_TOOL_COMPUTE_H
+#define CGAL_CANONICAL_POSE_3_TOOL_COMPUTE_H
+
+#include "Cgal_types.h"
+#include "Mesh_file.h"
+#include "Report.h"
+
+#include <CGAL/Canonical_pose_3/Exact_geodesics_3.h>
+#include <CGAL/Canonical_pose_3/Heat_geodesics_3.h>
+#include <CGAL/canonical_pose_3.h>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#  include <tbb/global_control.h>
+#endif
+
+#include <cstddef>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+// The calls of the library.
+
+namespace Canonical_pose_tool {
+
+using CGAL::Canonical_pose_3::Options;
+using CGAL::Canonical_pose_3::Registration_summary;
+
+// `pose` receives one row per vertex of `input`.
+inline Registration_summary compute_pose(const Mesh_file& input, const Options& options, Point_matrix& pose)
+{
+  Stage_clock clock;
+  double seconds_to_convert; // and to find that it can be done
+  Registration_summary summary;
+  if(input.is_tetrahedral)
+  {
+    const Tetrahedra complex = tetrahedra_of(input);
+    seconds_to_convert = clock.lap();
+    std::vector<Point_3> points(complex.points.size());
+    summary = CGAL::canonical_pose_3(complex, CGAL::make_property_map(points), options);
+    summary.add_seconds("body", clock.lap() - summary.total_seconds()); // what precedes the stages makes the body
+    pose = matrix_of(points);
+  }
+  else
+  {
+    Surface surface = surface_of(input);
+    seconds_to_convert = clock.lap();
+    summary = CGAL::canonical_pose_3(surface, surface.points(), options);
+    pose = CGAL::Canonical_pose_3::point_matrix(surface);
+  }
+  if(!summary.is_usable())
+    throw std::runtime_error("there is no pose: the registration met numbers that are not finite");
+  summary.add_seconds("diagnosis", seconds_to_convert);
+  return summary;
+}
+
+// One row per vertex, one column per source.
+inline Eigen::MatrixXd compute_distances(const Surface& surface, const std::vector<std::size_t>& source_rows,
+                                         const Options& options)
+{
+  std::vector<Surface::Vertex_index> sources;
+  for(const std::size_t source : source_rows)
+  {
+    if(source >= surface.number_of_vertices())
+      throw std::invalid_argument("--source names vertex " + std::to_string(source) + ", but there are "
+                                  + std::to_string(surface.number_of_vertices()));
+    sources.emplace_back(static_cast<Surface::size_type>(source));
+  }
+#ifdef CGAL_LINKED_WITH_TBB
+  std::optional<tbb::global_control> limit;
+  if(options.number_of_threads > 0)
+    limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(options.number_of_threads));
+#endif
+  if(options.geodesics == Options::Geodesics::EXACT)
+    return CGAL::Canonical_pose_3::Exact_geodesics_3<Surface>(surface).distances(sources);
+  return CGAL::Canonical_pose_3::Heat_geodesics_3<Surface>(surface).distances(sources);
+}
+
+} // namespace Canonical_pose_tool
+
+#endif // CGAL_CANONICAL_POSE_3_TOOL_COMPUTE_H

@@ -1,0 +1,123 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#include "readers.h"
+
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace Canonical_pose_tool {
+
+namespace {
+
+const std::size_t HEADER_SIZE = 84, FACE_SIZE = 50; // bytes of a binary file
+
+// Collects faces by the coordinates of their corners; equal ones become one vertex, in order of appearance.
+class Welder
+{
+public:
+  explicit Welder(Mesh_file& mesh) : m_mesh(mesh) {}
+
+  Element next_face() const { return Element{"face", m_mesh.faces.size()}; }
+
+  void add_corner(const std::array<double, 3>& point)
+  {
+    check_is_finite(point, next_face());
+    const auto found = m_vertices.emplace(point, m_mesh.points.size());
+    if(found.second)
+      m_mesh.points.push_back(point);
+    if(m_number_of_corners < 3)
+      m_face[m_number_of_corners] = found.first->second;
+    ++m_number_of_corners;
+  }
+
+  void add_face()
+  {
+    check_is_triangle(static_cast<long long>(m_number_of_corners), next_face());
+    m_mesh.faces.push_back(m_face);
+    m_number_of_corners = 0;
+  }
+
+private:
+  Mesh_file& m_mesh;
+  std::map<std::array<double, 3>, std::size_t> m_vertices;
+  std::array<std::size_t, 3> m_face;
+  std::size_t m_number_of_corners = 0;
+};
+
+std::uint32_t number_of_binary_faces(const std::string& bytes)
+{
+  std::uint32_t result = 0;
+  if(bytes.size() >= HEADER_SIZE)
+    std::memcpy(&result, bytes.data() + 80, sizeof(result));
+  return result;
+}
+
+void read_binary(const std::string& bytes, Mesh_file& mesh)
+{
+  const std::uint32_t faces = number_of_binary_faces(bytes);
+  if(bytes.size() < HEADER_SIZE + FACE_SIZE * faces || bytes.size() < HEADER_SIZE)
+    throw std::invalid_argument("the file is truncated: " + std::to_string(bytes.size()) + " bytes, but "
+                                + (bytes.size() < HEADER_SIZE ? "a header" : std::to_string(faces) + " faces")
+                                + " of binary STL need " + std::to_string(HEADER_SIZE + FACE_SIZE * faces));
+  Welder welder(mesh);
+  const char* position = bytes.data() + HEADER_SIZE;
+  for(std::uint32_t f = 0; f < faces; ++f, position += FACE_SIZE)
+  {
+    float numbers[12]; // the normal comes first
+    std::memcpy(numbers, position, sizeof(numbers));
+    for(int k = 3; k < 12; k += 3)
+      welder.add_corner({numbers[k], numbers[k + 1], numbers[k + 2]});
+    welder.add_face();
+  }
+}
+
+void read_ascii(const std::string& bytes, Mesh_file& mesh)
+{
+  Welder welder(mesh);
+  Text_cursor text(bytes);
+  bool is_in_solid = true;
+  for(std::string_view word = text.word(); !word.empty(); word = text.word())
+    if(word == "solid" || word == "endsolid")
+    {
+      is_in_solid = word == "solid";
+      text.skip_line();
+    }
+    else if(word == "vertex")
+    {
+      std::array<double, 3> point;
+      for(double& x : point)
+        x = text.number(text.word(), welder.next_face());
+      welder.add_corner(point);
+    }
+    else if(word == "endfacet")
+      welder.add_face();
+  if(is_in_solid)
+    throw std::invalid_argument("the file is truncated: it ends in " + welder.next_face().name());
+}
+
+} // namespace
+
+void read_stl(const std::string& bytes, Mesh_file& mesh)
+{
+  // The header of a binary file may begin with the word, too.
+  const bool has_binary_size = bytes.size() >= HEADER_SIZE
+                               && bytes.size() == HEADER_SIZE + FACE_SIZE * number_of_binary_faces(bytes);
+  const std::size_t first = bytes.find_first_not_of(" \t\r\n");
+  if(!has_binary_size && bytes.compare(first, 5, "solid") == 0)
+    read_ascii(bytes, mesh);
+  else
+    read_binary(bytes, mesh);
+}
+
+} // namespace Canonical_pose_tool

@@ -1,0 +1,149 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#include "readers.h"
+
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace Canonical_pose_tool {
+
+namespace {
+
+// "OFF", maybe with letters in front that tell what else is on the line of a vertex; the coordinates are first on it.
+void check_keyword(const std::string_view keyword)
+{
+  if(keyword.size() < 3 || keyword.substr(keyword.size() - 3) != "OFF")
+    throw std::invalid_argument("line 1: there is no keyword OFF");
+  for(const char c : keyword.substr(0, keyword.size() - 3))
+    if(std::string_view("STCN").find(c) == std::string_view::npos)
+      throw std::invalid_argument("line 1: the variant " + std::string(keyword.substr(0, 20)) + " is not supported");
+}
+
+} // namespace
+
+void read_off(const std::string& bytes, Mesh_file& mesh)
+{
+  Text_cursor text(bytes);
+  check_keyword(text.word());
+  std::string_view word = text.word();
+  if(word == "BINARY")
+    throw std::invalid_argument("line 1: binary OFF is not supported");
+  const long long vertices = text.integer(word, Element{"the number of vertices"});
+  const long long faces = text.integer(text.word_on_line(), Element{"the number of faces"});
+  text.skip_line();
+  if(vertices < 0 || faces < 0)
+    throw std::invalid_argument("line " + std::to_string(text.line()) + ": a number of elements is negative");
+
+  for(Element v{"vertex", 0}; v.index < static_cast<std::size_t>(vertices); ++v.index)
+  {
+    const double x = text.number(text.word(), v);
+    const double y = text.number(text.word_on_line(), v);
+    const double z = text.number(text.word_on_line(), v);
+    mesh.points.push_back({x, y, z});
+    check_is_finite(mesh.points.back(), v);
+    text.skip_line();
+  }
+  for(Element f{"face", 0}; f.index < static_cast<std::size_t>(faces); ++f.index)
+  {
+    check_is_triangle(text.integer(text.word(), f), f);
+    std::array<std::size_t, 3> face;
+    for(std::size_t& v : face)
+      v = vertex_index(text.integer(text.word_on_line(), f), mesh.points.size(), f);
+    mesh.faces.push_back(face);
+    text.skip_line();
+  }
+}
+
+void read_obj(const std::string& bytes, Mesh_file& mesh)
+{
+  Text_cursor text(bytes);
+  std::vector<std::array<long long, 3>> faces; // they may come before their vertices
+  for(std::string_view word = text.word(); !word.empty(); text.skip_line(), word = text.word())
+    if(word == "v")
+    {
+      const Element v{"vertex", mesh.points.size()};
+      std::array<double, 3> point;
+      for(double& x : point)
+        x = text.number(text.word_on_line(), v);
+      check_is_finite(point, v);
+      mesh.points.push_back(point);
+    }
+    else if(word == "f")
+    {
+      const Element f{"face", faces.size()};
+      std::vector<long long> corners;
+      for(word = text.word_on_line(); !word.empty(); word = text.word_on_line())
+      {
+        const long long index = text.integer(word.substr(0, word.find('/')), f);
+        corners.push_back(index < 0 ? static_cast<long long>(mesh.points.size()) + 1 + index : index);
+      }
+      check_is_triangle(static_cast<long long>(corners.size()), f);
+      faces.push_back({corners[0], corners[1], corners[2]});
+    }
+  for(Element f{"face", 0}; f.index < faces.size(); ++f.index)
+  {
+    std::array<std::size_t, 3> face;
+    for(std::size_t k = 0; k < 3; ++k)
+      face[k] = vertex_index(faces[f.index][k], mesh.points.size(), f, 1);
+    mesh.faces.push_back(face);
+  }
+}
+
+void read_medit(const std::string& bytes, Mesh_file& mesh)
+{
+  mesh.is_tetrahedral = true;
+  Text_cursor text(bytes);
+  if(text.word() != "MeshVersionFormatted")
+    throw std::invalid_argument("line 1: there is no keyword MeshVersionFormatted");
+  std::vector<std::array<long long, 4>> cells;
+  for(std::string_view word = text.word(); !word.empty() && word != "End"; word = text.word())
+  {
+    if(word == "Dimension" && text.integer(text.word(), Element{"the dimension"}) != 3)
+      throw std::invalid_argument("line " + std::to_string(text.line()) + ": the dimension is not 3");
+    if(word == "Hexahedra" || word == "Prisms" || word == "Pyramids")
+      throw std::invalid_argument("line " + std::to_string(text.line()) + ": there are cells that are no tetrahedra");
+    if(word == "Vertices")
+    {
+      const long long n = text.integer(text.word(), Element{"the number of vertices"});
+      for(Element v{"vertex", 0}; static_cast<long long>(v.index) < n; ++v.index)
+      {
+        std::array<double, 3> point;
+        for(double& x : point)
+          x = text.number(text.word(), v);
+        check_is_finite(point, v);
+        mesh.points.push_back(point);
+        mesh.point_references.push_back(text.integer(text.word(), v));
+      }
+    }
+    if(word == "Tetrahedra")
+    {
+      const long long n = text.integer(text.word(), Element{"the number of cells"});
+      for(Element c{"cell", 0}; static_cast<long long>(c.index) < n; ++c.index)
+      {
+        std::array<long long, 4> cell;
+        for(long long& v : cell)
+          v = text.integer(text.word(), c);
+        cells.push_back(cell);
+        mesh.cell_references.push_back(text.integer(text.word(), c));
+      }
+    }
+  }
+  for(Element c{"cell", 0}; c.index < cells.size(); ++c.index)
+  {
+    std::array<std::size_t, 4> cell;
+    for(std::size_t k = 0; k < 4; ++k)
+      cell[k] = vertex_index(cells[c.index][k], mesh.points.size(), c, 1);
+    mesh.cells.push_back(cell);
+  }
+  if(mesh.cells.empty())
+    throw std::invalid_argument("there are no tetrahedra");
+}
+
+} // namespace Canonical_pose_tool

@@ -1,0 +1,39 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_TOOL_READERS_H
+#define CGAL_CANONICAL_POSE_3_TOOL_READERS_H
+
+#include "Mesh_file.h"
+#include "Text_cursor.h"
+
+#include <array>
+#include <cstddef>
+#include <string>
+
+namespace Canonical_pose_tool {
+
+// Each reads one format from the bytes of a file into an empty mesh.
+void read_off(const std::string& bytes, Mesh_file& mesh);
+void read_obj(const std::string& bytes, Mesh_file& mesh);
+void read_ply(const std::string& bytes, Mesh_file& mesh);
+void read_stl(const std::string& bytes, Mesh_file& mesh);
+void read_medit(const std::string& bytes, Mesh_file& mesh);
+
+// Returns `index` as a number of one of `n` vertices counted from `base`, from 0 on; throws if there is no such vertex.
+std::size_t vertex_index(long long index, std::size_t n, const Element& element, int base = 0);
+
+// Throws if a coordinate is not finite.
+void check_is_finite(const std::array<double, 3>& point, const Element& element);
+
+// Throws if a face does not have three corners.
+void check_is_triangle(long long number_of_corners, const Element& face);
+
+} // namespace Canonical_pose_tool
+
+#endif // CGAL_CANONICAL_POSE_3_TOOL_READERS_H

@@ -1,0 +1,66 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#include "Mesh_file.h"
+
+#include <CGAL/IO/OBJ.h>
+#include <CGAL/IO/OFF.h>
+#include <CGAL/IO/PLY.h>
+#include <CGAL/IO/STL.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <array>
+#include <cstddef>
+#include <ostream>
+#include <vector>
+
+namespace Canonical_pose_tool {
+
+namespace {
+
+void write_medit(std::ostream& out, const Mesh_file& mesh)
+{
+  out.precision(17);
+  out << "MeshVersionFormatted 2\nDimension 3\nVertices\n" << mesh.points.size() << '\n';
+  for(std::size_t v = 0; v < mesh.points.size(); ++v)
+  {
+    for(const double x : mesh.points[v])
+      out << x << ' ';
+    out << mesh.point_references[v] << '\n';
+  }
+  out << "Tetrahedra\n" << mesh.cells.size() << '\n';
+  for(std::size_t c = 0; c < mesh.cells.size(); ++c)
+  {
+    for(const std::size_t v : mesh.cells[c])
+      out << v + 1 << ' ';
+    out << mesh.cell_references[c] << '\n';
+  }
+  out << "End\n";
+}
+
+} // namespace
+
+void write_mesh(std::ostream& out, const Format format, const Mesh_file& mesh)
+{
+  typedef CGAL::Simple_cartesian<double>::Point_3 Point;
+  if(format == Format::MEDIT)
+    return write_medit(out, mesh);
+  std::vector<Point> points;
+  for(const std::array<double, 3>& p : mesh.points)
+    points.emplace_back(p[0], p[1], p[2]);
+  const auto precision = CGAL::parameters::stream_precision(17);
+  switch(format)
+  {
+    case Format::OBJ: CGAL::IO::write_OBJ(out, points, mesh.faces, precision); break;
+    case Format::PLY: CGAL::IO::write_PLY(out, points, mesh.faces, precision); break;
+    case Format::STL: CGAL::IO::write_STL(out, points, mesh.faces, precision); break;
+    default: CGAL::IO::write_OFF(out, points, mesh.faces, precision);
+  }
+}
+
+} // namespace Canonical_pose_tool

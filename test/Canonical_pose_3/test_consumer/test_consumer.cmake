@@ -1,0 +1,33 @@
+# Builds and runs a small project that uses the package from outside, in the three ways there are:
+# find_package() on an installation, add_subdirectory() and FetchContent.
+
+set(installation ${CMAKE_CURRENT_BINARY_DIR}/test_consumer/installation)
+add_test(NAME consumer.install
+  COMMAND ${CMAKE_COMMAND} --install ${PROJECT_BINARY_DIR} --config $<CONFIG>
+    --component development --prefix ${installation})
+set_tests_properties(consumer.install PROPERTIES FIXTURES_SETUP installation LABELS consumer)
+
+# add_canonical_pose_consumer_test(name way [option...])
+function(add_canonical_pose_consumer_test name way)
+  add_test(NAME consumer.${name}
+    COMMAND ${CMAKE_CTEST_COMMAND} --build-and-test
+      ${CMAKE_CURRENT_SOURCE_DIR}/test_consumer
+      ${CMAKE_CURRENT_BINARY_DIR}/test_consumer/${name}
+      --build-generator ${CMAKE_GENERATOR}
+      --build-options -DWAY=${way} -DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER}
+        -DCMAKE_CXX_FLAGS=${CMAKE_CXX_FLAGS} -DCGAL_DIR=${CGAL_DIR} ${ARGN}
+      --test-command consumer)
+  set_tests_properties(consumer.${name} PROPERTIES LABELS consumer TIMEOUT 600)
+endfunction()
+
+set(tetgen -DEXPECT_TETGEN=$<TARGET_EXISTS:Canonical_pose_3::tetgen>)
+set(as_here -DPACKAGE_DIRECTORY=${PROJECT_SOURCE_DIR}
+  -DWITH_CHOLMOD=${WITH_CHOLMOD} -DWITH_TBB=${WITH_TBB} -DWITH_TETGEN=${WITH_TETGEN})
+add_canonical_pose_consumer_test(find_package find_package
+  -DCMAKE_PREFIX_PATH=${installation} ${tetgen})
+set_tests_properties(consumer.find_package PROPERTIES FIXTURES_REQUIRED installation)
+add_canonical_pose_consumer_test(add_subdirectory add_subdirectory ${as_here} ${tetgen})
+add_canonical_pose_consumer_test(FetchContent FetchContent ${as_here} ${tetgen})
+# Nothing but CGAL and Eigen.
+add_canonical_pose_consumer_test(bare add_subdirectory -DPACKAGE_DIRECTORY=${PROJECT_SOURCE_DIR}
+  -DWITH_CHOLMOD=OFF -DWITH_TBB=OFF -DWITH_TETGEN=OFF)

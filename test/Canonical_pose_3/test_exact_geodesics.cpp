@@ -1,0 +1,168 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+#include "geodesic_fixtures.h"
+
+#include <CGAL/Canonical_pose_3/Exact_geodesics_3.h>
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <map>
+
+using namespace Canonical_pose_test;
+using Exact = CGAL::Canonical_pose_3::Exact_geodesics_3<Mesh>;
+
+const double INF = std::numeric_limits<double>::infinity();
+
+// In a convex piece of the plane the shortest path is the straight segment, through triangles of
+// any shape.
+TEST(Exact_geodesics, plane)
+{
+  const Triangle_soup soup = stretched_square(12, 7.);
+  const Mesh mesh = to_mesh<Mesh>(soup);
+  const Exact exact(mesh);
+  for(std::size_t i : {std::size_t(0), std::size_t(80)})
+  {
+    const Eigen::VectorXd d = exact.distances(vertex(mesh, i)),
+                          e = straight_distances(soup.points, i);
+    EXPECT_LT((d - e).cwiseAbs().maxCoeff(), 1e-12);
+    EXPECT_EQ(d[static_cast<Eigen::Index>(i)], 0.);
+  }
+}
+
+// On the unit cube the opposite corner is sqrt(5) away: the diagonal of two unfolded faces. That of
+// a face is sqrt(2).
+TEST(Exact_geodesics, cube)
+{
+  Points corners;
+  for(int i = 0; i < 8; ++i)
+    corners.push_back({{double(i & 1), double((i >> 1) & 1), double(i >> 2)}});
+  const Mesh mesh = to_mesh<Mesh>(corners, {{{0, 2, 3}},
+                                            {{0, 3, 1}},
+                                            {{4, 5, 7}},
+                                            {{4, 7, 6}},
+                                            {{0, 1, 5}},
+                                            {{0, 5, 4}},
+                                            {{2, 6, 7}},
+                                            {{2, 7, 3}},
+                                            {{0, 4, 6}},
+                                            {{0, 6, 2}},
+                                            {{1, 3, 7}},
+                                            {{1, 7, 5}}});
+  const Eigen::VectorXd d = Exact(mesh).distances(vertex(mesh, 0));
+  for(Eigen::Index i : {1, 2, 4})
+    EXPECT_NEAR(d[i], 1., 1e-14);
+  for(Eigen::Index i : {3, 5, 6})
+    EXPECT_NEAR(d[i], std::sqrt(2.), 1e-14);
+  EXPECT_NEAR(d[7], std::sqrt(5.), 1e-14);
+}
+
+// Exact distances are a metric. Powers of two scale them to the last bit.
+TEST(Exact_geodesics, metric_in_any_unit)
+{
+  const Triangle_soup soup = torus_soup(16, 8, 2., 0.7);
+  const auto matrix = [&](double scale) {
+    const Mesh mesh = to_mesh<Mesh>(
+      transformed(soup.points,
+                  [&](std::array<double, 3> p) {
+                    return std::array<double, 3>{{scale * p[0], scale * p[1], scale * p[2]}};
+                  }),
+      soup.triangles);
+    return Exact(mesh).distances(mesh.vertices());
+  };
+  const Eigen::MatrixXd d = matrix(1.);
+  EXPECT_LT((d - d.transpose()).cwiseAbs().maxCoeff(), 1e-13 * d.maxCoeff());
+  for(Eigen::Index k = 0; k < d.cols(); ++k) // d(i,j) <= d(i,k) + d(k,j)
+    EXPECT_LT((d.array() - d.col(k).replicate(1, d.cols()).array()
+               - d.row(k).replicate(d.rows(), 1).array())
+                .maxCoeff(),
+              1e-13 * d.maxCoeff());
+  for(int exponent : {-900, 900})
+    EXPECT_EQ(matrix(std::ldexp(1., exponent)), d * std::ldexp(1., exponent));
+}
+
+// The coordinates of all these meshes are the same numbers, which float holds exactly. The copy's
+// own numbers depend on the order of the halfedges, and its roundings with it.
+TEST(Exact_geodesics, any_mesh_kernel_and_map)
+{
+  Triangle_soup soup = torus_soup(10, 6, 2., 0.7);
+  for(auto& p : soup.points)
+    for(double& x : p)
+      x = static_cast<float>(x);
+  const auto distances = [&](const auto& mesh) {
+    using Any_mesh = std::decay_t<decltype(mesh)>;
+    return CGAL::Canonical_pose_3::Exact_geodesics_3<Any_mesh>(mesh).distances(vertex(mesh, 5));
+  };
+  const Mesh mesh = to_mesh<Mesh>(soup);
+  const Eigen::VectorXd d = distances(mesh);
+  EXPECT_LT((distances(to_mesh<CGAL::Polyhedron_3<Kernel>>(soup)) - d).cwiseAbs().maxCoeff(),
+            1e-13);
+  EXPECT_EQ(distances(to_mesh<CGAL::Surface_mesh<CGAL::Simple_cartesian<float>::Point_3>>(soup)),
+            d);
+  EXPECT_EQ(distances(to_mesh<CGAL::Surface_mesh<CGAL::Epeck::Point_3>>(soup)), d);
+
+  using Map = std::map<Mesh::Vertex_index, archetype::Point>;
+  using Point_map = boost::const_associative_property_map<Map>;
+  Map points;
+  for(auto v : mesh.vertices())
+    points.emplace(v, archetype::Traits().construct_point_3_object()(
+                        mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z()));
+  EXPECT_EQ((CGAL::Canonical_pose_3::Exact_geodesics_3<Mesh, Point_map, archetype::Traits>(
+               mesh, Point_map(points))
+               .distances(vertex(mesh, 5))),
+            d);
+  std::map<Mesh::Vertex_index, double> written;
+  Exact(mesh).distances(vertex(mesh, 5), boost::make_assoc_property_map(written));
+  for(auto v : mesh.vertices())
+    EXPECT_EQ(written[v], d[static_cast<Eigen::Index>(v.idx())]);
+}
+
+// Vertices of other components, and lonely ones, are infinitely far; removed ones have no row.
+TEST(Exact_geodesics, components_and_removed_vertices)
+{
+  Mesh mesh;
+  const auto garbage = mesh.add_vertex(Kernel::Point_3(NAN, 0, 0));
+  CGAL::copy_face_graph(icosphere<Mesh>(1, 1.), mesh);
+  const auto lonely = mesh.add_vertex(Kernel::Point_3(9, 9, 9));
+  CGAL::copy_face_graph(icosphere<Mesh>(1, 2.), mesh);
+  mesh.remove_vertex(garbage);
+  const Exact exact(mesh);
+  EXPECT_EQ(exact.index(lonely), 42u);
+  const Eigen::MatrixXd d
+    = exact.distances(std::vector<Mesh::Vertex_index>{vertex(mesh, 3), lonely, vertex(mesh, 60)});
+  ASSERT_EQ(d.rows(), 85);
+  EXPECT_TRUE(d.col(0).head(42).allFinite());
+  EXPECT_TRUE((d.col(0).tail(43).array() == INF).all());
+  EXPECT_EQ(d(42, 1), 0.);
+  EXPECT_TRUE((d.col(1).head(42).array() == INF).all() && (d.col(1).tail(42).array() == INF).all());
+  EXPECT_TRUE((d.col(2).head(43).array() == INF).all());
+  EXPECT_TRUE(d.col(2).tail(42).allFinite());
+}
+
+// The same refusals as the heat method's, and faces without area, which cannot be unfolded.
+TEST(Exact_geodesics, bad_input)
+{
+  const auto refusal = [](const Mesh& mesh) {
+    return message_of<std::invalid_argument>([&] { Exact exact(mesh); });
+  };
+  EXPECT_EQ(refusal(Mesh()), "the mesh is empty: it has no face");
+  Mesh sphere = icosphere<Mesh>(1, 1.);
+  EXPECT_THROW(Exact(sphere).distances(Mesh::null_vertex()), CGAL::Precondition_exception);
+  sphere.point(vertex(sphere, 5)) = Kernel::Point_3(0., 0., INF);
+  EXPECT_EQ(refusal(sphere), "vertex 5 has a coordinate that is not finite");
+  Mesh grid = plane_grid<Mesh>(3, 1, 3., 1.);
+  grid.point(vertex(grid, 5)) = Kernel::Point_3(0.5, 0., 0.);
+  EXPECT_EQ(refusal(grid), "face 0 is degenerate");
+  const auto a = grid.add_vertex(Kernel::Point_3(4, 0, 0)),
+             b = grid.add_vertex(Kernel::Point_3(4, 1, 0));
+  grid.add_face(vertex(grid, 3), a, b, vertex(grid, 7));
+  EXPECT_EQ(refusal(grid), "face 6 is not a triangle");
+}

@@ -1,0 +1,151 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#include <CGAL/Canonical_pose_3/Gaussian_kernel.h>
+#include <CGAL/Canonical_pose_3/Landmark_mds_target_builder_3.h>
+
+#include <CGAL/Random.h>
+
+#include <gtest/gtest.h>
+
+#include "matchers.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace CP = CGAL::Canonical_pose_3;
+
+namespace {
+
+Eigen::MatrixXd random_points(const int n, const int dimension)
+{
+  CGAL::Random random(7);
+  Eigen::MatrixXd points(n, dimension);
+  for(int i = 0; i < n; ++i)
+    for(int k = 0; k < dimension; ++k)
+      points(i, k) = random.get_double(-1., 1.);
+  return points;
+}
+
+CP::Landmark_fields_3 euclidean_fields(const Eigen::MatrixXd& points, const int l)
+{
+  CP::Landmark_fields_3 fields;
+  fields.distances.resize(points.rows(), l);
+  for(int j = 0; j < l; ++j)
+  {
+    fields.landmarks.push_back(static_cast<std::size_t>(j));
+    fields.distances.col(j) = (points.rowwise() - points.row(j)).rowwise().norm();
+  }
+  return fields;
+}
+
+double largest_distance_error(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b)
+{
+  double error = 0;
+  for(Eigen::Index i = 0; i < a.rows(); ++i)
+    for(Eigen::Index j = 0; j < i; ++j)
+      error = (std::max)(error, std::abs((a.row(i) - a.row(j)).norm() - (b.row(i) - b.row(j)).norm()));
+  return error;
+}
+
+} // namespace
+
+// Classical scaling is exact on Euclidean distances: the centred kernel matrix is then the Gram matrix of the landmarks,
+// of rank 3, and interpolation recovers every other point. Nothing but rounding is left. This pins all constants.
+TEST(Landmark_mds, recovers_a_cloud_from_its_distances)
+{
+  const Eigen::MatrixXd points = random_points(200, 3);
+  CP::Landmark_mds_target_builder_3<> builder;
+  builder.build(euclidean_fields(points, 20));
+  EXPECT_LT(largest_distance_error(builder.targets(), points), 1e-10);
+  EXPECT_LT(builder.stress(), 1e-7);
+  EXPECT_EQ(builder.number_of_positive_eigenvalues(), 3);
+  EXPECT_LT(builder.eigenvalues()[3], 1e-10 * builder.eigenvalues()[0]);
+  EXPECT_TRUE(builder.is_determined());
+}
+
+// Distances of points of the plane have a Gram matrix of rank 2: the third coordinate must be exactly 0 and not noise.
+TEST(Landmark_mds, flat_data_stay_flat)
+{
+  const Eigen::MatrixXd points = random_points(100, 2);
+  CP::Landmark_mds_target_builder_3<> builder;
+  builder.build(euclidean_fields(points, 15));
+  EXPECT_EQ(builder.number_of_positive_eigenvalues(), 2);
+  EXPECT_EQ(builder.targets().col(2).cwiseAbs().maxCoeff(), 0.);
+  EXPECT_LT(largest_distance_error(builder.targets(), points), 1e-10);
+}
+
+// Interpolating a landmark is Lambda^(-1/2) Q^t K H e_j = Lambda^(1/2) Q^t e_j, its own position, for any symmetric kernel
+// matrix; here the dense embedding is computed apart, by the plain formula.
+TEST(Landmark_mds, landmarks_agree_with_their_interpolation)
+{
+  const CP::Landmark_fields_3 fields = euclidean_fields(random_points(30, 5), 30);
+  CP::Landmark_mds_target_builder_3<CP::Gaussian_kernel> builder;
+  builder.build(fields);
+  const double length = fields.distances.maxCoeff();
+  Eigen::MatrixXd k = (-2 * fields.distances.array().square() / (length * length)).exp();
+  const Eigen::MatrixXd h = Eigen::MatrixXd::Identity(30, 30) - Eigen::MatrixXd::Constant(30, 30, 1. / 30);
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(h * k * h);
+  const Eigen::MatrixXd embedded
+    = solver.eigenvectors().rightCols(3) * solver.eigenvalues().tail(3).cwiseSqrt().asDiagonal();
+  double dg = 0, dd = 0;
+  for(int i = 0; i < 30; ++i)
+    for(int j = 0; j < i; ++j)
+    {
+      const double d = (embedded.row(i) - embedded.row(j)).norm();
+      dg += d * fields.distances(i, j);
+      dd += d * d;
+    }
+  EXPECT_LT(largest_distance_error(builder.targets(), embedded * (dg / dd)), 1e-12 * length);
+}
+
+// Multiplying all distances by a power of two multiplies the target by it, bit by bit.
+TEST(Landmark_mds, scales_exactly)
+{
+  CP::Landmark_fields_3 fields = euclidean_fields(random_points(50, 4), 12);
+  CP::Landmark_mds_target_builder_3<> builder;
+  builder.build(fields);
+  const Eigen::MatrixXd before = builder.targets();
+  fields.distances *= 1024;
+  builder.build(fields);
+  EXPECT_EQ(builder.targets(), before * 1024);
+}
+
+TEST(Landmark_mds, few_and_coinciding_landmarks)
+{
+  CP::Landmark_mds_target_builder_3<> builder;
+  builder.build(euclidean_fields(random_points(5, 3), 1));
+  EXPECT_EQ(builder.targets(), Eigen::MatrixXd::Zero(5, 3));
+  EXPECT_EQ(builder.stress(), 0.);
+
+  const Eigen::MatrixXd points = random_points(40, 3);
+  CP::Landmark_fields_3 fields = euclidean_fields(points, 10);
+  fields.landmarks.push_back(0);
+  fields.distances.conservativeResize(40, 11);
+  fields.distances.col(10) = fields.distances.col(0);
+  builder.build(fields);
+  EXPECT_LT(largest_distance_error(builder.targets(), points), 1e-10);
+}
+
+TEST(Landmark_mds, bad_distances_are_named)
+{
+  CP::Landmark_mds_target_builder_3<> builder;
+  CP::Landmark_fields_3 fields = euclidean_fields(random_points(9, 3), 4);
+  fields.distances(7, 2) = std::numeric_limits<double>::infinity();
+  EXPECT_THROW_WITH(builder.build(fields), std::invalid_argument, "vertex 7 to landmark 2 is not finite");
+  fields.distances(7, 2) = -1;
+  EXPECT_THROW_WITH(builder.build(fields), std::invalid_argument, "negative");
+  fields.distances(7, 2) = 1;
+  fields.landmarks[3] = 9;
+  EXPECT_THROW_WITH(builder.build(fields), std::invalid_argument, "landmark 9 is not one of the 9 points");
+  fields.landmarks.pop_back();
+  EXPECT_THROW_WITH(builder.build(fields), std::invalid_argument, "3 landmarks but 4 columns");
+  EXPECT_THROW_WITH(builder.build(CP::Landmark_fields_3()), std::invalid_argument, "no landmark");
+  EXPECT_THROW(CP::Landmark_mds_target_builder_3<>(CP::Squared_distance_kernel(), 0), CGAL::Precondition_exception);
+}

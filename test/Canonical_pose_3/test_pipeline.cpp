@@ -1,0 +1,178 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#include <CGAL/canonical_pose_3.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <gtest/gtest.h>
+
+#include "Articulated_figure.h"
+#include "matchers.h"
+#include "shapes.h"
+
+#include <algorithm>
+#include <iostream>
+#include <vector>
+
+namespace CP = CGAL::Canonical_pose_3;
+using Canonical_pose_examples::Articulated_figure;
+using CP::Point_matrix;
+using CP::Registration_summary;
+
+namespace {
+
+typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
+typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
+
+struct Outcome
+{
+  Registration_summary summary;
+  Point_matrix pose;
+};
+
+Outcome canonical_pose(const Mesh& mesh, const CP::Options& options = CP::Options())
+{
+  std::vector<Kernel::Point_3> points(mesh.number_of_vertices());
+  Outcome result;
+  result.summary = CGAL::canonical_pose_3(
+    mesh, boost::make_iterator_property_map(points.begin(), get(boost::vertex_index, mesh)), options);
+  result.pose.resize(static_cast<Eigen::Index>(points.size()), 3);
+  for(std::size_t i = 0; i < points.size(); ++i)
+    for(int k = 0; k < 3; ++k)
+      result.pose(static_cast<Eigen::Index>(i), k) = points[i][k];
+  return result;
+}
+
+const Articulated_figure& figure()
+{
+  static const Articulated_figure instance(3500);
+  return instance;
+}
+
+} // namespace
+
+// What the package is for. The poses of the figure differ by bending only, so that geodesics, and with them the canonical
+// poses, nearly agree; a third of the difference of the inputs leaves room for the change of the geodesics at the
+// joints. The strain bound says that this was not bought by giving up the shape.
+TEST(Pipeline, poses_of_the_figure_end_in_nearly_the_same_pose)
+{
+  std::vector<Point_matrix> inputs, poses;
+  for(const auto& named : Articulated_figure::named_poses())
+  {
+    const Mesh mesh = figure().make_mesh<Mesh>(named.angles);
+    const Outcome outcome = canonical_pose(mesh);
+    std::cout << named.name << ": " << outcome.summary << '\n';
+    EXPECT_TRUE(outcome.summary.converged());
+    EXPECT_LE(outcome.summary.median_edge_strain, 0.08);
+    EXPECT_LE(outcome.summary.inverted, outcome.summary.body.tetrahedra / 100);
+    EXPECT_TRUE(Canonical_pose_test::never_rises(outcome.summary.energy_history));
+    inputs.push_back(CP::point_matrix(mesh));
+    poses.push_back(outcome.pose);
+  }
+  ASSERT_EQ(poses.size(), 5u);
+  const double before = Canonical_pose_test::mean_pairwise_rms(inputs);
+  const double after = Canonical_pose_test::mean_pairwise_rms(poses);
+  std::cout << "mean pairwise rms: inputs " << before << ", canonical poses " << after << '\n';
+  EXPECT_GT(before, 0.35);
+  EXPECT_LT(before, 0.55);
+  EXPECT_LE(after, before / 3);
+}
+
+// Along the fibres of a bent bar distances are those of the straight bar up to the thickness, hence the middles of its ends,
+// which lie 8 apart along the bar, must come (nearly) that far apart in space.
+TEST(Pipeline, bent_bar_becomes_straight)
+{
+  const Mesh bent = Canonical_pose_test::bent_bar<Mesh>(40, 4, 4, 3.);
+  const Point_matrix input = CP::point_matrix(bent), pose = canonical_pose(bent).pose;
+  const auto largest_distance = [](const Point_matrix& points) {
+    double largest = 0;
+    for(Eigen::Index i = 0; i < points.rows(); ++i)
+      largest = (std::max)(largest, (points.rowwise() - points.row(i)).rowwise().norm().maxCoeff());
+    return largest;
+  };
+  EXPECT_LT(largest_distance(input), 6.5);
+  EXPECT_NEAR(largest_distance(pose), 8., 0.4);
+}
+
+// What was computed on the way can be handed in again, and then gives the same pose, without being computed anew.
+TEST(Pipeline, intermediate_results_are_used_again)
+{
+  const Mesh mesh = Canonical_pose_test::bent_bar<Mesh>(20, 3, 3, 2.);
+  CP::Intermediate_results results;
+  CP::Options options;
+  options.intermediate_results = &results;
+  const Outcome first = canonical_pose(mesh, options);
+  ASSERT_TRUE(results.landmark_fields && results.target);
+  EXPECT_EQ(results.landmark_fields->landmarks.size(), 80u);
+
+  results.target.reset();
+  const Outcome second = canonical_pose(mesh, options);
+  EXPECT_EQ(second.pose, first.pose);
+
+  const Outcome third = canonical_pose(mesh, options);
+  EXPECT_EQ(third.summary.target.kernel, "given");
+  EXPECT_LT((third.pose - first.pose).norm(), 1e-3 * first.pose.norm());
+
+  *results.target = CP::point_matrix(mesh);
+  const Outcome at_rest = canonical_pose(mesh, options);
+  EXPECT_LT(at_rest.summary.energy, 1e-16);
+
+  results.target->conservativeResize(5, 3);
+  EXPECT_THROW_WITH(canonical_pose(mesh, options), std::invalid_argument, "target handed in has 5 rows");
+  results.landmark_fields->distances.conservativeResize(7, 80);
+  EXPECT_THROW_WITH(canonical_pose(mesh, options), std::invalid_argument, "distances handed in have 7 rows");
+}
+
+// Kernels, distances and solvers are choices of the same method: each straightens the bar.
+TEST(Pipeline, all_choices_run)
+{
+  const Mesh mesh = Canonical_pose_test::bent_bar<Mesh>(24, 3, 3, 3.);
+  const Outcome reference = canonical_pose(mesh);
+  CP::Options options;
+  options.geodesics = CP::Options::Geodesics::EXACT;
+  options.number_of_landmarks = 30;
+  EXPECT_LT(Canonical_pose_test::relative_rms(canonical_pose(mesh, options).pose, reference.pose), 0.1);
+  options = CP::Options();
+  options.solver = CP::Options::Solver::EIGEN;
+  const Outcome eigen = canonical_pose(mesh, options);
+  EXPECT_LT((eigen.pose - reference.pose).norm(), 1e-6 * reference.pose.norm());
+  EXPECT_NE(eigen.summary.solver.find("Eigen"), std::string::npos);
+  options = CP::Options();
+  options.kernel = CP::Options::Kernel::GAUSSIAN;
+  EXPECT_LT(Canonical_pose_test::relative_rms(canonical_pose(mesh, options).pose, reference.pose), 0.3);
+  options.kernel = CP::Options::Kernel::UNCENTERED_GAUSSIAN;
+  options.paper_weights.emplace();
+  const Outcome literal = canonical_pose(mesh, options);
+  EXPECT_TRUE(literal.summary.is_usable());
+  EXPECT_EQ(literal.summary.target.kernel, "gaussian-uncentred");
+}
+
+// A spring joins two hands: the stiffer, the nearer to its rest length.
+TEST(Pipeline, springs_pull_the_hands_together)
+{
+  const Mesh mesh = figure().make_mesh<Mesh>({});
+  const std::size_t left = figure().landmark(Canonical_pose_examples::Landmark::LEFT_HAND);
+  const std::size_t right = figure().landmark(Canonical_pose_examples::Landmark::RIGHT_HAND);
+  CP::Intermediate_results results;
+  CP::Options options;
+  options.intermediate_results = &results;
+  double previous = 1e9;
+  for(const double stiffness : {0., 0.002, 0.1})
+  {
+    options.springs.clear();
+    if(stiffness > 0)
+      options.springs.push_back({left, right, 0.05, stiffness});
+    const Point_matrix pose = canonical_pose(mesh, options).pose;
+    const double distance = (pose.row(left) - pose.row(right)).norm();
+    std::cout << "stiffness " << stiffness << ": hands at " << distance << '\n';
+    EXPECT_LT(distance, 0.8 * previous);
+    previous = distance;
+  }
+}

@@ -1,0 +1,189 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#include <CGAL/Canonical_pose_3/complex_body.h>
+#include <CGAL/Canonical_pose_3/extract_boundary.h>
+#include <CGAL/Canonical_pose_3/tetgen_body.h>
+
+#include <CGAL/Delaunay_triangulation_3.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Labeled_mesh_domain_3.h>
+#include <CGAL/Mesh_complex_3_in_triangulation_3.h>
+#include <CGAL/Mesh_criteria_3.h>
+#include <CGAL/Mesh_triangulation_3.h>
+#include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/Tetrahedral_remeshing/Remeshing_triangulation_3.h>
+#include <CGAL/make_mesh_3.h>
+#include <CGAL/property_map.h>
+#include <CGAL/tetrahedral_remeshing.h>
+
+#include <gtest/gtest.h>
+
+#include "matchers.h"
+#include "shapes.h"
+
+#include <cmath>
+#include <limits>
+#include <unordered_map>
+#include <vector>
+
+namespace CP = CGAL::Canonical_pose_3;
+namespace PMP = CGAL::Polygon_mesh_processing;
+
+namespace {
+
+typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
+typedef Kernel::Point_3 Point;
+typedef CGAL::Surface_mesh<Point> Mesh;
+typedef CP::Indexed_tetrahedra_3<Point> Tetrahedra;
+
+Tetrahedra indexed(const Canonical_pose_test::Tetrahedral_soup& soup)
+{
+  Tetrahedra result;
+  for(const auto& p : soup.points)
+    result.points.emplace_back(p[0], p[1], p[2]);
+  result.cells = soup.cells;
+  return result;
+}
+
+// The boundary with its vertices in the complex; each vertex must lie where its origin does.
+template <class Complex>
+Mesh checked_boundary(const Complex& complex)
+{
+  typedef CP::Tetrahedral_complex_traits_3<Complex> Traits;
+  Mesh mesh;
+  auto origin = mesh.add_property_map<Mesh::Vertex_index, typename Traits::Vertex_descriptor>("v:origin").first;
+  CP::extract_boundary(complex, mesh, origin);
+  for(const auto v : mesh.vertices())
+    EXPECT_EQ(mesh.point(v), Traits::point(complex, origin[v]));
+  EXPECT_TRUE(CGAL::is_closed(mesh));
+  return mesh;
+}
+
+// The volume inside the outward boundary is the sum of the volumes of the cells (divergence theorem).
+template <class Complex>
+void expect_same_volume(const Complex& complex)
+{
+  const CP::Conforming_body_3 body = CP::complex_body(complex);
+  EXPECT_NEAR(body.cell_weights().sum(), 1., 1e-12);
+  EXPECT_NEAR(PMP::volume(checked_boundary(complex)), body.volume(), 1e-10 * body.volume());
+}
+
+} // namespace
+
+// A box of 3x2x4 cubes of six tetrahedra each, with every other cell turned inside out: orientation must not matter.
+TEST(Tetrahedral_complex, indexed_cells_in_any_orientation)
+{
+  Tetrahedra box = indexed(Canonical_pose_test::tetrahedral_box(3, 2, 4, {{1., 2., 3.}}));
+  for(std::size_t t = 0; t < box.cells.size(); t += 2)
+    std::swap(box.cells[t][0], box.cells[t][1]);
+  expect_same_volume(box);
+  EXPECT_NEAR(CP::complex_body(box).volume(), 6., 1e-12);
+  const Mesh boundary = checked_boundary(box);
+  EXPECT_EQ(boundary.number_of_faces(), 2u * 2 * (3 * 2 + 2 * 4 + 3 * 4));
+  EXPECT_EQ(boundary.number_of_vertices(), 4u * 3 * 5 - 2u * 1 * 3); // all but those inside
+}
+
+// Two cells that share only an edge: the boundary is split there into two closed surfaces, so that the two vertices
+// of the edge have two copies each.
+TEST(Tetrahedral_complex, boundary_is_split_where_it_is_not_manifold)
+{
+  Tetrahedra pair;
+  pair.points = {{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {1, 1, 0}, {-1, 0, 0}, {-1, -1, 0}};
+  pair.cells = {{{0, 1, 2, 3}}, {{0, 1, 4, 5}}};
+  const Mesh boundary = checked_boundary(pair);
+  EXPECT_EQ(boundary.number_of_vertices(), 8u);
+  EXPECT_TRUE(CGAL::is_valid_polygon_mesh(boundary));
+}
+
+TEST(Tetrahedral_complex, mesh_3_complex)
+{
+  typedef CGAL::Labeled_mesh_domain_3<Kernel> Domain;
+  typedef CGAL::Mesh_triangulation_3<Domain>::type Triangulation;
+  typedef CGAL::Mesh_complex_3_in_triangulation_3<Triangulation> C3t3;
+  typedef CGAL::Mesh_criteria_3<Triangulation> Criteria;
+  const Domain domain = Domain::create_implicit_mesh_domain(
+    [](const Point& p) { return CGAL::to_double(p.x() * p.x() + p.y() * p.y() + 4 * p.z() * p.z() - 1); },
+    Kernel::Sphere_3(CGAL::ORIGIN, 4.));
+  namespace params = CGAL::parameters;
+  const Criteria criteria(Criteria::Facet_criteria(25, 0.25, 0.02), Criteria::Cell_criteria(3, 0.3));
+  const C3t3 c3t3 = CGAL::make_mesh_3<C3t3>(domain, criteria, params::no_perturb(), params::no_exude());
+  expect_same_volume(c3t3);
+  // An ellipsoid of half axes 1, 1, 1/2, inscribed.
+  EXPECT_NEAR(CP::complex_body(c3t3).volume(), 2. / 3 * Canonical_pose_test::pi, 0.1);
+}
+
+// The cells of a Delaunay triangulation of a grid tile its hull: of those in the complex the volume is known.
+TEST(Tetrahedral_complex, triangulation_with_subdomains)
+{
+  typedef CGAL::Tetrahedral_remeshing::Remeshing_triangulation_3<Kernel> Remeshing_triangulation;
+  CGAL::Delaunay_triangulation_3<Kernel, Remeshing_triangulation::Triangulation_data_structure> tr;
+  for(const auto& p : Canonical_pose_test::tetrahedral_box(4, 4, 4).points)
+    tr.insert(Point(p[0], p[1], p[2]));
+  for(const auto cell : tr.finite_cell_handles())
+  {
+    double x = 0;
+    for(int k = 0; k < 4; ++k)
+      x += cell->vertex(k)->point().x() / 4;
+    cell->set_subdomain_index(x < 0.5 ? 1 : 0);
+  }
+  expect_same_volume(tr);
+  EXPECT_NEAR(CP::complex_body(tr).volume(), 0.5, 1e-12);
+  EXPECT_EQ(CP::complex_body(tr).points().rows(), 3 * 5 * 5);
+
+  Remeshing_triangulation copy;
+  copy.tds() = tr.tds();
+  copy.set_infinite_vertex(copy.tds().vertices_begin());
+  expect_same_volume(copy);
+}
+
+// TetGen keeps the vertices, and its cells fill the volume of the surface: a polyhedron, hence exactly.
+TEST(Tetgen_body, fills_the_surface)
+{
+  Mesh mesh = Canonical_pose_test::torus<Mesh>(24, 12, 1., 0.4);
+  const CP::Conforming_body_3 body = CP::tetgen_body(mesh, mesh.points());
+  EXPECT_NEAR(body.volume(), PMP::volume(mesh), 1e-12);
+  ASSERT_GE(body.points().rows(), Eigen::Index(mesh.number_of_vertices()));
+  for(const auto v : mesh.vertices())
+    EXPECT_EQ(body.points()(Eigen::Index(v), 0), mesh.point(v).x());
+  EXPECT_EQ(body.embedding().rows(), Eigen::Index(mesh.number_of_vertices()));
+
+  // also in other units
+  for(const double unit : {1e-6, 1e6, 1e-90})
+  {
+    Mesh scaled = mesh;
+    for(const auto v : scaled.vertices())
+      scaled.point(v) = CGAL::ORIGIN + unit * (mesh.point(v) - CGAL::ORIGIN);
+    const double ratio = CP::tetgen_body(scaled, scaled.points()).volume() / (unit * unit * unit);
+    EXPECT_NEAR(ratio, body.volume(), 1e-11);
+  }
+}
+
+TEST(Conforming_body, bad_input_is_named)
+{
+  Tetrahedra box = indexed(Canonical_pose_test::tetrahedral_box(1, 1, 1));
+  Tetrahedra bad = box;
+  bad.cells[2][3] = 8;
+  EXPECT_THROW_WITH(CP::complex_body(bad), std::invalid_argument, "cell 2 names a vertex");
+  bad = box;
+  bad.cells[4][1] = bad.cells[4][0];
+  EXPECT_THROW_WITH(CP::complex_body(bad), std::invalid_argument, "cell 4 has no volume");
+  bad = box;
+  bad.points[5] = Point(0, std::numeric_limits<double>::quiet_NaN(), 0);
+  EXPECT_THROW_WITH(CP::complex_body(bad), std::invalid_argument, "vertex 5 has a coordinate that is not finite");
+  bad = box;
+  bad.cells.push_back({{0, 1, 3, 2}});
+  bad.cells.push_back({{0, 1, 3, 4}});
+  bad.cells.push_back({{0, 1, 3, 5}});
+  Mesh mesh;
+  std::unordered_map<Mesh::Vertex_index, std::size_t> origin;
+  EXPECT_THROW_WITH(CP::extract_boundary(bad, mesh, boost::make_assoc_property_map(origin)), std::invalid_argument,
+                    "share a face");
+  EXPECT_THROW_WITH(CP::complex_body(Tetrahedra()), std::invalid_argument, "no cell");
+}

@@ -1,0 +1,137 @@
+# Checks the command-line contract of canonical-pose from outside:
+#
+#   cmake -DTOOL=path -DMAKE_FIGURE=path -DWORK=directory -P test_tool.cmake
+#
+# WORK is emptied first. MAKE_FIGURE writes the sample; where it is empty (examples not built), what needs it is left out.
+# Files that break each promise of the input are written by test_tool_inputs.cmake, what is asserted of a run and of a
+# report is in test_tool_checks.cmake.
+
+cmake_minimum_required(VERSION 3.19)
+
+file(REMOVE_RECURSE ${WORK})
+file(MAKE_DIRECTORY ${WORK}/out)
+include(${CMAKE_CURRENT_LIST_DIR}/test_tool_inputs.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/test_tool_checks.cmake)
+
+# ---- wrong usage: exit 2 -----------------------------------------------------------------------------
+
+expect_exit(0 --help)
+expect_exit(0 pose --help)
+expect_exit(0 --version)
+expect_exit(2)
+expect_exit(2 unknown)
+expect_exit(2 pose)
+expect_exit(2 pose ball.off)
+expect_exit(2 pose ball.off -o out/a.off --bogus)
+expect_exit(2 pose ball.off -o out/a.off --kernel cubic)
+expect_exit(2 pose ball.off -o out/a.off --landmarks 0)
+expect_exit(2 pose ball.off -o out/a.off --detail-length nan)
+expect_exit(2 pose ball.off -o out/a.off --tikhonov -1)
+expect_exit(2 pose ball.off -o out/a.off --spring 0,1)
+expect_exit(2 pose ball.off -o out/a.off --spring 0,1.5,1)
+expect_exit(2 pose ball.off -o out/a.off --paper-weights 100)
+expect_exit(2 geodesics ball.off -o out/a.txt)
+expect_exit(2 geodesics ball.off -o out/a.txt --source -1)
+
+# ---- what cannot be done: exit 1, one line on stderr that says why, and no file ------------------------
+
+foreach(option IN ITEMS "--body lattice" "--body mesh" "--geodesics mmp" "--injective"
+                        "--components largest" "--components each")
+  separate_arguments(words UNIX_COMMAND "${option}")
+  expect_refusal("${option}: not available yet" pose ball.off -o out/a.off ${words})
+endforeach()
+
+expect_refusal("--spacing: not available yet" pose ball.off -o out/a.off --spacing 0.01)
+
+foreach(input IN LISTS bad_inputs)
+  list(POP_FRONT messages message)
+  set(format off)
+  if(input MATCHES "mesh$")
+    set(format mesh)
+  endif()
+  expect_refusal("${message}" pose ${input} -o out/a.${format} --target out/b.off --report out/c.json)
+endforeach()
+
+expect_refusal("No such file" pose missing.off -o out/a.off)
+expect_refusal("directory" pose folder.off -o out/a.off)
+expect_refusal("extension" pose ball.txt -o out/a.off)
+expect_refusal("extension" pose ball.off -o out/a.xyz)
+expect_refusal("no such directory" pose ball.off -o out/nowhere/a.off)
+expect_refusal("not a file" pose ball.off -o folder.off)
+expect_refusal("same name" pose ball.off -o out/a.off --target out/../out/a.off)
+expect_refusal("tetrahedral" pose ball.off -o out/a.mesh)
+expect_refusal("tetrahedral" pose ball.mesh -o out/a.off)
+expect_refusal("names vertex 99" pose ball.off -o out/a.off --spring 0,99,1)
+expect_refusal("names vertex 99" geodesics ball.off --source 99 -o out/a.txt)
+expect_refusal("opposite orientation" geodesics turned.off --source 0 -o out/a.txt)
+
+# ---- check: exit 0 if the file can be examined -----------------------------------------------------------
+
+expect_exit(0 check ball.off --report out/check.json)
+expect_match("${stdout}" "faces +20\n.*first_defect +none")
+expect_json(out/check.json 12 input vertices)
+expect_json(out/check.json 0 input self_intersections)
+expect_exit(0 check hole.off)
+expect_match("${stdout}" "boundary_edges +3\n")
+expect_exit(0 check two_balls.off)
+expect_match("${stdout}" "components +2\n")
+expect_exit(0 check ball.mesh)
+expect_exit(1 check truncated.off)
+
+# ---- pose: every format in, every format out ---------------------------------------------------------------
+
+foreach(from IN ITEMS off obj ply stl)
+  foreach(to IN ITEMS off obj ply stl)
+    expect_exit(0 pose ball.${from} -o out/${from}.${to} --target out/target.${to} --report out/report.json)
+    expect_complete_report(out/report.json)
+    expect_json(out/report.json 12 input vertices)
+    expect_exit(0 check out/${from}.${to} --report out/check.json)
+    expect_json(out/check.json 12 input vertices)
+    expect_json(out/check.json 20 input faces)
+    expect_exit(0 check out/target.${to})
+  endforeach()
+endforeach()
+expect_same_bytes(out/off.off out/obj.off)
+expect_same_bytes(out/off.off out/ply.off)
+expect_same_faces(ball.off out/off.off)
+
+expect_exit(0 pose ball.mesh -o out/pose.mesh --target out/target.off --report out/report.json)
+expect_complete_report(out/report.json)
+expect_json(out/report.json complex body kind)
+expect_json(out/report.json 20 body tetrahedra)
+expect_same_faces(ball.mesh out/pose.mesh)
+expect_exit(0 check out/target.off)
+
+expect_exit(0 pose ball.off -o out/a.off --quiet)
+expect_match("<${stdout}${stderr}>" "^<>$")
+expect_exit(0 pose ball.off -o out/a.off --kernel gaussian --landmarks 6 --detail-length 0.2 --tikhonov 1
+  --iterations 5 --geodesics exact --solver eigen --seed 3 --threads 1 --spring 0,3,0.5 --spring 1,2,0.5,10)
+expect_exit(0 pose ball.off -o out/a.off --paper-weights 100,10 --kernel gaussian-uncentred)
+
+# ---- geodesics ---------------------------------------------------------------------------------------------
+
+foreach(kind IN ITEMS heat exact)
+  expect_exit(0 geodesics two_balls.off --source 0 --source 23 -o out/distances.txt --geodesics ${kind})
+  file(STRINGS ${WORK}/out/distances.txt lines)
+  list(LENGTH lines length)
+  expect_match(${length} "^24$")
+  list(GET lines 0 line)
+  expect_match("${line}" "^0 inf$")
+  list(GET lines 23 line)
+  expect_match("${line}" "^inf 0$")
+endforeach()
+expect_exit(0 geodesics hole.off --source 3 -o out/distances.txt)
+
+# ---- the sample: the time is accounted for, and the bytes do not depend on the threads -------------------------
+
+if(MAKE_FIGURE)
+  execute_process(COMMAND ${MAKE_FIGURE} --vertices 2500 ${WORK}/figure.off COMMAND_ERROR_IS_FATAL ANY OUTPUT_QUIET)
+  foreach(threads IN ITEMS 1 2)
+    expect_exit(0 pose figure.off -o out/pose_${threads}.off --threads ${threads} --report out/report.json)
+    expect_complete_report(out/report.json)
+    expect_accounted_time(out/report.json)
+  endforeach()
+  expect_same_bytes(out/pose_1.off out/pose_2.off)
+  expect_same_faces(figure.off out/pose_1.off)
+  expect_match("${stdout}" "converged after [0-9]+ iterations, energy .*stress")
+endif()
