@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
 //
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
@@ -59,10 +60,7 @@ inline Mesh_file with_points(Mesh_file file, const Point_matrix& points)
   return file;
 }
 
-inline Tetrahedra tetrahedra_of(const Mesh_file& file)
-{
-  return {points_of(file), file.cells};
-}
+inline Tetrahedra tetrahedra_of(const Mesh_file& file) { return {points_of(file), file.cells}; }
 
 // The boundary of a tetrahedral mesh as a surface.
 inline Mesh_file boundary_of(const Mesh_file& file)
@@ -91,7 +89,9 @@ inline CGAL::Canonical_pose_3::Diagnosis_3 diagnosis_of(const Mesh_file& file)
   return CGAL::Canonical_pose_3::diagnose(matrix_of(points_of(file)), file.faces);
 }
 
-// Throws std::invalid_argument that names the defect if the faces do not fit together to an oriented 2-manifold.
+// Throws std::invalid_argument that names the defect if the faces do not fit together to an
+// oriented
+// 2-manifold.
 inline Surface surface_of(const Mesh_file& file)
 {
   if(file.is_tetrahedral)
@@ -104,7 +104,8 @@ inline Surface surface_of(const Mesh_file& file)
     std::array<Surface::Vertex_index, 3> face;
     for(std::size_t k = 0; k < 3; ++k)
       face[k] = Surface::Vertex_index(static_cast<Surface::size_type>(f[k]));
-    if(f[0] == f[1] || f[1] == f[2] || f[2] == f[0] || surface.add_face(face) == Surface::null_face())
+    if(f[0] == f[1] || f[1] == f[2] || f[2] == f[0]
+       || surface.add_face(face) == Surface::null_face())
       throw std::invalid_argument(diagnosis_of(file).first_defect);
   }
   return surface;

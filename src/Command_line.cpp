@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
 //
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
@@ -27,15 +28,16 @@ typedef CGAL::Canonical_pose_3::Options Options;
 // What does not go into the options of the library as it is.
 struct Raw_arguments
 {
-  std::string geodesics = "heat", kernel = "classical", components = "refuse", solver = "auto", paper_weights;
+  std::string geodesics = "heat", kernel = "classical", components = "refuse", solver = "auto",
+              paper_weights;
   std::vector<std::string> springs;
   double spacing = 0;
   bool injective = false;
 };
 
 // Splits "1,2,0.5" into its numbers; there must be as many as `least` to `most`.
-std::vector<double> numbers(const std::string& option, const std::string& text, const std::size_t least,
-                            const std::size_t most)
+std::vector<double> numbers(const std::string& option, const std::string& text,
+                            const std::size_t least, const std::size_t most)
 {
   std::vector<double> result;
   const char* position = text.c_str();
@@ -43,7 +45,8 @@ std::vector<double> numbers(const std::string& option, const std::string& text, 
   {
     result.push_back(std::strtod(position, &end));
     if(end == position || !std::isfinite(result.back()) || (*end != ',' && *end != '\0'))
-      throw CLI::ValidationError(option, "'" + text + "' is not a list of numbers with commas between them");
+      throw CLI::ValidationError(option, "'" + text
+                                           + "' is not a list of numbers with commas between them");
     if(*end == '\0')
       break;
   }
@@ -57,7 +60,8 @@ CGAL::Canonical_pose_3::Spring_3 spring(const std::string& text)
   const std::vector<double> values = numbers("--spring", text, 3, 4);
   for(const double v : {values[0], values[1]})
     if(v < 0 || v > 1e15 || v != std::floor(v))
-      throw CLI::ValidationError("--spring", "'" + text + "' does not begin with two vertex numbers");
+      throw CLI::ValidationError("--spring",
+                                 "'" + text + "' does not begin with two vertex numbers");
   return {static_cast<std::size_t>(values[0]), static_cast<std::size_t>(values[1]), values[2],
           values.size() > 3 ? values[3] : 1};
 }
@@ -70,22 +74,30 @@ CLI::Validator number(const bool positive)
       double value;
       const bool holds = CLI::detail::lexical_cast(text, value) && std::isfinite(value)
                          && (positive ? value > 0 : value >= 0);
-      return holds ? std::string() : "'" + text + "' is not a " + (positive ? "positive" : "nonnegative") + " number";
+      return holds
+               ? std::string()
+               : "'" + text + "' is not a " + (positive ? "positive" : "nonnegative") + " number";
     },
     name, name);
 }
 
 void add_input(CLI::App& command, Arguments& arguments)
 {
-  command.add_option("INPUT", arguments.input, "surface (.off, .obj, .ply, .stl) or tetrahedral mesh (MEDIT, .mesh)")
+  command
+    .add_option("INPUT", arguments.input,
+                "surface (.off, .obj, .ply, .stl) or tetrahedral mesh (MEDIT, .mesh)")
     ->required();
 }
 
 void add_common(CLI::App& command, Arguments& arguments, Raw_arguments& raw)
 {
-  command.add_option("--geodesics", raw.geodesics, "distances: heat or exact")->capture_default_str();
-  command.add_option("--threads", arguments.options.number_of_threads, "at most so many threads; 0: as many as there are")
-    ->check(number(false))->capture_default_str();
+  command.add_option("--geodesics", raw.geodesics, "distances: heat or exact")
+    ->capture_default_str();
+  command
+    .add_option("--threads", arguments.options.number_of_threads,
+                "at most so many threads; 0: as many as there are")
+    ->check(number(false))
+    ->capture_default_str();
   command.add_flag("--quiet", arguments.quiet, "print nothing but errors");
 }
 
@@ -93,34 +105,59 @@ void add_pose(CLI::App& command, Arguments& arguments, Raw_arguments& raw)
 {
   Options& options = arguments.options;
   add_input(command, arguments);
-  command.add_option("-o,--output", arguments.output, "the pose: INPUT's vertices and faces or cells")->required();
+  command
+    .add_option("-o,--output", arguments.output, "the pose: INPUT's vertices and faces or cells")
+    ->required();
   command.add_option("--target", arguments.target, "write the target of the registration, too");
   command.add_option("--report", arguments.report, "write a report (JSON), too");
-  command.add_option("--body", arguments.body, "elastic body inside a surface: auto, lattice, tetgen, mesh")
-    ->check(CLI::IsMember({"auto", "lattice", "tetgen", "mesh"}))->capture_default_str();
+  command
+    .add_option("--body", arguments.body,
+                "elastic body inside a surface: auto, lattice, tetgen, mesh")
+    ->check(CLI::IsMember({"auto", "lattice", "tetgen", "mesh"}))
+    ->capture_default_str();
   command.add_option("--spacing", raw.spacing, "spacing of the lattice by the largest distance")
     ->check(number(true));
-  command.add_option("--kernel", raw.kernel, "kernel of the target: classical, gaussian, gaussian-uncentred")
-    ->check(CLI::IsMember({"classical", "gaussian", "gaussian-uncentred"}))->capture_default_str();
+  command
+    .add_option("--kernel", raw.kernel,
+                "kernel of the target: classical, gaussian, gaussian-uncentred")
+    ->check(CLI::IsMember({"classical", "gaussian", "gaussian-uncentred"}))
+    ->capture_default_str();
   command.add_option("--landmarks", options.number_of_landmarks, "number of landmarks")
-    ->check(number(true))->capture_default_str();
-  command.add_option("--detail-length", options.registration.detail_length,
-                     "details smaller than this keep their shape; by the largest distance")
-    ->check(number(true))->capture_default_str();
-  command.add_option("--tikhonov", options.registration.tikhonov, "weight that holds an iteration near the one before")
-    ->check(number(false))->capture_default_str();
-  command.add_option("--iterations", options.registration.number_of_iterations, "cap on the number of iterations")
-    ->check(number(true))->capture_default_str();
-  command.add_option("--paper-weights", raw.paper_weights, "ALPHA,BETA: the weights as the paper prints them");
-  command.add_option("--spring", raw.springs, "I,J,LENGTH[,STIFFNESS]: a spring between two vertices; may be repeated")
+    ->check(number(true))
+    ->capture_default_str();
+  command
+    .add_option("--detail-length", options.registration.detail_length,
+                "details smaller than this keep their shape; by the largest distance")
+    ->check(number(true))
+    ->capture_default_str();
+  command
+    .add_option("--tikhonov", options.registration.tikhonov,
+                "weight that holds an iteration near the one before")
+    ->check(number(false))
+    ->capture_default_str();
+  command
+    .add_option("--iterations", options.registration.number_of_iterations,
+                "cap on the number of iterations")
+    ->check(number(true))
+    ->capture_default_str();
+  command.add_option("--paper-weights", raw.paper_weights,
+                     "ALPHA,BETA: the weights as the paper prints them");
+  command
+    .add_option("--spring", raw.springs,
+                "I,J,LENGTH[,STIFFNESS]: a spring between two vertices; may be repeated")
     ->allow_extra_args(false);
   command.add_flag("--injective", raw.injective, "no inverted cells");
-  command.add_option("--components", raw.components, "more than one connected component: refuse, largest, each")
-    ->check(CLI::IsMember({"refuse", "largest", "each"}))->capture_default_str();
+  command
+    .add_option("--components", raw.components,
+                "more than one connected component: refuse, largest, each")
+    ->check(CLI::IsMember({"refuse", "largest", "each"}))
+    ->capture_default_str();
   command.add_option("--solver", raw.solver, "linear solver: auto, eigen, cholmod")
-    ->check(CLI::IsMember({"auto", "eigen", "cholmod"}))->capture_default_str();
+    ->check(CLI::IsMember({"auto", "eigen", "cholmod"}))
+    ->capture_default_str();
   command.add_option("--seed", options.random_seed, "0, or the seed that draws the first landmark")
-    ->check(number(false))->capture_default_str();
+    ->check(number(false))
+    ->capture_default_str();
   add_common(command, arguments, raw);
 }
 
@@ -135,8 +172,13 @@ void add_geodesics(CLI::App& command, Arguments& arguments, Raw_arguments& raw)
 {
   add_input(command, arguments);
   command.add_option("--source", arguments.sources, "number of a vertex, from 0; may be repeated")
-    ->required()->check(number(false))->allow_extra_args(false);
-  command.add_option("-o,--output", arguments.output, "the distances: a line per vertex, a column per source")->required();
+    ->required()
+    ->check(number(false))
+    ->allow_extra_args(false);
+  command
+    .add_option("-o,--output", arguments.output,
+                "the distances: a line per vertex, a column per source")
+    ->required();
   add_common(command, arguments, raw);
 }
 
@@ -155,9 +197,10 @@ void refuse_what_is_not_there_yet(const Arguments& arguments, const Raw_argument
 
 void take(const Raw_arguments& raw, Options& options)
 {
-  const std::map<std::string, Options::Kernel> kernels = {{"classical", Options::Kernel::CLASSICAL},
-                                                          {"gaussian", Options::Kernel::GAUSSIAN},
-                                                          {"gaussian-uncentred", Options::Kernel::UNCENTERED_GAUSSIAN}};
+  const std::map<std::string, Options::Kernel> kernels
+    = {{"classical", Options::Kernel::CLASSICAL},
+       {"gaussian", Options::Kernel::GAUSSIAN},
+       {"gaussian-uncentred", Options::Kernel::UNCENTERED_GAUSSIAN}};
   const std::map<std::string, Options::Solver> solvers = {{"auto", Options::Solver::AUTOMATIC},
                                                           {"eigen", Options::Solver::EIGEN},
                                                           {"cholmod", Options::Solver::CHOLMOD}};
@@ -169,7 +212,8 @@ void take(const Raw_arguments& raw, Options& options)
   {
     const std::vector<double> weights = numbers("--paper-weights", raw.paper_weights, 2, 2);
     if(!(weights[0] > 0) || weights[1] < 0)
-      throw CLI::ValidationError("--paper-weights", "ALPHA must be positive, and BETA not negative");
+      throw CLI::ValidationError("--paper-weights",
+                                 "ALPHA must be positive, and BETA not negative");
     options.paper_weights = Options::Paper_weights{weights[0], weights[1]};
   }
   for(const std::string& text : raw.springs)
@@ -185,7 +229,8 @@ std::optional<int> parse_command_line(const int argc, char* argv[], Arguments& a
   app.set_version_flag("--version", CANONICAL_POSE_VERSION);
   app.require_subcommand(1);
   CLI::App* const pose = app.add_subcommand("pose", "brings a shape into its canonical pose");
-  CLI::App* const check = app.add_subcommand("check", "tells what is wrong with a surface, if anything");
+  CLI::App* const check
+    = app.add_subcommand("check", "tells what is wrong with a surface, if anything");
   CLI::App* const geodesics = app.add_subcommand("geodesics", "measures distances on a surface");
   add_pose(*pose, arguments, raw);
   add_check(*check, arguments);
@@ -199,8 +244,9 @@ std::optional<int> parse_command_line(const int argc, char* argv[], Arguments& a
   {
     return app.exit(error) == 0 ? 0 : 2;
   }
-  arguments.command = *check ? Arguments::Command::CHECK
-                             : *geodesics ? Arguments::Command::GEODESICS : Arguments::Command::POSE;
+  arguments.command = *check       ? Arguments::Command::CHECK
+                      : *geodesics ? Arguments::Command::GEODESICS
+                                   : Arguments::Command::POSE;
   refuse_what_is_not_there_yet(arguments, raw);
   return std::nullopt;
 }
@@ -209,12 +255,14 @@ void check_formats(const Arguments& arguments)
 {
   const bool is_tetrahedral = format_of(arguments.input) == Format::MEDIT;
   if(is_tetrahedral != (format_of(arguments.output) == Format::MEDIT))
-    throw std::invalid_argument(is_tetrahedral ? "the pose of a tetrahedral mesh (.mesh) has to be one, too"
-                                               : "the pose of a surface cannot be a tetrahedral mesh (.mesh)");
+    throw std::invalid_argument(is_tetrahedral
+                                  ? "the pose of a tetrahedral mesh (.mesh) has to be one, too"
+                                  : "the pose of a surface cannot be a tetrahedral mesh (.mesh)");
   if(!arguments.target.empty() && format_of(arguments.target) == Format::MEDIT)
     throw std::invalid_argument("the target is a surface and cannot be a tetrahedral mesh (.mesh)");
   if(is_tetrahedral && arguments.body != "auto")
-    throw std::invalid_argument("--body " + arguments.body + ": a tetrahedral mesh is its own body");
+    throw std::invalid_argument("--body " + arguments.body
+                                + ": a tetrahedral mesh is its own body");
 }
 
 } // namespace Canonical_pose_tool

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
 //
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
@@ -34,11 +35,14 @@ struct Arguments
   bool quiet = false;
 };
 
-// Reads the command line. Returns the exit code if there is nothing left to do: 0 after --help, 2 for wrong usage.
+// Reads the command line. Returns the exit code if there is nothing left to do: 0 after --help, 2
+// for
+// wrong usage.
 // Throws std::invalid_argument for an option whose work is not there yet.
 std::optional<int> parse_command_line(int argc, char* argv[], Arguments& arguments);
 
-// Throws std::invalid_argument if the files of `pose` cannot have the formats that their extensions tell.
+// Throws std::invalid_argument if the files of `pose` cannot have the formats that their extensions
+// tell.
 void check_formats(const Arguments& arguments);
 
 } // namespace Canonical_pose_tool

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
 //
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
@@ -46,15 +47,18 @@ std::string bytes_of_file(const std::string& path)
 
 Format format_of(const std::string& path)
 {
-  static const std::map<std::string, Format> formats = {{".off", Format::OFF}, {".obj", Format::OBJ},
-                                                        {".ply", Format::PLY}, {".stl", Format::STL},
+  static const std::map<std::string, Format> formats = {{".off", Format::OFF},
+                                                        {".obj", Format::OBJ},
+                                                        {".ply", Format::PLY},
+                                                        {".stl", Format::STL},
                                                         {".mesh", Format::MEDIT}};
   std::string extension = std::filesystem::path(path).extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](const unsigned char c) { return static_cast<char>(std::tolower(c)); });
   const auto found = formats.find(extension);
   if(found == formats.end())
-    throw std::invalid_argument("the extension of '" + path + "' is not one of .off, .obj, .ply, .stl, .mesh");
+    throw std::invalid_argument("the extension of '" + path
+                                + "' is not one of .off, .obj, .ply, .stl, .mesh");
   return found->second;
 }
 
@@ -65,21 +69,33 @@ Mesh_file read_mesh_file(const std::string& path)
   Mesh_file mesh;
   switch(format)
   {
-    case Format::OFF: read_off(bytes, mesh); break;
-    case Format::OBJ: read_obj(bytes, mesh); break;
-    case Format::PLY: read_ply(bytes, mesh); break;
-    case Format::STL: read_stl(bytes, mesh); break;
-    case Format::MEDIT: read_medit(bytes, mesh); break;
+  case Format::OFF:
+    read_off(bytes, mesh);
+    break;
+  case Format::OBJ:
+    read_obj(bytes, mesh);
+    break;
+  case Format::PLY:
+    read_ply(bytes, mesh);
+    break;
+  case Format::STL:
+    read_stl(bytes, mesh);
+    break;
+  case Format::MEDIT:
+    read_medit(bytes, mesh);
+    break;
   }
   return mesh;
 }
 
-std::size_t vertex_index(const long long index, const std::size_t n, const Element& element, const int base)
+std::size_t vertex_index(const long long index, const std::size_t n, const Element& element,
+                         const int base)
 {
   const long long from_zero = index - base;
   if(index < base || static_cast<unsigned long long>(from_zero) >= n)
     throw std::invalid_argument(element.name() + " names vertex " + std::to_string(index)
-                                + (base == 0 ? "" : " (counted from 1)") + ", but there are " + std::to_string(n));
+                                + (base == 0 ? "" : " (counted from 1)") + ", but there are "
+                                + std::to_string(n));
   return static_cast<std::size_t>(from_zero);
 }
 
@@ -93,8 +109,8 @@ void check_is_finite(const std::array<double, 3>& point, const Element& element)
 void check_is_triangle(const long long number_of_corners, const Element& face)
 {
   if(number_of_corners != 3)
-    throw std::invalid_argument(face.name() + " is not a triangle: it has " + std::to_string(number_of_corners)
-                                + " corners");
+    throw std::invalid_argument(face.name() + " is not a triangle: it has "
+                                + std::to_string(number_of_corners) + " corners");
 }
 
 } // namespace Canonical_pose_tool

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
 //
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
@@ -22,8 +23,8 @@ struct Mesh_file
 {
   bool is_tetrahedral = false;
   std::vector<std::array<double, 3>> points;
-  std::vector<std::array<std::size_t, 3>> faces; // of a surface
-  std::vector<std::array<std::size_t, 4>> cells; // of a tetrahedral mesh
+  std::vector<std::array<std::size_t, 3>> faces;            // of a surface
+  std::vector<std::array<std::size_t, 4>> cells;            // of a tetrahedral mesh
   std::vector<long long> point_references, cell_references; // MEDIT's labels
 };
 
@@ -33,7 +34,9 @@ enum class Format { OFF, OBJ, PLY, STL, MEDIT };
 Format format_of(const std::string& path);
 
 // Reads a file. Coordinates are finite and indices in range afterwards; nothing else is checked.
-// Throws std::invalid_argument that names the defect and the element. (CGAL's readers only say that they failed.)
+// Throws std::invalid_argument that names the defect and the element, which is why CGAL's readers
+// are
+// not used: they only say that they failed.
 Mesh_file read_mesh_file(const std::string& path);
 
 // Writes a mesh with 17 significant digits.

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
 //
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
@@ -66,7 +67,8 @@ Output_files::~Output_files()
     fs::remove(file.beside, error);
 }
 
-void Output_files::write(const std::string& path, const std::function<void(std::ostream&)>& write_to)
+void Output_files::write(const std::string& path,
+                         const std::function<void(std::ostream&)>& write_to)
 {
   if(path.empty())
     return;
@@ -82,7 +84,8 @@ void Output_files::write(const std::string& path, const std::function<void(std::
     out.close();
   }
   if(!out)
-    throw std::runtime_error(cannot_write(path, errno != 0 ? std::strerror(errno) : "the disk may be full"));
+    throw std::runtime_error(
+      cannot_write(path, errno != 0 ? std::strerror(errno) : "the disk may be full"));
 }
 
 void Output_files::commit()

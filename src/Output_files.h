@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
 //
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
@@ -18,12 +19,13 @@
 
 namespace Canonical_pose_tool {
 
-// The files that a run leaves: all of them whole, or none. They are written beside their places under names of their own,
-// and renamed together.
+// The files that a run leaves: all of them whole, or none. They are written beside their places
+// under
+// names of their own, and renamed together.
 class Output_files
 {
 public:
-  // Checks that files could be written to `paths`; empty ones mean that there is none. Writes nothing.
+  // Checks that files could be written to `paths`, empty ones left out. Writes nothing.
   // Throws std::invalid_argument that names the path.
   explicit Output_files(const std::vector<std::string>& paths);
 
@@ -33,7 +35,8 @@ public:
   Output_files(const Output_files&) = delete;
   Output_files& operator=(const Output_files&) = delete;
 
-  // Writes the file for `path`, if it is not empty, beside its place. Throws std::runtime_error if it cannot be written.
+  // Writes the file for `path`, if that is not empty, beside its place.
+  // Throws std::runtime_error if it cannot be written.
   void write(const std::string& path, const std::function<void(std::ostream&)>& write_to);
 
   // Puts all files in their places.

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
 //
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
@@ -10,10 +11,10 @@
 
 #include <CGAL/version.h>
 #ifdef CGAL_CANONICAL_POSE_3_USE_CHOLMOD
-#  include <cholmod.h>
+#include <cholmod.h>
 #endif
 #ifdef CGAL_LINKED_WITH_TBB
-#  include <tbb/version.h>
+#include <tbb/version.h>
 #endif
 
 #include <Eigen/Core>
@@ -91,13 +92,14 @@ std::string dotted(const int major, const int minor, const int patch)
 
 Json versions()
 {
-  Json result = {{"canonical_pose_3", CANONICAL_POSE_VERSION},
-                 {"cgal", CGAL_VERSION_STR},
-                 {"eigen", dotted(EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)},
-                 {"boost", dotted(BOOST_VERSION / 100000, BOOST_VERSION / 100 % 1000, BOOST_VERSION % 100)},
-                 {"cholmod", nullptr},
-                 {"tbb", nullptr},
-                 {"compiler", __VERSION__}};
+  Json result
+    = {{"canonical_pose_3", CANONICAL_POSE_VERSION},
+       {"cgal", CGAL_VERSION_STR},
+       {"eigen", dotted(EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)},
+       {"boost", dotted(BOOST_VERSION / 100000, BOOST_VERSION / 100 % 1000, BOOST_VERSION % 100)},
+       {"cholmod", nullptr},
+       {"tbb", nullptr},
+       {"compiler", __VERSION__}};
 #ifdef CGAL_CANONICAL_POSE_3_USE_CHOLMOD
   result["cholmod"] = dotted(CHOLMOD_MAIN_VERSION, CHOLMOD_SUB_VERSION, CHOLMOD_SUBSUB_VERSION);
 #endif
@@ -120,7 +122,8 @@ void write(std::ostream& out, Json report, const std::vector<Registration_summar
 
 } // namespace
 
-void write_report(std::ostream& out, const Registration_summary& summary, const double total_seconds)
+void write_report(std::ostream& out, const Registration_summary& summary,
+                  const double total_seconds)
 {
   const Json body = {{"kind", summary.body.kind},
                      {"vertices", summary.body.vertices},
@@ -136,10 +139,18 @@ void write_report(std::ostream& out, const Registration_summary& summary, const 
 }
 
 void write_report(std::ostream& out, const Diagnosis_3& diagnosis,
-                  const std::vector<Registration_summary::Stage>& stages, const double total_seconds)
+                  const std::vector<Registration_summary::Stage>& stages,
+                  const double total_seconds)
 {
   const Json defect = diagnosis.is_clean() ? Json() : Json(diagnosis.first_defect);
   write(out, {{"input", input_of(diagnosis)}, {"first_defect", defect}}, stages, total_seconds);
+}
+
+void write_outcome(std::ostream& out, const Registration_summary& summary)
+{
+  out << summary << '\n';
+  for(const std::string& warning : summary.warnings)
+    out << "warning: " << warning << '\n';
 }
 
 void write_table(std::ostream& out, const Diagnosis_3& diagnosis)

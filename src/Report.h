@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
 //
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
@@ -35,7 +36,10 @@ public:
 private:
   typedef std::chrono::steady_clock Clock;
 
-  static double seconds(const Clock::duration duration) { return std::chrono::duration<double>(duration).count(); }
+  static double seconds(const Clock::duration duration)
+  {
+    return std::chrono::duration<double>(duration).count();
+  }
 
   const Clock::time_point m_start = Clock::now();
   Clock::time_point m_last = m_start;
@@ -49,6 +53,9 @@ void write_report(std::ostream& out, const CGAL::Canonical_pose_3::Registration_
 void write_report(std::ostream& out, const CGAL::Canonical_pose_3::Diagnosis_3& diagnosis,
                   const std::vector<CGAL::Canonical_pose_3::Registration_summary::Stage>& stages,
                   double total_seconds);
+
+// Writes the outcome in one line, and a line per warning.
+void write_outcome(std::ostream& out, const CGAL::Canonical_pose_3::Registration_summary& summary);
 
 // Writes one line per field.
 void write_table(std::ostream& out, const CGAL::Canonical_pose_3::Diagnosis_3& diagnosis);

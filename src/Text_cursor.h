@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
 //
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
@@ -25,20 +26,28 @@ struct Element
   const char* kind;
   std::size_t index = THE_ONLY_ONE;
 
-  std::string name() const { return index == THE_ONLY_ONE ? kind : std::string(kind) + ' ' + std::to_string(index); }
+  std::string name() const
+  {
+    return index == THE_ONLY_ONE ? kind : std::string(kind) + ' ' + std::to_string(index);
+  }
 };
 
-// Takes words and numbers from a text, one after the other. '#' begins a comment that ends with the line.
+// Takes words and numbers from a text, one after the other. '#' begins a comment, up to the end of
+// the
+// line.
 class Text_cursor
 {
 public:
   // `text` must outlive the cursor.
-  explicit Text_cursor(const std::string& text) : m_position(text.c_str()), m_end(m_position + text.size()) {}
+  explicit Text_cursor(const std::string& text)
+    : m_position(text.c_str()), m_end(m_position + text.size())
+  {}
 
   // Returns the next word, on whatever line; an empty one at the end of the text.
   std::string_view word()
   {
-    while(m_position != m_end && (is_blank(*m_position) || is_line_end(*m_position) || *m_position == '#'))
+    while(m_position != m_end
+          && (is_blank(*m_position) || is_line_end(*m_position) || *m_position == '#'))
       *m_position == '#' ? skip_line() : step();
     return rest_of_word();
   }
@@ -92,7 +101,10 @@ public:
   }
 
 private:
-  static bool is_blank(const char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
+  static bool is_blank(const char c)
+  {
+    return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
+  }
   static bool is_line_end(const char c) { return c == '\n'; }
 
   void step()
@@ -115,9 +127,11 @@ private:
     if(!word.empty())
       return word;
     const bool at_end = std::string_view(m_position, static_cast<std::size_t>(m_end - m_position))
-                          .find_first_not_of(" \t\r\n\v\f") == std::string_view::npos;
+                          .find_first_not_of(" \t\r\n\v\f")
+                        == std::string_view::npos;
     throw std::invalid_argument(at_end ? "the file is truncated: it ends in " + element.name()
-                                       : element.name() + " is incomplete (line " + std::to_string(m_line) + ")");
+                                       : element.name() + " is incomplete (line "
+                                           + std::to_string(m_line) + ")");
   }
 
   std::invalid_argument wrong(const std::string_view word, const Element& element) const

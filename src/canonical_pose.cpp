@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
 //
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
@@ -19,6 +20,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <cstdlib>
 #include <exception>
 #include <iostream>
@@ -31,8 +33,6 @@
 namespace {
 
 using namespace Canonical_pose_tool;
-using CGAL::Canonical_pose_3::Diagnosis_3;
-using CGAL::Canonical_pose_3::Intermediate_results;
 
 // Tells on a terminal what goes on.
 void say(const Arguments& arguments, const std::string& message)
@@ -51,7 +51,7 @@ void run_pose(Arguments& arguments)
   const double seconds_to_read = clock.lap();
 
   say(arguments, "computing the pose");
-  Intermediate_results results;
+  CGAL::Canonical_pose_3::Intermediate_results results;
   arguments.options.intermediate_results = &results;
   Point_matrix pose;
   Registration_summary summary = compute_pose(input, arguments.options, pose);
@@ -67,13 +67,11 @@ void run_pose(Arguments& arguments)
     write_mesh(out, format_of(arguments.target), with_points(surface, *results.target));
   });
   summary.add_seconds("write", clock.lap());
-  files.write(arguments.report, [&](std::ostream& out) { write_report(out, summary, clock.total()); });
+  files.write(arguments.report,
+              [&](std::ostream& out) { write_report(out, summary, clock.total()); });
   files.commit();
-  if(arguments.quiet)
-    return;
-  std::cout << summary << '\n';
-  for(const std::string& warning : summary.warnings)
-    std::cout << "warning: " << warning << '\n';
+  if(!arguments.quiet)
+    write_outcome(std::cout, summary);
 }
 
 void run_check(const Arguments& arguments)
@@ -82,10 +80,11 @@ void run_check(const Arguments& arguments)
   Output_files files({arguments.report});
   const Mesh_file input = read_mesh_file(arguments.input);
   const double seconds_to_read = clock.lap();
-  const Diagnosis_3 diagnosis = diagnosis_of(input);
+  const auto diagnosis = diagnosis_of(input);
   const double seconds_to_diagnose = clock.lap();
   files.write(arguments.report, [&](std::ostream& out) {
-    write_report(out, diagnosis, {{"read", seconds_to_read}, {"diagnosis", seconds_to_diagnose}}, clock.total());
+    write_report(out, diagnosis, {{"read", seconds_to_read}, {"diagnosis", seconds_to_diagnose}},
+                 clock.total());
   });
   files.commit();
   if(!arguments.quiet)
@@ -96,7 +95,7 @@ void run_geodesics(const Arguments& arguments)
 {
   Output_files files({arguments.output});
   const Surface surface = surface_of(read_mesh_file(arguments.input));
-  const Eigen::MatrixXd distances = compute_distances(surface, arguments.sources, arguments.options);
+  const auto distances = compute_distances(surface, arguments.sources, arguments.options);
   files.write(arguments.output, [&](std::ostream& out) {
     out << distances.format(Eigen::IOFormat(17, Eigen::DontAlignCols, " ", "\n", "", "", "", "\n"));
   });
@@ -108,9 +107,7 @@ void complain(const std::string& subject, const std::exception& error)
 {
   const bool is_out_of_memory = dynamic_cast<const std::bad_alloc*>(&error) != nullptr;
   std::string message = subject + (is_out_of_memory ? "out of memory" : error.what());
-  for(char& c : message)
-    if(c == '\n' || c == '\r')
-      c = ' ';
+  std::replace(message.begin(), message.end(), '\n', ' ');
   std::cerr << "canonical-pose: " << message << '\n';
 }
 
@@ -130,12 +127,12 @@ int main(int argc, char* argv[])
     if(const std::optional<int> exit_code = parse_command_line(argc, argv, arguments))
       return *exit_code;
     subject = arguments.input + ": ";
-    switch(arguments.command)
-    {
-      case Arguments::Command::POSE: run_pose(arguments); break;
-      case Arguments::Command::CHECK: run_check(arguments); break;
-      case Arguments::Command::GEODESICS: run_geodesics(arguments); break;
-    }
+    if(arguments.command == Arguments::Command::POSE)
+      run_pose(arguments);
+    else if(arguments.command == Arguments::Command::CHECK)
+      run_check(arguments);
+    else
+      run_geodesics(arguments);
     return EXIT_SUCCESS;
   }
   catch(const std::exception& error)

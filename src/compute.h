@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
 //
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
@@ -18,7 +19,7 @@
 #include <CGAL/canonical_pose_3.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
-#  include <tbb/global_control.h>
+#include <tbb/global_control.h>
 #endif
 
 #include <cstddef>
@@ -35,7 +36,8 @@ using CGAL::Canonical_pose_3::Options;
 using CGAL::Canonical_pose_3::Registration_summary;
 
 // `pose` receives one row per vertex of `input`.
-inline Registration_summary compute_pose(const Mesh_file& input, const Options& options, Point_matrix& pose)
+inline Registration_summary compute_pose(const Mesh_file& input, const Options& options,
+                                         Point_matrix& pose)
 {
   Stage_clock clock;
   double seconds_to_convert; // and to find that it can be done
@@ -46,7 +48,6 @@ inline Registration_summary compute_pose(const Mesh_file& input, const Options& 
     seconds_to_convert = clock.lap();
     std::vector<Point_3> points(complex.points.size());
     summary = CGAL::canonical_pose_3(complex, CGAL::make_property_map(points), options);
-    summary.add_seconds("body", clock.lap() - summary.total_seconds()); // what precedes the stages makes the body
     pose = matrix_of(points);
   }
   else
@@ -63,21 +64,24 @@ inline Registration_summary compute_pose(const Mesh_file& input, const Options& 
 }
 
 // One row per vertex, one column per source.
-inline Eigen::MatrixXd compute_distances(const Surface& surface, const std::vector<std::size_t>& source_rows,
+inline Eigen::MatrixXd compute_distances(const Surface& surface,
+                                         const std::vector<std::size_t>& source_rows,
                                          const Options& options)
 {
   std::vector<Surface::Vertex_index> sources;
   for(const std::size_t source : source_rows)
   {
     if(source >= surface.number_of_vertices())
-      throw std::invalid_argument("--source names vertex " + std::to_string(source) + ", but there are "
+      throw std::invalid_argument("--source names vertex " + std::to_string(source)
+                                  + ", but there are "
                                   + std::to_string(surface.number_of_vertices()));
     sources.emplace_back(static_cast<Surface::size_type>(source));
   }
 #ifdef CGAL_LINKED_WITH_TBB
   std::optional<tbb::global_control> limit;
   if(options.number_of_threads > 0)
-    limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(options.number_of_threads));
+    limit.emplace(tbb::global_control::max_allowed_parallelism,
+                  static_cast<std::size_t>(options.number_of_threads));
 #endif
   if(options.geodesics == Options::Geodesics::EXACT)
     return CGAL::Canonical_pose_3::Exact_geodesics_3<Surface>(surface).distances(sources);

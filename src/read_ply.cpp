@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
 //
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
@@ -67,11 +68,12 @@ Number_type number_type(const std::string_view name, const std::size_t line)
        {"double", number_type<double>()},        {"float64", number_type<double>()}};
   const auto found = types.find(name);
   if(found == types.end())
-    throw std::invalid_argument("line " + std::to_string(line) + ": the type of the property is unknown");
+    throw std::invalid_argument("line " + std::to_string(line)
+                                + ": the type of the property is unknown");
   return found->second;
 }
 
-// Numbers of binary files are taken to be stored as this machine does, unless the file says big-endian.
+// Binary numbers are taken to be stored as this machine does, unless the file says big-endian.
 class Ply_reader
 {
 public:
@@ -85,7 +87,9 @@ public:
     for(const Ply_element& element : m_elements)
     {
       has_vertices = has_vertices || element.name == "vertex";
-      const char* const kind = element.name == "vertex" ? "vertex" : element.name == "face" ? "face" : "element";
+      const char* const kind = element.name == "vertex" ? "vertex"
+                               : element.name == "face" ? "face"
+                                                        : "element";
       if(!element.properties.empty()) // else there is nothing to read
         for(Element e{kind, 0}; static_cast<long long>(e.index) < element.number; ++e.index)
           read_element(element, e);
@@ -115,7 +119,8 @@ private:
       else if(word == "element")
       {
         m_elements.push_back({std::string(m_text.word_on_line()), 0, {}});
-        m_elements.back().number = m_text.integer(m_text.word_on_line(), Element{"the number of elements"});
+        m_elements.back().number
+          = m_text.integer(m_text.word_on_line(), Element{"the number of elements"});
       }
       else if(word == "property")
         read_property();
@@ -129,13 +134,15 @@ private:
     m_is_binary = name != "ascii";
     m_is_big_endian = name == "binary_big_endian";
     if(m_is_binary && !m_is_big_endian && name != "binary_little_endian")
-      throw std::invalid_argument("line " + std::to_string(m_text.line()) + ": the format is unknown");
+      throw std::invalid_argument("line " + std::to_string(m_text.line())
+                                  + ": the format is unknown");
   }
 
   void read_property()
   {
     if(m_elements.empty())
-      throw std::invalid_argument("line " + std::to_string(m_text.line()) + ": a property without an element");
+      throw std::invalid_argument("line " + std::to_string(m_text.line())
+                                  + ": a property without an element");
     Property property;
     std::string_view word = m_text.word_on_line();
     property.is_list = word == "list";
@@ -156,11 +163,13 @@ private:
     bool has_corners = false;
     for(const Property& property : element.properties)
     {
-      const bool is_coordinate = property.name.size() == 1 && property.name[0] >= 'x' && property.name[0] <= 'z';
+      const bool is_coordinate
+        = property.name.size() == 1 && property.name[0] >= 'x' && property.name[0] <= 'z';
       if(property.is_list)
       {
         const std::vector<double> values = read_list(property, e);
-        if(element.name == "face" && (property.name == "vertex_indices" || property.name == "vertex_index"))
+        if(element.name == "face"
+           && (property.name == "vertex_indices" || property.name == "vertex_index"))
         {
           add_face(values, e);
           has_corners = true;
@@ -226,9 +235,6 @@ private:
 
 } // namespace
 
-void read_ply(const std::string& bytes, Mesh_file& mesh)
-{
-  Ply_reader(bytes, mesh).run();
-}
+void read_ply(const std::string& bytes, Mesh_file& mesh) { Ply_reader(bytes, mesh).run(); }
 
 } // namespace Canonical_pose_tool

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
 //
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
@@ -22,7 +23,8 @@ namespace {
 
 const std::size_t HEADER_SIZE = 84, FACE_SIZE = 50; // bytes of a binary file
 
-// Collects faces by the coordinates of their corners; equal ones become one vertex, in order of appearance.
+// Collects faces by the coordinates of their corners; equal ones become one vertex, in the order of
+// appearance.
 class Welder
 {
 public:
@@ -67,9 +69,10 @@ void read_binary(const std::string& bytes, Mesh_file& mesh)
 {
   const std::uint32_t faces = number_of_binary_faces(bytes);
   if(bytes.size() < HEADER_SIZE + FACE_SIZE * faces || bytes.size() < HEADER_SIZE)
-    throw std::invalid_argument("the file is truncated: " + std::to_string(bytes.size()) + " bytes, but "
-                                + (bytes.size() < HEADER_SIZE ? "a header" : std::to_string(faces) + " faces")
-                                + " of binary STL need " + std::to_string(HEADER_SIZE + FACE_SIZE * faces));
+    throw std::invalid_argument(
+      "the file is truncated: " + std::to_string(bytes.size()) + " bytes, but "
+      + (bytes.size() < HEADER_SIZE ? "a header" : std::to_string(faces) + " faces")
+      + " of binary STL need " + std::to_string(HEADER_SIZE + FACE_SIZE * faces));
   Welder welder(mesh);
   const char* position = bytes.data() + HEADER_SIZE;
   for(std::uint32_t f = 0; f < faces; ++f, position += FACE_SIZE)
@@ -111,8 +114,9 @@ void read_ascii(const std::string& bytes, Mesh_file& mesh)
 void read_stl(const std::string& bytes, Mesh_file& mesh)
 {
   // The header of a binary file may begin with the word, too.
-  const bool has_binary_size = bytes.size() >= HEADER_SIZE
-                               && bytes.size() == HEADER_SIZE + FACE_SIZE * number_of_binary_faces(bytes);
+  const bool has_binary_size
+    = bytes.size() >= HEADER_SIZE
+      && bytes.size() == HEADER_SIZE + FACE_SIZE * number_of_binary_faces(bytes);
   const std::size_t first = bytes.find_first_not_of(" \t\r\n");
   if(!has_binary_size && bytes.compare(first, 5, "solid") == 0)
     read_ascii(bytes, mesh);

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
 //
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
@@ -16,14 +17,16 @@ namespace Canonical_pose_tool {
 
 namespace {
 
-// "OFF", maybe with letters in front that tell what else is on the line of a vertex; the coordinates are first on it.
+// "OFF", maybe with letters in front that tell what else is on the line of a vertex, after the
+// coordinates.
 void check_keyword(const std::string_view keyword)
 {
   if(keyword.size() < 3 || keyword.substr(keyword.size() - 3) != "OFF")
     throw std::invalid_argument("line 1: there is no keyword OFF");
   for(const char c : keyword.substr(0, keyword.size() - 3))
     if(std::string_view("STCN").find(c) == std::string_view::npos)
-      throw std::invalid_argument("line 1: the variant " + std::string(keyword.substr(0, 20)) + " is not supported");
+      throw std::invalid_argument("line 1: the variant " + std::string(keyword.substr(0, 20))
+                                  + " is not supported");
 }
 
 } // namespace
@@ -39,7 +42,8 @@ void read_off(const std::string& bytes, Mesh_file& mesh)
   const long long faces = text.integer(text.word_on_line(), Element{"the number of faces"});
   text.skip_line();
   if(vertices < 0 || faces < 0)
-    throw std::invalid_argument("line " + std::to_string(text.line()) + ": a number of elements is negative");
+    throw std::invalid_argument("line " + std::to_string(text.line())
+                                + ": a number of elements is negative");
 
   for(Element v{"vertex", 0}; v.index < static_cast<std::size_t>(vertices); ++v.index)
   {
@@ -82,7 +86,8 @@ void read_obj(const std::string& bytes, Mesh_file& mesh)
       for(word = text.word_on_line(); !word.empty(); word = text.word_on_line())
       {
         const long long index = text.integer(word.substr(0, word.find('/')), f);
-        corners.push_back(index < 0 ? static_cast<long long>(mesh.points.size()) + 1 + index : index);
+        corners.push_back(index < 0 ? static_cast<long long>(mesh.points.size()) + 1 + index
+                                    : index);
       }
       check_is_triangle(static_cast<long long>(corners.size()), f);
       faces.push_back({corners[0], corners[1], corners[2]});
@@ -106,9 +111,11 @@ void read_medit(const std::string& bytes, Mesh_file& mesh)
   for(std::string_view word = text.word(); !word.empty() && word != "End"; word = text.word())
   {
     if(word == "Dimension" && text.integer(text.word(), Element{"the dimension"}) != 3)
-      throw std::invalid_argument("line " + std::to_string(text.line()) + ": the dimension is not 3");
+      throw std::invalid_argument("line " + std::to_string(text.line())
+                                  + ": the dimension is not 3");
     if(word == "Hexahedra" || word == "Prisms" || word == "Pyramids")
-      throw std::invalid_argument("line " + std::to_string(text.line()) + ": there are cells that are no tetrahedra");
+      throw std::invalid_argument("line " + std::to_string(text.line())
+                                  + ": there are cells that are no tetrahedra");
     if(word == "Vertices")
     {
       const long long n = text.integer(text.word(), Element{"the number of vertices"});

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
 //
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
@@ -25,7 +26,9 @@ void read_ply(const std::string& bytes, Mesh_file& mesh);
 void read_stl(const std::string& bytes, Mesh_file& mesh);
 void read_medit(const std::string& bytes, Mesh_file& mesh);
 
-// Returns `index` as a number of one of `n` vertices counted from `base`, from 0 on; throws if there is no such vertex.
+// Returns `index`, one of `n` vertices counted from `base`, counted from 0. Throws if there is no
+// such
+// vertex.
 std::size_t vertex_index(long long index, std::size_t n, const Element& element, int base = 0);
 
 // Throws if a coordinate is not finite.

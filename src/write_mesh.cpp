@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
 //
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
@@ -56,10 +57,17 @@ void write_mesh(std::ostream& out, const Format format, const Mesh_file& mesh)
   const auto precision = CGAL::parameters::stream_precision(17);
   switch(format)
   {
-    case Format::OBJ: CGAL::IO::write_OBJ(out, points, mesh.faces, precision); break;
-    case Format::PLY: CGAL::IO::write_PLY(out, points, mesh.faces, precision); break;
-    case Format::STL: CGAL::IO::write_STL(out, points, mesh.faces, precision); break;
-    default: CGAL::IO::write_OFF(out, points, mesh.faces, precision);
+  case Format::OBJ:
+    CGAL::IO::write_OBJ(out, points, mesh.faces, precision);
+    break;
+  case Format::PLY:
+    CGAL::IO::write_PLY(out, points, mesh.faces, precision);
+    break;
+  case Format::STL:
+    CGAL::IO::write_STL(out, points, mesh.faces, precision);
+    break;
+  default:
+    CGAL::IO::write_OFF(out, points, mesh.faces, precision);
   }
 }
 

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
 //
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
@@ -42,7 +43,7 @@ public:
   /// matrix of n rows, and who sees that factors a third.
   enum Unknowns { THREE_PER_VERTEX, ONE_PER_VERTEX };
 
-  /// Seconds spent so far.
+  /// Seconds spent so far; the right-hand side counts with the rotations.
   struct Seconds
   {
     double rotations = 0, matrix = 0, solution = 0;

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
 //
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
@@ -9,18 +10,20 @@
 // Times of the whole pipeline, stage by stage, beside two references measured in the same run.
 //
 // How to read: the first column is canonical_pose_3() with its defaults, the median of --runs
-// calls. Rows of stages add up to the total. Indented rows belong to the row above.
+// calls.
+// Stages add up to the total; indented rows belong to the row above and are timed apart.
 // - Second column: the same distances by CGAL's Heat_method_3 (Intrinsic_Delaunay, its default
-//   solver), for the same landmarks one by one.
+//   solver), from the same landmarks, one by one. Timed once.
 // - Third column: the same registration done literally as the paper prints it
 //   (Literal_registration.h), one thread but for the solver: the matrix is assembled and factored
-//   at every iteration, rotations come from JacobiSVD. It is run on the chosen target for as many
-//   iterations as ours needs for that target from the start (or for --literal), and its time is
-//   extended to the number of iterations of the first column, in which both reflections are tried.
-//   The matrix has n rows with three right-hand sides; lines below the table tell what the paper's
-//   3n rows take.
-// Totals of the references have their own time in place of ours in those rows, and ours elsewhere.
-// Below the table the results are compared: mean difference of the distances, energies after as
+// at
+//   every iteration, rotations come from JacobiSVD. As many iterations as ours are run and timed,
+//   or as many as --literal says: the time is then extended to as many as ours, and the line below
+//   the table says so. The matrix has n rows and three right-hand sides; another line tells what
+// the
+//   paper's 3n rows take.
+// Totals of the references have their own time in the rows that they fill, and ours in the others.
+// Below the table results are compared: mean difference of the distances, energies after equally
 // many iterations.
 // Usage: pipeline_benchmark [--vertices 53000] [--runs 3] [--literal ITERATIONS] [mesh files]
 
@@ -151,7 +154,7 @@ struct Literal
 {
   Literal_registration::Seconds per_iteration;
   double paper_size_per_iteration = 0; // with 3n rows
-  int iterations = 0, iterations_of_ours = 0;
+  int iterations = 0;
   double energy = 0, energy_of_ours = 0;
 };
 
@@ -174,7 +177,7 @@ Literal run_literal(const Mesh& mesh, const CP::Intermediate_results& results,
                                                            : options.number_of_iterations);
   const CP::Registration_summary ours = registrar.register_to_target(pose);
   result.energy_of_ours = ours.energy;
-  result.iterations = result.iterations_of_ours = ours.iterations;
+  result.iterations = ours.iterations;
 
   const double alpha = std::pow(options.detail_length * length_scale, 2);
   Literal_registration literal(body, weights, *results.target, alpha, 0,
@@ -243,7 +246,7 @@ void compare(const std::string& name, const Mesh& mesh, const Arguments& argumen
   print_table(ours, heat, literal);
   std::printf("outcome: %s\n", summary.brief_report().c_str());
   std::printf("distances: ours differ from CGAL's by %.2f %% in the mean\n", 100 * heat.difference);
-  std::printf("literal registration: %d iterations timed (%.3f s each), extended to the %d of the "
+  std::printf("literal registration: %d iterations timed (%.3f s each) of the %d of the "
               "first column\n",
               literal.iterations, literal.per_iteration.total(), summary.iterations);
   std::printf("  with the paper's 3n rows: %.3f s per iteration (2 timed), %.1f s for all\n",

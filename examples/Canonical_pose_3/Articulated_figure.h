@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
 //
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
@@ -56,7 +57,7 @@ struct Joint_angles
     double forward = 0; ///< shoulder, to the front
     double twist = 0;   ///< of the upper arm: at 90 the elbow bends upwards, not to the front
     double elbow = 0;
-    double wrist = 0;   ///< positive: the palm bends downwards (in the rest pose)
+    double wrist = 0; ///< positive: the palm bends downwards (in the rest pose)
   };
   struct Leg
   {
@@ -141,7 +142,7 @@ inline double trunk(const Vector& p)
   f = smooth_minimum(f, capsule(p, {0, 1.42, -0.015}, {0, 1.6, 0.0}, 0.06, 0.052), 0.04);
   // Folds on the belly, and a belt.
   f -= 0.005 * std::sin((p.y() - 1.08) * 114) * smoothstep(1.07, 1.09, p.y())
-             * (1 - smoothstep(1.23, 1.26, p.y())) * smoothstep(-0.02, 0.05, p.z());
+       * (1 - smoothstep(1.23, 1.26, p.y())) * smoothstep(-0.02, 0.05, p.z());
   return f - 0.009 * ridge(p.y() - 1.03);
 }
 
@@ -167,7 +168,7 @@ inline double leg(const Vector& p)
   f = smooth_minimum(f, capsule(p, {0.122, 0.5, 0.005}, {0.15, 0.09, -0.012}, 0.055, 0.038), 0.03);
   f = smooth_minimum(f, ellipsoid(p, {0.130, 0.36, -0.02}, {0.052, 0.12, 0.055}), 0.04);
   f = smooth_minimum(f, ellipsoid(p, {0.122, 0.51, 0.045}, {0.035, 0.045, 0.025}), 0.03); // knee
-  f -= 0.008 * ridge(p.y() - 0.19); // boot
+  f -= 0.008 * ridge(p.y() - 0.19);                                                       // boot
   f = smooth_minimum(f, capsule(p, {0.15, 0.05, -0.03}, {0.16, 0.035, 0.14}, 0.047, 0.040), 0.03);
   f = smooth_minimum(f, ellipsoid(p, {0.161, 0.035, 0.135}, {0.048, 0.03, 0.055}), 0.02);
   return -smooth_minimum(-f, p.y(), 0.015); // sole
@@ -197,8 +198,8 @@ inline double wished_length(const Vector& p)
 {
   const double face = smoothstep(1.5, 1.6, p.y()) * smoothstep(-0.06, 0.05, p.z());
   const double hand = smoothstep(0.68, 0.76, std::abs(p.x()));
-  const double belly = (1 - smoothstep(0.12, 0.18, std::abs(p.y() - 1.13)))
-                       * smoothstep(0, 0.05, p.z());
+  const double belly
+    = (1 - smoothstep(0.12, 0.18, std::abs(p.y() - 1.13))) * smoothstep(0, 0.05, p.z());
   return 1 - 0.45 * (std::max)({face, hand, 0.6 * belly});
 }
 
@@ -225,7 +226,9 @@ private:
   std::unordered_map<std::uint64_t, std::size_t> crossings; // key: smaller node, direction
 
   Vector point(const Node& n) const
-  { return Vector(-1.0513, -0.1517, -1.0521) + spacing * Vector(n[0], n[1], n[2]); }
+  {
+    return Vector(-1.0513, -0.1517, -1.0521) + spacing * Vector(n[0], n[1], n[2]);
+  }
 
   static std::uint64_t key(const Node& n, int direction = 0)
   {
@@ -251,14 +254,15 @@ private:
     const int half = size / 2;
     for(int corner = 0; corner < 8; ++corner)
       visit({{low[0] + half * (corner & 1), low[1] + half * (corner >> 1 & 1),
-              low[2] + half * (corner >> 2)}}, half);
+              low[2] + half * (corner >> 2)}},
+            half);
   }
 
   std::size_t crossing(const Node& a, const Node& b)
   {
     const Node& low = a < b ? a : b;
-    const int direction = std::abs(a[0] - b[0]) + 2 * std::abs(a[1] - b[1])
-                          + 4 * std::abs(a[2] - b[2]);
+    const int direction
+      = std::abs(a[0] - b[0]) + 2 * std::abs(a[1] - b[1]) + 4 * std::abs(a[2] - b[2]);
     const auto found = crossings.insert({key(low, direction), points.size()});
     if(found.second)
     {
@@ -337,7 +341,9 @@ struct Number_of_edges_reached
 
   template <class FT, class Profile>
   bool operator()(const FT&, const Profile&, std::size_t, std::size_t current) const
-  { return current <= wished; }
+  {
+    return current <= wished;
+  }
 };
 
 /// One joint of a rod: the rotation that is reached gradually between two arc lengths.
@@ -392,7 +398,9 @@ private:
 };
 
 inline Eigen::AngleAxisd about(const Vector& axis, double degrees)
-{ return Eigen::AngleAxisd(degrees * 3.14159265358979323846 / 180, axis); }
+{
+  return Eigen::AngleAxisd(degrees * 3.14159265358979323846 / 180, axis);
+}
 
 inline Rod arm_rod(const Joint_angles::Arm& a)
 {
@@ -417,8 +425,7 @@ inline Rod leg_rod(const Joint_angles::Leg& a)
 
 inline Rod spine_rod(const Joint_angles::Trunk& spine, const Joint_angles::Trunk& neck)
 {
-  auto rotation = [](const Joint_angles::Trunk& a)
-  {
+  auto rotation = [](const Joint_angles::Trunk& a) {
     return Eigen::AngleAxisd(about(Vector::UnitX(), a.bend) * about(Vector::UnitZ(), -a.lean)
                              * about(Vector::UnitY(), a.turn));
   };
@@ -462,10 +469,10 @@ public:
   /// The position of each vertex in the pose given; the lowest at y = 0.
   Points points(const Joint_angles& angles = Joint_angles()) const
   {
-    const Pair_of_rods arms = {{internal::arm_rod(angles.right_arm),
-                                internal::arm_rod(angles.left_arm)}};
-    const Pair_of_rods legs = {{internal::leg_rod(angles.right_leg),
-                                internal::leg_rod(angles.left_leg)}};
+    const Pair_of_rods arms
+      = {{internal::arm_rod(angles.right_arm), internal::arm_rod(angles.left_arm)}};
+    const Pair_of_rods legs
+      = {{internal::leg_rod(angles.right_leg), internal::leg_rod(angles.left_leg)}};
     const internal::Rod spine = internal::spine_rod(angles.spine, angles.neck);
     Points result;
     result.reserve(rest.size());
@@ -497,19 +504,23 @@ public:
       put(CGAL::vertex_point, mesh, vertices.back(), Point(FT(p[0]), FT(p[1]), FT(p[2])));
     }
     for(const auto& t : faces)
-      CGAL::Euler::add_face(
-        std::array<Vertex, 3>{{vertices[t[0]], vertices[t[1]], vertices[t[2]]}}, mesh);
+      CGAL::Euler::add_face(std::array<Vertex, 3>{{vertices[t[0]], vertices[t[1]], vertices[t[2]]}},
+                            mesh);
     return mesh;
   }
 
   /// Index of the vertex at a tip of the body.
   std::size_t landmark(Landmark which) const
   {
-    const Vector tips[5] = {{0.92, 1.408, 0}, {-0.92, 1.408, 0},
-                            {0.161, 0.035, 0.19}, {-0.161, 0.035, 0.19}, {0, 1.793, 0}};
+    const Vector tips[5] = {{0.92, 1.408, 0},
+                            {-0.92, 1.408, 0},
+                            {0.161, 0.035, 0.19},
+                            {-0.161, 0.035, 0.19},
+                            {0, 1.793, 0}};
     const Vector& tip = tips[static_cast<int>(which)];
-    const auto nearer = [&](const Vector& p, const Vector& q)
-    { return (p - tip).squaredNorm() < (q - tip).squaredNorm(); };
+    const auto nearer = [&](const Vector& p, const Vector& q) {
+      return (p - tip).squaredNorm() < (q - tip).squaredNorm();
+    };
     return std::size_t(std::min_element(rest.begin(), rest.end(), nearer) - rest.begin());
   }
 
@@ -540,7 +551,7 @@ private:
     namespace SMS = CGAL::Surface_mesh_simplification;
     SMS::edge_collapse(mesh, internal::Number_of_edges_reached{3 * number_of_vertices - 6},
                        CGAL::parameters::get_cost(internal::Relative_length_cost<Mesh>())
-                                        .get_placement(SMS::Midpoint_placement<Mesh>()));
+                         .get_placement(SMS::Midpoint_placement<Mesh>()));
     mesh.collect_garbage();
     return mesh;
   }
@@ -584,8 +595,7 @@ private:
 
   static Vector with_limbs(const Vector& p, const Pair_of_rods& arms, const Pair_of_rods& legs)
   {
-    auto moved = [&](const internal::Rod& rod, double s, bool left)
-    {
+    auto moved = [&](const internal::Rod& rod, double s, bool left) {
       const Vector mirror(left ? 1 : -1, 1, 1);
       return Vector(mirror.cwiseProduct(rod(s, mirror.cwiseProduct(p))));
     };
@@ -612,28 +622,28 @@ inline std::vector<Named_pose> Articulated_figure::named_poses()
   poses[1].angles.left_leg = poses[1].angles.right_leg = {72, 6, 75, 0};
 
   poses[2].name = "running";
-  poses[2].angles.left_arm  = {-55, -30, 0, 70, 0};
+  poses[2].angles.left_arm = {-55, -30, 0, 70, 0};
   poses[2].angles.right_arm = {-45, 45, 0, 70, 0};
-  poses[2].angles.left_leg  = {50, 0, 55, 0};
+  poses[2].angles.left_leg = {50, 0, 55, 0};
   poses[2].angles.right_leg = {-18, 0, 55, 25};
   poses[2].angles.spine = {12, 0, 10};
-  poses[2].angles.neck  = {-8, 0, -8};
+  poses[2].angles.neck = {-8, 0, -8};
 
   poses[3].name = "waving";
-  poses[3].angles.left_arm  = {-35, 0, 0, 20, 0};
+  poses[3].angles.left_arm = {-35, 0, 0, 20, 0};
   poses[3].angles.right_arm = {15, 10, 80, 75, -10};
-  poses[3].angles.left_leg  = {0, 8, 0, 0};
+  poses[3].angles.left_leg = {0, 8, 0, 0};
   poses[3].angles.right_leg = {0, 8, 0, 0};
   poses[3].angles.spine = {0, 8, 0};
-  poses[3].angles.neck  = {0, -12, 0};
+  poses[3].angles.neck = {0, -12, 0};
 
   poses[4].name = "crouching";
-  poses[4].angles.left_arm  = {-12, 65, 0, 15, 0};
+  poses[4].angles.left_arm = {-12, 65, 0, 15, 0};
   poses[4].angles.right_arm = {-12, 65, 0, 15, 0};
-  poses[4].angles.left_leg  = {85, 12, 100, -12};
+  poses[4].angles.left_leg = {85, 12, 100, -12};
   poses[4].angles.right_leg = {85, 12, 100, -12};
   poses[4].angles.spine = {22, 0, 0};
-  poses[4].angles.neck  = {-15, 0, 0};
+  poses[4].angles.neck = {-15, 0, 0};
   return poses;
 }
 

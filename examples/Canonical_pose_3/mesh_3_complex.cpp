@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
 //
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
@@ -43,8 +44,8 @@ int main()
   const Domain domain = Domain::create_implicit_mesh_domain(&sausage, around);
   const Criteria criteria(Criteria::Facet_criteria(25, 0.25, 0.02),
                           Criteria::Cell_criteria(3, 0.3));
-  const C3t3 c3t3 = CGAL::make_mesh_3<C3t3>(domain, criteria);
-
+  using namespace CGAL::parameters; // without optimisers Mesh_3 does the same at every run
+  const C3t3 c3t3 = CGAL::make_mesh_3<C3t3>(domain, criteria, no_perturb(), no_exude());
   std::unordered_map<C3t3::Vertex_handle, Point_3> pose;
   const auto summary = CGAL::canonical_pose_3(c3t3, boost::make_assoc_property_map(pose));
   double before = 0, after = 0; // squared diameters

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
 //
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
@@ -17,7 +18,8 @@
 #include <CGAL/Canonical_pose_3/tetgen_body.h>
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 #include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>#include "Articulated_figure.h"
+#include <CGAL/Surface_mesh.h>
+#include "Articulated_figure.h"
 #include <cstdlib>
 #include <iostream>
 #include <map>
@@ -40,7 +42,9 @@ int main(int argc, char* argv[])
   CP::Landmark_mds_target_builder_3<> builder;
   builder.build(fields);
   std::cout << "stress of the target: " << builder.stress() << '\n';
-  // Tetrahedra inside, and the registration; its matrix is factored once for both reflections.
+  // Tetrahedra inside, and the registration; its matrix is factored once for both reflections of
+  // the
+  // target. (canonical_pose_3() runs one of them, the one of positive target_handedness().)
   const auto points = CP::point_matrix(mesh);
   const auto shares = CP::vertex_area_shares(mesh, mesh.points());
   const auto body = CP::tetgen_body(mesh, mesh.points());

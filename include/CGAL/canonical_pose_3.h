@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
 //
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
@@ -17,6 +18,7 @@
 #include <CGAL/Canonical_pose_3/internal/with_solver.h>
 
 #include <CGAL/Named_function_parameters.h>
+#include <CGAL/Real_timer.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
 #include <type_traits>
@@ -28,28 +30,33 @@ namespace CGAL {
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief brings a closed surface into its detail-preserving canonical pose \cgalCite{cgal:canonical-s-sdacm-15}.
+\brief brings a closed surface into its detail-preserving canonical pose
+\cgalCite{cgal:canonical-s-sdacm-15}.
 
-Geodesic distances to landmarks give a target point per vertex by multidimensional scaling; a tetrahedral
-body inside the surface is pulled towards it by an as-rigid-as-possible registration that keeps details smaller than the
-detail length. Bent and straight, a shape ends in nearly the same pose. Of the target and its mirror image the one
-of positive `Canonical_pose_3::target_handedness()` is taken. The pose lies where the rigid motion that fits the target
-to the input puts it. It follows rigid motions, scaling and relabelling of the input.
+Geodesic distances to landmarks give a target point per vertex by multidimensional scaling; a
+tetrahedral body inside the surface is pulled towards it by an as-rigid-as-possible registration
+that keeps details smaller than the detail length. Bent and straight, a shape ends in nearly the
+same pose. Of the target and its mirror image the one of positive
+`Canonical_pose_3::target_handedness()` is taken. The pose lies where the rigid motion that fits the
+target to the input puts it. It follows rigid motions, scaling and relabelling of the input.
 
 \tparam TriangleMesh a model of `FaceListGraph`
-\tparam PoseVertexPointMap a model of `WritablePropertyMap` with vertex descriptors of `TriangleMesh` as keys and points of the
-        traits as values. It may be the point map of `tmesh` itself.
+\tparam PoseVertexPointMap a model of `WritablePropertyMap` with vertex descriptors of
+       `TriangleMesh` as keys and points of the traits as values. It may be the point map of `tmesh`
+       itself.
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param tmesh a closed connected triangle mesh without self-intersections.
 \param pose_vertex_point_map receives the pose, unless the summary says that there is none.
 \param options the knobs of the method.
-\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
+       below
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{vertex_point_map}
     \cgalParamDescription{the points of the vertices of `tmesh`}
-    \cgalParamType{a class model of `ReadablePropertyMap` with vertex descriptors as keys and points of the traits as values}
+    \cgalParamType{a class model of `ReadablePropertyMap` with vertex descriptors as keys and points
+    of the traits as values}
     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
   \cgalParamNEnd
   \cgalParamNBegin{geom_traits}
@@ -61,15 +68,19 @@ to the input puts it. It follows rigid motions, scaling and relabelling of the i
 
 \returns the outcome; iterations, energies and seconds per stage included.
 
-\throws std::invalid_argument if the surface is not clean (see `Canonical_pose_3::diagnose()`) or an option is out
-of its bounds; the message names the defect and an element.
-\throws std::runtime_error if the solver or the mesher fails, or the program was built without TetGen.
+\throws std::invalid_argument if the surface is not clean (see `Canonical_pose_3::diagnose()`) or an
+       option is out of its bounds; the message names the defect and an element.
+\throws std::runtime_error if the solver or the mesher fails, or the program was built without
+       TetGen.
 
-<em>Complexity:</em> with the default distances two factorisations and one solve per landmark of sparse matrices of the
-size of the surface, one factorisation of a matrix of the size of the body, and per iteration a pass over the cells and a solve.
+<em>Complexity:</em> with the default distances two factorisations and one solve per landmark of
+sparse matrices of the size of the surface, one factorisation of a matrix of the size of the body,
+and per iteration a pass over the cells and a solve.
 */
-template <typename TriangleMesh, typename PoseVertexPointMap, typename NamedParameters = parameters::Default_named_parameters,
-          std::enable_if_t<!Canonical_pose_3::internal::Is_tetrahedral_complex<TriangleMesh>::value, int> = 0>
+template <typename TriangleMesh, typename PoseVertexPointMap,
+          typename NamedParameters = parameters::Default_named_parameters,
+          std::enable_if_t<!Canonical_pose_3::internal::Is_tetrahedral_complex<TriangleMesh>::value,
+                           int> = 0>
 Canonical_pose_3::Registration_summary
 canonical_pose_3(const TriangleMesh& tmesh, PoseVertexPointMap pose_vertex_point_map,
                  const Canonical_pose_3::Options& options = Canonical_pose_3::Options(),
@@ -81,16 +92,20 @@ canonical_pose_3(const TriangleMesh& tmesh, PoseVertexPointMap pose_vertex_point
   typedef typename GetGeomTraits<TriangleMesh, NamedParameters>::type Traits;
 
   const Traits traits = choose_parameter<Traits>(get_parameter(np, internal_np::geom_traits));
-  const Point_matrix points = point_matrix(tmesh,
-                                           choose_parameter(get_parameter(np, internal_np::vertex_point),
-                                                            get_const_property_map(vertex_point, tmesh)),
-                                           traits);
+  const Point_matrix points
+    = point_matrix(tmesh,
+                   choose_parameter(get_parameter(np, internal_np::vertex_point),
+                                    get_const_property_map(vertex_point, tmesh)),
+                   traits);
   const auto triangles = Canonical_pose_3::internal::index_triangles(tmesh);
   Point_matrix pose;
-  const Registration_summary summary = Canonical_pose_3::internal::with_solver(options, [&](const auto factor_traits) {
-    typedef std::decay_t<decltype(factor_traits)> Factor_traits;
-    return Canonical_pose_3::internal::Canonical_pose_pipeline<Factor_traits>(points, triangles, options).run(pose);
-  });
+  const Registration_summary summary
+    = Canonical_pose_3::internal::with_solver(options, [&](const auto factor_traits) {
+        typedef std::decay_t<decltype(factor_traits)> Factor_traits;
+        return Canonical_pose_3::internal::Canonical_pose_pipeline<Factor_traits>(points, triangles,
+                                                                                  options)
+          .run(pose);
+      });
   if(summary.is_usable())
     put_points(pose, tmesh, pose_vertex_point_map, traits);
   return summary;
@@ -101,12 +116,13 @@ canonical_pose_3(const TriangleMesh& tmesh, PoseVertexPointMap pose_vertex_point
 
 \brief brings a tetrahedral complex into its detail-preserving canonical pose.
 
-The distances are those on the boundary of the complex, which must be connected and free of self-intersections; the cells
-of the complex are the body.
+The distances are those on the boundary of the complex, which must be connected and free of
+self-intersections; the cells of the complex are the body.
 
-\tparam TetrahedralComplex a type for which `Canonical_pose_3::Tetrahedral_complex_traits_3` is specialised
-\tparam PoseVertexPointMap a model of `WritablePropertyMap` with the vertex descriptors of the complex as keys and
-        its points as values
+\tparam TetrahedralComplex a type for which `Canonical_pose_3::Tetrahedral_complex_traits_3` is
+       specialised
+\tparam PoseVertexPointMap a model of `WritablePropertyMap` with the vertex descriptors of the
+       complex as keys and its points as values
 \tparam Traits a model of `CanonicalPoseTraits_3`, by default the kernel of the points
 
 \param complex the complex; it is not changed.
@@ -116,31 +132,45 @@ of the complex are the body.
 
 \returns the outcome.
 
-\throws std::invalid_argument also if a cell has no volume, names a vertex that is not there, or shares a face with two others.
+\throws std::invalid_argument also if a cell has no volume, names a vertex that is not there, or
+       shares a face with two others.
 */
-template <typename TetrahedralComplex, typename PoseVertexPointMap,
-          typename Traits = typename Kernel_traits<Canonical_pose_3::internal::Complex_point<TetrahedralComplex>>::Kernel,
-          std::enable_if_t<Canonical_pose_3::internal::Is_tetrahedral_complex<TetrahedralComplex>::value, int> = 0>
+template <
+  typename TetrahedralComplex, typename PoseVertexPointMap,
+  typename Traits
+  = typename Kernel_traits<Canonical_pose_3::internal::Complex_point<TetrahedralComplex>>::Kernel,
+  std::enable_if_t<Canonical_pose_3::internal::Is_tetrahedral_complex<TetrahedralComplex>::value,
+                   int> = 0>
 Canonical_pose_3::Registration_summary
 canonical_pose_3(const TetrahedralComplex& complex, PoseVertexPointMap pose_vertex_point_map,
-                 const Canonical_pose_3::Options& options = Canonical_pose_3::Options(), const Traits& traits = Traits())
+                 const Canonical_pose_3::Options& options = Canonical_pose_3::Options(),
+                 const Traits& traits = Traits())
 {
   using namespace Canonical_pose_3;
+  Real_timer timer;
+  timer.start();
   auto indexed = Canonical_pose_3::internal::indexed_complex(complex, traits);
-  const Conforming_body_3 body(std::move(indexed.points), std::move(indexed.cells), indexed.vertices.size());
+  const Conforming_body_3 body(std::move(indexed.points), std::move(indexed.cells),
+                               indexed.vertices.size());
   auto triangles = Canonical_pose_3::internal::boundary_triangles(body.points(), body.cells());
   std::vector<std::size_t> origins;
   Canonical_pose_3::internal::make_boundary_manifold(triangles, origins);
   Point_matrix surface(static_cast<Eigen::Index>(origins.size()), 3);
   for(std::size_t i = 0; i < origins.size(); ++i)
-    surface.row(static_cast<Eigen::Index>(i)) = body.points().row(static_cast<Eigen::Index>(origins[i]));
+    surface.row(static_cast<Eigen::Index>(i))
+      = body.points().row(static_cast<Eigen::Index>(origins[i]));
+
+  timer.stop();
 
   Point_matrix pose;
-  const Registration_summary summary = Canonical_pose_3::internal::with_solver(options, [&](const auto factor_traits) {
-    typedef std::decay_t<decltype(factor_traits)> Factor_traits;
-    return Canonical_pose_3::internal::Canonical_pose_pipeline<Factor_traits>(surface, triangles, options)
-      .run(body, origins, pose);
-  });
+  Registration_summary summary
+    = Canonical_pose_3::internal::with_solver(options, [&](const auto factor_traits) {
+        typedef std::decay_t<decltype(factor_traits)> Factor_traits;
+        return Canonical_pose_3::internal::Canonical_pose_pipeline<Factor_traits>(
+                 surface, triangles, options)
+          .run(body, origins, pose);
+      });
+  summary.add_seconds("body", timer.time());
   if(summary.is_usable())
     for(std::size_t i = 0; i < indexed.vertices.size(); ++i)
       put(pose_vertex_point_map, indexed.vertices[i],

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
 //
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
@@ -19,12 +20,15 @@
 #include <vector>
 
 // The statement throws this type, and the message contains the text.
-#define EXPECT_THROW_WITH(statement, exception, text)                                        \
-  try {                                                                                      \
-    statement;                                                                               \
-    ADD_FAILURE() << "nothing was thrown, expected: " << (text);                             \
-  } catch(const exception& e) {                                                              \
-    EXPECT_NE(std::string(e.what()).find(text), std::string::npos) << "thrown: " << e.what(); \
+#define EXPECT_THROW_WITH(statement, exception, text)                                              \
+  try                                                                                              \
+  {                                                                                                \
+    statement;                                                                                     \
+    ADD_FAILURE() << "nothing was thrown, expected: " << (text);                                   \
+  }                                                                                                \
+  catch(const exception& e)                                                                        \
+  {                                                                                                \
+    EXPECT_NE(std::string(e.what()).find(text), std::string::npos) << "thrown: " << e.what();      \
   }
 
 namespace Canonical_pose_test {
@@ -41,11 +45,13 @@ inline double radius_of_gyration(const Point_matrix& points)
   return std::sqrt((points.rowwise() - points.colwise().mean()).rowwise().squaredNorm().mean());
 }
 
-/// root mean square distance after the best rigid motion (no reflection), by the mean radius of gyration
+/// root mean square distance after the best rigid motion (no reflection), by the mean radius of
+/// gyration
 inline double relative_rms(const Point_matrix& a, const Point_matrix& b)
 {
   const Point_matrix moved = CGAL::Canonical_pose_3::align_target(a, b, uniform_weights(b));
-  return std::sqrt((moved - b).rowwise().squaredNorm().mean()) / (0.5 * (radius_of_gyration(a) + radius_of_gyration(b)));
+  return std::sqrt((moved - b).rowwise().squaredNorm().mean())
+         / (0.5 * (radius_of_gyration(a) + radius_of_gyration(b)));
 }
 
 /// mean of `relative_rms()` over all pairs
@@ -64,7 +70,8 @@ inline testing::AssertionResult never_rises(const std::vector<double>& energies)
 {
   for(std::size_t k = 1; k < energies.size(); ++k)
     if(!(energies[k] <= energies[k - 1] * (1 + 1e-10) + 1e-24))
-      return testing::AssertionFailure() << "iteration " << k << ": " << energies[k - 1] << " -> " << energies[k];
+      return testing::AssertionFailure()
+             << "iteration " << k << ": " << energies[k - 1] << " -> " << energies[k];
   return testing::AssertionSuccess();
 }
 

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
 //
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
@@ -28,12 +29,20 @@
 
 namespace Canonical_pose_test {
 
-using Points    = std::vector<std::array<double, 3>>;
+using Points = std::vector<std::array<double, 3>>;
 using Triangles = std::vector<std::array<std::size_t, 3>>;
-using Cells     = std::vector<std::array<std::size_t, 4>>;
+using Cells = std::vector<std::array<std::size_t, 4>>;
 
-struct Triangle_soup    { Points points; Triangles triangles; };
-struct Tetrahedral_soup { Points points; Cells cells; };
+struct Triangle_soup
+{
+  Points points;
+  Triangles triangles;
+};
+struct Tetrahedral_soup
+{
+  Points points;
+  Cells cells;
+};
 
 constexpr double pi = 3.14159265358979323846;
 
@@ -41,9 +50,9 @@ constexpr double pi = 3.14159265358979323846;
 template <class Mesh>
 Mesh to_mesh(const Points& points, const Triangles& triangles)
 {
-  using Point  = typename boost::property_traits<
-                   typename boost::property_map<Mesh, CGAL::vertex_point_t>::type>::value_type;
-  using FT     = typename CGAL::Kernel_traits<Point>::Kernel::FT;
+  using Point = typename boost::property_traits<
+    typename boost::property_map<Mesh, CGAL::vertex_point_t>::type>::value_type;
+  using FT = typename CGAL::Kernel_traits<Point>::Kernel::FT;
   using Vertex = typename boost::graph_traits<Mesh>::vertex_descriptor;
 
   Mesh mesh;
@@ -65,7 +74,10 @@ Mesh to_mesh(const Points& points, const Triangles& triangles)
 }
 
 template <class Mesh>
-Mesh to_mesh(const Triangle_soup& soup) { return to_mesh<Mesh>(soup.points, soup.triangles); }
+Mesh to_mesh(const Triangle_soup& soup)
+{
+  return to_mesh<Mesh>(soup.points, soup.triangles);
+}
 
 /// The points under a function from `std::array<double, 3>` to the same.
 template <class Function>
@@ -96,12 +108,16 @@ inline Triangle_soup plane_grid_soup(std::size_t nx, std::size_t ny, double widt
 
 template <class Mesh>
 Mesh plane_grid(std::size_t nx, std::size_t ny, double width, double height)
-{ return to_mesh<Mesh>(plane_grid_soup(nx, ny, width, height)); }
+{
+  return to_mesh<Mesh>(plane_grid_soup(nx, ny, width, height));
+}
 
 /// `nx` x `ny` unit squares, an open strip when `ny` is small.
 template <class Mesh>
 Mesh strip(std::size_t nx, std::size_t ny)
-{ return to_mesh<Mesh>(plane_grid_soup(nx, ny, double(nx), double(ny))); }
+{
+  return to_mesh<Mesh>(plane_grid_soup(nx, ny, double(nx), double(ny)));
+}
 
 /// `p` after the x axis from 0 to `length` was rolled over `angle` radians of a circle: an isometry
 /// of the plane z = 0; z becomes the height above the arc, towards the centre of the circle.
@@ -128,20 +144,19 @@ inline Triangle_soup icosphere_soup(unsigned int subdivisions, double radius)
 {
   const double g = (1. + std::sqrt(5.)) / 2.;
   Triangle_soup soup;
-  soup.points = {{{-1, g, 0}}, {{1, g, 0}}, {{-1, -g, 0}}, {{1, -g, 0}},
-                 {{0, -1, g}}, {{0, 1, g}}, {{0, -1, -g}}, {{0, 1, -g}},
-                 {{g, 0, -1}}, {{g, 0, 1}}, {{-g, 0, -1}}, {{-g, 0, 1}}};
-  soup.triangles = {{{0, 11, 5}}, {{0, 5, 1}}, {{0, 1, 7}}, {{0, 7, 10}}, {{0, 10, 11}},
-                    {{1, 5, 9}}, {{5, 11, 4}}, {{11, 10, 2}}, {{10, 7, 6}}, {{7, 1, 8}},
-                    {{3, 9, 4}}, {{3, 4, 2}}, {{3, 2, 6}}, {{3, 6, 8}}, {{3, 8, 9}},
-                    {{4, 9, 5}}, {{2, 4, 11}}, {{6, 2, 10}}, {{8, 6, 7}}, {{9, 8, 1}}};
+  soup.points
+    = {{{-1, g, 0}},  {{1, g, 0}},  {{-1, -g, 0}}, {{1, -g, 0}}, {{0, -1, g}},  {{0, 1, g}},
+       {{0, -1, -g}}, {{0, 1, -g}}, {{g, 0, -1}},  {{g, 0, 1}},  {{-g, 0, -1}}, {{-g, 0, 1}}};
+  soup.triangles = {{{0, 11, 5}}, {{0, 5, 1}},  {{0, 1, 7}},   {{0, 7, 10}}, {{0, 10, 11}},
+                    {{1, 5, 9}},  {{5, 11, 4}}, {{11, 10, 2}}, {{10, 7, 6}}, {{7, 1, 8}},
+                    {{3, 9, 4}},  {{3, 4, 2}},  {{3, 2, 6}},   {{3, 6, 8}},  {{3, 8, 9}},
+                    {{4, 9, 5}},  {{2, 4, 11}}, {{6, 2, 10}},  {{8, 6, 7}},  {{9, 8, 1}}};
   for(unsigned int round = 0; round < subdivisions; ++round)
   {
     std::map<std::pair<std::size_t, std::size_t>, std::size_t> middle;
-    auto midpoint = [&](std::size_t a, std::size_t b)
-    {
-      const auto inserted =
-        middle.insert({{(std::min)(a, b), (std::max)(a, b)}, soup.points.size()});
+    auto midpoint = [&](std::size_t a, std::size_t b) {
+      const auto inserted
+        = middle.insert({{(std::min)(a, b), (std::max)(a, b)}, soup.points.size()});
       if(inserted.second)
       {
         const auto p = soup.points[a], q = soup.points[b];
@@ -173,7 +188,9 @@ inline Triangle_soup icosphere_soup(unsigned int subdivisions, double radius)
 
 template <class Mesh>
 Mesh icosphere(unsigned int subdivisions, double radius)
-{ return to_mesh<Mesh>(icosphere_soup(subdivisions, radius)); }
+{
+  return to_mesh<Mesh>(icosphere_soup(subdivisions, radius));
+}
 
 /// Torus around the z axis: `around` x `across` vertices, radius `small` across, `large` around.
 inline Triangle_soup torus_soup(std::size_t around, std::size_t across, double large, double small)
@@ -196,7 +213,9 @@ inline Triangle_soup torus_soup(std::size_t around, std::size_t across, double l
 
 template <class Mesh>
 Mesh torus(std::size_t around, std::size_t across, double large, double small)
-{ return to_mesh<Mesh>(torus_soup(around, across, large, small)); }
+{
+  return to_mesh<Mesh>(torus_soup(around, across, large, small));
+}
 
 /// Closed straight tube along x: `rings` circles of `sides` vertices over [0,length], and the
 /// centre of each flat end.
@@ -245,9 +264,9 @@ inline Tetrahedral_soup tetrahedral_box(std::size_t nx, std::size_t ny, std::siz
   for(std::size_t k = 0; k <= nz; ++k)
     for(std::size_t j = 0; j <= ny; ++j)
       for(std::size_t i = 0; i <= nx; ++i)
-        soup.points.push_back({{lengths[0] * double(i) / double(nx),
-                                lengths[1] * double(j) / double(ny),
-                                lengths[2] * double(k) / double(nz)}});
+        soup.points.push_back(
+          {{lengths[0] * double(i) / double(nx), lengths[1] * double(j) / double(ny),
+            lengths[2] * double(k) / double(nz)}});
   const std::array<std::size_t, 3> step = {{1, nx + 1, (nx + 1) * (ny + 1)}};
   for(std::size_t k = 0; k < nz; ++k)
     for(std::size_t j = 0; j < ny; ++j)
@@ -320,13 +339,17 @@ inline Triangle_soup boundary(const Tetrahedral_soup& body,
 template <class Mesh>
 Mesh bar(std::size_t nx, std::size_t ny, std::size_t nz,
          const std::array<double, 3>& lengths = {{8., 1., 1.}})
-{ return to_mesh<Mesh>(boundary(tetrahedral_bent_bar(nx, ny, nz, 0., lengths))); }
+{
+  return to_mesh<Mesh>(boundary(tetrahedral_bent_bar(nx, ny, nz, 0., lengths)));
+}
 
 /// The bar bent over `angle` radians: same connectivity and order of the vertices.
 template <class Mesh>
 Mesh bent_bar(std::size_t nx, std::size_t ny, std::size_t nz, double angle,
               const std::array<double, 3>& lengths = {{8., 1., 1.}})
-{ return to_mesh<Mesh>(boundary(tetrahedral_bent_bar(nx, ny, nz, angle, lengths))); }
+{
+  return to_mesh<Mesh>(boundary(tetrahedral_bent_bar(nx, ny, nz, angle, lengths)));
+}
 
 } // namespace Canonical_pose_test
 

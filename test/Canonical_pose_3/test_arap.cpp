@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
 //
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
@@ -38,20 +39,25 @@ CP::Conforming_body_3 to_body(const Canonical_pose_test::Tetrahedral_soup& soup)
   std::vector<std::array<int, 4>> cells;
   for(const auto& c : soup.cells)
     cells.push_back({int(c[0]), int(c[1]), int(c[2]), int(c[3])});
-  return CP::Conforming_body_3(Canonical_pose_test::to_matrix(soup.points), cells, soup.points.size());
+  return CP::Conforming_body_3(Canonical_pose_test::to_matrix(soup.points), cells,
+                               soup.points.size());
 }
 
-CP::Conforming_body_3 bar_body() { return to_body(Canonical_pose_test::tetrahedral_bent_bar(12, 2, 2, 0.)); }
+CP::Conforming_body_3 bar_body()
+{
+  return to_body(Canonical_pose_test::tetrahedral_bent_bar(12, 2, 2, 0.));
+}
 
 Point_matrix bent_bar_points(const double angle)
 {
-  return Canonical_pose_test::to_matrix(Canonical_pose_test::tetrahedral_bent_bar(12, 2, 2, angle).points);
+  return Canonical_pose_test::to_matrix(
+    Canonical_pose_test::tetrahedral_bent_bar(12, 2, 2, angle).points);
 }
 
 } // namespace
 
-// A target that is a rigid motion of the rest pose has E = 0, and rotations fitted to it are exact: the iteration ends at
-// the target at once. Large rotations are no harder than small ones.
+// A target that is a rigid motion of the rest pose has E = 0, and rotations fitted to it are exact:
+// the iteration ends at the target at once. Large rotations are no harder than small ones.
 TEST(Arap, rigid_target_is_reached_with_energy_zero)
 {
   const CP::Conforming_body_3 body = bar_body();
@@ -60,7 +66,8 @@ TEST(Arap, rigid_target_is_reached_with_energy_zero)
   {
     const Eigen::Matrix3d rotation
       = Eigen::AngleAxisd(angle, Eigen::Vector3d(1, -2, 0.5).normalized()).toRotationMatrix();
-    const Point_matrix target = (body.points() * rotation.transpose()).rowwise() + Eigen::RowVector3d(3, 2, 1);
+    const Point_matrix target
+      = (body.points() * rotation.transpose()).rowwise() + Eigen::RowVector3d(3, 2, 1);
     registrar.set_target(target);
     Point_matrix pose;
     const Registration_summary summary = registrar.register_to_target(pose);
@@ -72,13 +79,16 @@ TEST(Arap, rigid_target_is_reached_with_energy_zero)
   }
 }
 
-// At a minimum the gradient vanishes. The gradient is checked by central differences of the energy, which is evaluated anew
-// (zero iterations from a warm start), so that an error in matrix or right-hand side would show.
+// At a minimum the gradient vanishes. The gradient is checked by central differences of the energy,
+// which is evaluated anew (zero iterations from a warm start), so that an error in matrix or
+// right-hand side would show.
 TEST(Arap, result_is_a_stationary_point_of_the_reported_energy)
 {
-  const CP::Conforming_body_3 body = to_body(Canonical_pose_test::tetrahedral_bent_bar(3, 1, 1, 0.));
+  const CP::Conforming_body_3 body
+    = to_body(Canonical_pose_test::tetrahedral_bent_bar(3, 1, 1, 0.));
   const Point_matrix target
-    = Canonical_pose_test::to_matrix(Canonical_pose_test::tetrahedral_bent_bar(3, 1, 1, 2.).points) * 1.1;
+    = Canonical_pose_test::to_matrix(Canonical_pose_test::tetrahedral_bent_bar(3, 1, 1, 2.).points)
+      * 1.1;
   CP::Registration_options options;
   options.number_of_iterations = 5000;
   options.energy_tolerance = 0;
@@ -101,8 +111,8 @@ TEST(Arap, result_is_a_stationary_point_of_the_reported_energy)
     }
 }
 
-// Both steps minimise E over their unknowns, hence it cannot rise; with Tikhonov neither. Random targets, some of them
-// reflected so that cells turn over.
+// Both steps minimise E over their unknowns, hence it cannot rise; with Tikhonov neither. Random
+// targets, some of them reflected so that cells turn over.
 TEST(Arap, energy_never_rises)
 {
   const CP::Conforming_body_3 body = bar_body();
@@ -126,11 +136,13 @@ TEST(Arap, energy_never_rises)
   }
 }
 
-// All lengths are relative to L: scaling body, target and L by a power of two scales the pose, bit by bit.
+// All lengths are relative to L: scaling body, target and L by a power of two scales the pose, bit
+// by bit.
 TEST(Arap, units_do_not_matter)
 {
   const auto pose_in_unit = [](const double unit) {
-    Canonical_pose_test::Tetrahedral_soup soup = Canonical_pose_test::tetrahedral_bent_bar(12, 2, 2, 0.);
+    Canonical_pose_test::Tetrahedral_soup soup
+      = Canonical_pose_test::tetrahedral_bent_bar(12, 2, 2, 0.);
     for(auto& p : soup.points)
       for(double& x : p)
         x *= unit;
@@ -148,7 +160,8 @@ TEST(Arap, units_do_not_matter)
   EXPECT_LT((pose_in_unit(1e-6) - pose).norm(), 1e-6);
 }
 
-// The two solvers factor the same matrix: same pose up to rounding. The polar rotations of CGAL are good to 1e-8.
+// The two solvers factor the same matrix: same pose up to rounding. The polar rotations of CGAL are
+// good to 1e-8.
 TEST(Arap, solvers_and_rotations_agree)
 {
   const CP::Conforming_body_3 body = bar_body();
@@ -160,13 +173,17 @@ TEST(Arap, solvers_and_rotations_agree)
   };
   const Eigen::VectorXd weights = uniform_weights(body.points());
   const Point_matrix pose = pose_of(Registrar(body, weights, 8.));
-  using Eigen_registrar
-    = CP::Tetrahedral_arap_registrar_3<CP::Conforming_body_3, Svd_rotations, CP::Eigen_factor_traits_d>;
+  using Eigen_registrar = CP::Tetrahedral_arap_registrar_3<CP::Conforming_body_3, Svd_rotations,
+                                                           CP::Eigen_factor_traits_d>;
   EXPECT_LT((pose_of(Eigen_registrar(body, weights, 8.)) - pose).norm(), 1e-9);
-  EXPECT_LT((pose_of(CP::Tetrahedral_arap_registrar_3<CP::Conforming_body_3>(body, weights, 8.)) - pose).norm(), 1e-5);
+  EXPECT_LT(
+    (pose_of(CP::Tetrahedral_arap_registrar_3<CP::Conforming_body_3>(body, weights, 8.)) - pose)
+      .norm(),
+    1e-5);
 }
 
-// A warm start from the result has nothing left to do; a smaller detail length comes nearer to the target.
+// A warm start from the result has nothing left to do; a smaller detail length comes nearer to the
+// target.
 TEST(Arap, warm_start_and_detail_length)
 {
   const CP::Conforming_body_3 body = bar_body();
@@ -188,7 +205,8 @@ TEST(Arap, warm_start_and_detail_length)
   }
 }
 
-// A body vertex without target (weight 0) starts and ends where its neighbours carry it: with a rigid target exactly there.
+// A body vertex without target (weight 0) starts and ends where its neighbours carry it: with a
+// rigid target exactly there.
 TEST(Arap, vertices_without_target_follow)
 {
   const CP::Conforming_body_3 body = bar_body();
@@ -199,7 +217,8 @@ TEST(Arap, vertices_without_target_follow)
   options.energy_tolerance = 1e-12;
   options.move_tolerance = 1e-9;
   Registrar registrar(body, weights, 8., options);
-  const Eigen::Matrix3d rotation = Eigen::AngleAxisd(2., Eigen::Vector3d::UnitY()).toRotationMatrix();
+  const Eigen::Matrix3d rotation
+    = Eigen::AngleAxisd(2., Eigen::Vector3d::UnitY()).toRotationMatrix();
   Point_matrix target = body.points() * rotation.transpose();
   for(Eigen::Index i = 1; i < weights.size(); i += 3)
     target.row(i).setConstant(100); // must not matter

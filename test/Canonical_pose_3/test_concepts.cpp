@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
 //
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
@@ -41,7 +42,8 @@ Canonical_pose_test::Tetrahedral_soup bent_bar_soup()
 template <class Mesh_type>
 Point_matrix pose_of()
 {
-  Mesh_type mesh = Canonical_pose_test::to_mesh<Mesh_type>(Canonical_pose_test::boundary(bent_bar_soup()));
+  Mesh_type mesh
+    = Canonical_pose_test::to_mesh<Mesh_type>(Canonical_pose_test::boundary(bent_bar_soup()));
   const auto summary = CGAL::canonical_pose_3(mesh, get(CGAL::vertex_point, mesh));
   EXPECT_TRUE(summary.converged());
   return CP::point_matrix(mesh);
@@ -114,20 +116,27 @@ struct CGAL::Canonical_pose_3::Tetrahedral_complex_traits_3<My_complex>
   {
     std::vector<Cell> result;
     for(const auto& c : complex.cells)
-      result.push_back({char32_t(U'a' + c[0]), char32_t(U'a' + c[1]), char32_t(U'a' + c[2]), char32_t(U'a' + c[3])});
+      result.push_back({char32_t(U'a' + c[0]), char32_t(U'a' + c[1]), char32_t(U'a' + c[2]),
+                        char32_t(U'a' + c[3])});
     return result;
   }
-  static const My_point& point(const My_complex& complex, const char32_t v) { return complex.points[v - U'a']; }
+  static const My_point& point(const My_complex& complex, const char32_t v)
+  {
+    return complex.points[v - U'a'];
+  }
 };
 
-// Everything runs on the same arrays whatever the mesh is: two data structures with equal vertices and faces give the
-// same bytes. Kernels whose coordinates are the same numbers as well.
+// Everything runs on the same arrays whatever the mesh is: two data structures with equal vertices
+// and faces give the same bytes. Kernels whose coordinates are the same numbers as well.
 TEST(Concepts, meshes_and_kernels_give_the_same_pose)
 {
   const Point_matrix pose = pose_of<Mesh>();
   EXPECT_EQ(pose_of<CGAL::Polyhedron_3<Kernel>>(), pose);
-  EXPECT_EQ(pose_of<CGAL::Surface_mesh<CGAL::Exact_predicates_exact_constructions_kernel::Point_3>>(), pose);
-  EXPECT_LT(Canonical_pose_test::relative_rms(pose_of<CGAL::Surface_mesh<CGAL::Simple_cartesian<float>::Point_3>>(), pose),
+  EXPECT_EQ(
+    pose_of<CGAL::Surface_mesh<CGAL::Exact_predicates_exact_constructions_kernel::Point_3>>(),
+    pose);
+  EXPECT_LT(Canonical_pose_test::relative_rms(
+              pose_of<CGAL::Surface_mesh<CGAL::Simple_cartesian<float>::Point_3>>(), pose),
             1e-2);
 }
 
@@ -156,8 +165,8 @@ TEST(Concepts, own_point_map_and_removed_elements)
       EXPECT_EQ(output[vertices[i]][k], pose(static_cast<Eigen::Index>(i), k));
 }
 
-// A complex and points with nothing but what the concepts ask for run on data, and agree with indexed tetrahedra up to the
-// single precision of these points.
+// A complex and points with nothing but what the concepts ask for run on data, and agree with
+// indexed tetrahedra up to the single precision of these points.
 TEST(Concepts, own_complex_and_own_traits)
 {
   const auto soup = bent_bar_soup();
@@ -181,7 +190,8 @@ TEST(Concepts, own_complex_and_own_traits)
   for(std::size_t i = 0; i < pose.size(); ++i)
   {
     a.row(static_cast<Eigen::Index>(i)) = CP::internal::to_row(Kernel(), pose[i]);
-    b.row(static_cast<Eigen::Index>(i)) = CP::internal::to_row(My_traits(), my_pose[char32_t(U'a' + i)]);
+    b.row(static_cast<Eigen::Index>(i))
+      = CP::internal::to_row(My_traits(), my_pose[char32_t(U'a' + i)]);
   }
   EXPECT_LT(Canonical_pose_test::relative_rms(a, b), 1e-2);
 }

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
 //
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
@@ -69,8 +70,8 @@ std::vector<double> edge_strains(const Eigen::Matrix3Xd& p, const Eigen::Matrix3
     for(std::size_t i = 0; i < 3; ++i)
     {
       const Eigen::Index a = Eigen::Index(t[i]), b = Eigen::Index(t[(i + 1) % 3]);
-      strains.push_back(std::abs(std::log((p.col(a) - p.col(b)).norm()
-                                          / (q.col(a) - q.col(b)).norm())));
+      strains.push_back(
+        std::abs(std::log((p.col(a) - p.col(b)).norm() / (q.col(a) - q.col(b)).norm())));
     }
   std::sort(strains.begin(), strains.end());
   return strains;

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
 //
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
@@ -35,12 +36,14 @@ Mesh unit_bar() { return Canonical_pose_test::bar<Mesh>(6, 2, 2); }
 
 // The call must throw with the text, and leave the map of the pose as it was.
 template <class Exception = std::invalid_argument>
-void expect_refused(const Mesh& mesh, const std::string& text, const CP::Options& options = CP::Options())
+void expect_refused(const Mesh& mesh, const std::string& text,
+                    const CP::Options& options = CP::Options())
 {
   std::vector<Kernel::Point_3> pose(mesh.num_vertices(), untouched);
   EXPECT_THROW_WITH(
-    CGAL::canonical_pose_3(mesh, boost::make_iterator_property_map(pose.begin(), get(boost::vertex_index, mesh)),
-                           options),
+    CGAL::canonical_pose_3(
+      mesh, boost::make_iterator_property_map(pose.begin(), get(boost::vertex_index, mesh)),
+      options),
     Exception, text);
   for(const Kernel::Point_3& p : pose)
     EXPECT_EQ(p, untouched);
@@ -71,13 +74,16 @@ TEST(Bad_input, surfaces_are_refused_by_name)
   expect_refused(Mesh(), "no face");
 
   Mesh one;
-  CGAL::make_triangle(Kernel::Point_3(0, 0, 0), Kernel::Point_3(1, 0, 0), Kernel::Point_3(0, 1, 0), one);
+  CGAL::make_triangle(Kernel::Point_3(0, 0, 0), Kernel::Point_3(1, 0, 0), Kernel::Point_3(0, 1, 0),
+                      one);
   expect_refused(one, "not closed: 3 boundary edges");
 
   Mesh mesh = unit_bar();
-  mesh.point(Mesh::Vertex_index(5)) = Kernel::Point_3(0, std::numeric_limits<double>::quiet_NaN(), 0);
+  mesh.point(Mesh::Vertex_index(5))
+    = Kernel::Point_3(0, std::numeric_limits<double>::quiet_NaN(), 0);
   expect_refused(mesh, "vertex 5 has a coordinate that is not finite");
-  mesh.point(Mesh::Vertex_index(5)) = Kernel::Point_3(0, 0, std::numeric_limits<double>::infinity());
+  mesh.point(Mesh::Vertex_index(5))
+    = Kernel::Point_3(0, 0, std::numeric_limits<double>::infinity());
   expect_refused(mesh, "vertex 5 has a coordinate that is not finite");
 
   mesh = unit_bar();
@@ -93,7 +99,8 @@ TEST(Bad_input, surfaces_with_defects_between_faces)
   expect_refused(holed, "not closed: 3 boundary edges");
 
   const auto sphere = Canonical_pose_test::icosphere_soup(1, 1.);
-  expect_refused(Canonical_pose_test::to_mesh<Mesh>(merged(sphere, sphere, 5.)), "2 connected components");
+  expect_refused(Canonical_pose_test::to_mesh<Mesh>(merged(sphere, sphere, 5.)),
+                 "2 connected components");
 
   // two vertices drawn through the other side
   Mesh crossing = Canonical_pose_test::bar<Mesh>(6, 2, 2);
@@ -109,8 +116,9 @@ TEST(Bad_input, surfaces_with_defects_between_faces)
   expect_refused(crossing, "intersects itself");
 
   Mesh quads;
-  CGAL::make_hexahedron(Kernel::Point_3(0, 0, 0), Kernel::Point_3(1, 0, 0), Kernel::Point_3(1, 1, 0),
-                        Kernel::Point_3(0, 1, 0), Kernel::Point_3(0, 1, 1), Kernel::Point_3(0, 0, 1),
+  CGAL::make_hexahedron(Kernel::Point_3(0, 0, 0), Kernel::Point_3(1, 0, 0),
+                        Kernel::Point_3(1, 1, 0), Kernel::Point_3(0, 1, 0),
+                        Kernel::Point_3(0, 1, 1), Kernel::Point_3(0, 0, 1),
                         Kernel::Point_3(1, 0, 1), Kernel::Point_3(1, 1, 1), quads);
   expect_refused(quads, "face 0 is not a triangle");
 
@@ -183,10 +191,12 @@ TEST(Diagnosis, counts)
   soup.triangles[7][1] = soup.triangles[7][0];
   EXPECT_EQ(diagnosis(soup).degenerate_faces, 1u);
   soup.triangles[7][1] = 42;
-  EXPECT_THROW_WITH(diagnosis(soup), std::invalid_argument, "face 7 names vertex 42, but there are 42");
+  EXPECT_THROW_WITH(diagnosis(soup), std::invalid_argument,
+                    "face 7 names vertex 42, but there are 42");
 }
 
-// A target so far away that squared distances overflow has no pose; the map stays as it was, nothing is NaN.
+// A target so far away that squared distances overflow has no pose; the map stays as it was,
+// nothing is NaN.
 TEST(Bad_input, overflow_is_reported_by_the_summary)
 {
   const Mesh mesh = unit_bar();

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
 //
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
@@ -37,10 +38,14 @@ typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 typedef std::vector<std::size_t> Permutation; // old row of each new one
 
-const Eigen::Matrix3d rotation = Eigen::AngleAxisd(2.2, Eigen::Vector3d(1, 3, -2).normalized()).toRotationMatrix();
+const Eigen::Matrix3d rotation
+  = Eigen::AngleAxisd(2.2, Eigen::Vector3d(1, 3, -2).normalized()).toRotationMatrix();
 const Eigen::RowVector3d translation(3, -1, 2);
 
-Point_matrix moved(const Point_matrix& points) { return (points * rotation.transpose()).rowwise() + translation; }
+Point_matrix moved(const Point_matrix& points)
+{
+  return (points * rotation.transpose()).rowwise() + translation;
+}
 
 Point_matrix permuted(const Point_matrix& points, const Permutation& old_row)
 {
@@ -79,7 +84,8 @@ std::vector<Kernel::Point_3> to_points(const Point_matrix& points)
   return result;
 }
 
-Point_matrix surface_pose(const Point_matrix& points, const std::vector<CP::internal::Index_triangle>& triangles)
+Point_matrix surface_pose(const Point_matrix& points,
+                          const std::vector<CP::internal::Index_triangle>& triangles)
 {
   Mesh mesh = CP::internal::indexed_mesh(points, triangles);
   const auto summary = CGAL::canonical_pose_3(mesh, mesh.points());
@@ -101,14 +107,16 @@ Point_matrix complex_pose(Complex_case c)
   options.registration.energy_tolerance = 1e-12;
   options.registration.move_tolerance = 1e-9;
   options.registration.number_of_iterations = 3000;
-  EXPECT_TRUE(CGAL::canonical_pose_3(c.complex, CGAL::make_property_map(pose), options).converged());
+  EXPECT_TRUE(
+    CGAL::canonical_pose_3(c.complex, CGAL::make_property_map(pose), options).converged());
   return Canonical_pose_test::to_matrix(pose);
 }
 
 } // namespace
 
-// With body and distances given, nothing but rounding tells a moved or relabelled complex from the first one: the minimum
-// is isolated, and moves with the input. It is approached far beyond the default tolerances here.
+// With body and distances given, nothing but rounding tells a moved or relabelled complex from the
+// first one: the minimum is isolated, and moves with the input. It is approached far beyond the
+// default tolerances here.
 TEST(Invariance, given_body_and_landmarks)
 {
   const auto soup = Canonical_pose_test::tetrahedral_bent_bar(16, 3, 2, 2.5, {{8., 1.5, 1.}});
@@ -127,7 +135,8 @@ TEST(Invariance, given_body_and_landmarks)
   motion.complex.points = to_points(moved(points));
   EXPECT_LT((complex_pose(motion) - moved(pose)).rowwise().norm().maxCoeff(), bound);
 
-  // The rows of the distances are those vertices of the complex that lie on the boundary, in its order.
+  // The rows of the distances are those vertices of the complex that lie on the boundary, in its
+  // order.
   std::vector<std::size_t> origin;
   Canonical_pose_test::boundary(soup, &origin);
   const Permutation old_row = shuffled(soup.points.size());
@@ -142,27 +151,33 @@ TEST(Invariance, given_body_and_landmarks)
     if(found == origin.end() || *found != v)
       continue;
     new_row[std::size_t(found - origin.begin())] = std::size_t(row);
-    fields.distances.row(row++) = input.results.landmark_fields->distances.row(found - origin.begin());
+    fields.distances.row(row++)
+      = input.results.landmark_fields->distances.row(found - origin.begin());
   }
   for(std::size_t& landmark : fields.landmarks)
     landmark = new_row[landmark];
-  EXPECT_LT((complex_pose(relabelled) - permuted(pose, old_row)).rowwise().norm().maxCoeff(), bound);
+  EXPECT_LT((complex_pose(relabelled) - permuted(pose, old_row)).rowwise().norm().maxCoeff(),
+            bound);
 }
 
-// From the surface on there are choices (landmarks, tetrahedra) that ties and rounding may change, but not by more than this.
+// From the surface on there are choices (landmarks, tetrahedra) that ties and rounding may change,
+// but not by more than this.
 TEST(Invariance, whole_pipeline)
 {
   const Articulated_figure figure(4000);
-  const Point_matrix points
-    = Canonical_pose_test::to_matrix(figure.points(Articulated_figure::named_poses().back().angles));
+  const Point_matrix points = Canonical_pose_test::to_matrix(
+    figure.points(Articulated_figure::named_poses().back().angles));
   const auto& triangles = figure.triangles();
   const Point_matrix pose = surface_pose(points, triangles);
   const double size = radius_of_gyration(pose);
-  const auto rms = [](const Point_matrix& difference) { return std::sqrt(difference.rowwise().squaredNorm().mean()); };
+  const auto rms = [](const Point_matrix& difference) {
+    return std::sqrt(difference.rowwise().squaredNorm().mean());
+  };
 
   EXPECT_LT(rms(surface_pose(moved(points), triangles) - moved(pose)), 1e-3 * size);
   const Permutation old_row = shuffled(std::size_t(points.rows()));
-  EXPECT_LT(rms(surface_pose(permuted(points, old_row), renamed(triangles, old_row)) - permuted(pose, old_row)),
+  EXPECT_LT(rms(surface_pose(permuted(points, old_row), renamed(triangles, old_row))
+                - permuted(pose, old_row)),
             1e-3 * size);
 
   // All lengths are divided by powers of two or by other lengths, so that these scale exactly.

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
 //
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
@@ -50,14 +51,16 @@ double largest_distance_error(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b
   double error = 0;
   for(Eigen::Index i = 0; i < a.rows(); ++i)
     for(Eigen::Index j = 0; j < i; ++j)
-      error = (std::max)(error, std::abs((a.row(i) - a.row(j)).norm() - (b.row(i) - b.row(j)).norm()));
+      error
+        = (std::max)(error, std::abs((a.row(i) - a.row(j)).norm() - (b.row(i) - b.row(j)).norm()));
   return error;
 }
 
 } // namespace
 
-// Classical scaling is exact on Euclidean distances: the centred kernel matrix is then the Gram matrix of the landmarks,
-// of rank 3, and interpolation recovers every other point. Nothing but rounding is left. This pins all constants.
+// Classical scaling is exact on Euclidean distances: the centred kernel matrix is then the Gram
+// matrix of the landmarks, of rank 3, and interpolation recovers every other point. Nothing but
+// rounding is left. This pins all constants.
 TEST(Landmark_mds, recovers_a_cloud_from_its_distances)
 {
   const Eigen::MatrixXd points = random_points(200, 3);
@@ -70,7 +73,8 @@ TEST(Landmark_mds, recovers_a_cloud_from_its_distances)
   EXPECT_TRUE(builder.is_determined());
 }
 
-// Distances of points of the plane have a Gram matrix of rank 2: the third coordinate must be exactly 0 and not noise.
+// Distances of points of the plane have a Gram matrix of rank 2: the third coordinate must be
+// exactly 0 and not noise.
 TEST(Landmark_mds, flat_data_stay_flat)
 {
   const Eigen::MatrixXd points = random_points(100, 2);
@@ -81,8 +85,9 @@ TEST(Landmark_mds, flat_data_stay_flat)
   EXPECT_LT(largest_distance_error(builder.targets(), points), 1e-10);
 }
 
-// Interpolating a landmark is Lambda^(-1/2) Q^t K H e_j = Lambda^(1/2) Q^t e_j, its own position, for any symmetric kernel
-// matrix; here the dense embedding is computed apart, by the plain formula.
+// Interpolating a landmark is Lambda^(-1/2) Q^t K H e_j = Lambda^(1/2) Q^t e_j, its own position,
+// for any symmetric kernel matrix; here the dense embedding is computed apart, by the plain
+// formula.
 TEST(Landmark_mds, landmarks_agree_with_their_interpolation)
 {
   const CP::Landmark_fields_3 fields = euclidean_fields(random_points(30, 5), 30);
@@ -90,7 +95,8 @@ TEST(Landmark_mds, landmarks_agree_with_their_interpolation)
   builder.build(fields);
   const double length = fields.distances.maxCoeff();
   Eigen::MatrixXd k = (-2 * fields.distances.array().square() / (length * length)).exp();
-  const Eigen::MatrixXd h = Eigen::MatrixXd::Identity(30, 30) - Eigen::MatrixXd::Constant(30, 30, 1. / 30);
+  const Eigen::MatrixXd h
+    = Eigen::MatrixXd::Identity(30, 30) - Eigen::MatrixXd::Constant(30, 30, 1. / 30);
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(h * k * h);
   const Eigen::MatrixXd embedded
     = solver.eigenvectors().rightCols(3) * solver.eigenvalues().tail(3).cwiseSqrt().asDiagonal();
@@ -138,14 +144,17 @@ TEST(Landmark_mds, bad_distances_are_named)
   CP::Landmark_mds_target_builder_3<> builder;
   CP::Landmark_fields_3 fields = euclidean_fields(random_points(9, 3), 4);
   fields.distances(7, 2) = std::numeric_limits<double>::infinity();
-  EXPECT_THROW_WITH(builder.build(fields), std::invalid_argument, "vertex 7 to landmark 2 is not finite");
+  EXPECT_THROW_WITH(builder.build(fields), std::invalid_argument,
+                    "vertex 7 to landmark 2 is not finite");
   fields.distances(7, 2) = -1;
   EXPECT_THROW_WITH(builder.build(fields), std::invalid_argument, "negative");
   fields.distances(7, 2) = 1;
   fields.landmarks[3] = 9;
-  EXPECT_THROW_WITH(builder.build(fields), std::invalid_argument, "landmark 9 is not one of the 9 points");
+  EXPECT_THROW_WITH(builder.build(fields), std::invalid_argument,
+                    "landmark 9 is not one of the 9 points");
   fields.landmarks.pop_back();
   EXPECT_THROW_WITH(builder.build(fields), std::invalid_argument, "3 landmarks but 4 columns");
   EXPECT_THROW_WITH(builder.build(CP::Landmark_fields_3()), std::invalid_argument, "no landmark");
-  EXPECT_THROW(CP::Landmark_mds_target_builder_3<>(CP::Squared_distance_kernel(), 0), CGAL::Precondition_exception);
+  EXPECT_THROW(CP::Landmark_mds_target_builder_3<>(CP::Squared_distance_kernel(), 0),
+               CGAL::Precondition_exception);
 }

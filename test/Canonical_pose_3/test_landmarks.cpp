@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
 //
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
@@ -51,14 +52,15 @@ struct Straight_distances
 
 } // namespace
 
-// Greedy: each landmark is as far from those before it as any vertex is, and the radius returned is the distance of
-// the farthest vertex that is left. Both are checked against the definition.
+// Greedy: each landmark is as far from those before it as any vertex is, and the radius returned is
+// the distance of the farthest vertex that is left. Both are checked against the definition.
 TEST(Farthest_point_landmarks, are_farthest_and_cover)
 {
   const Mesh mesh = Canonical_pose_test::icosphere<Mesh>(3, 1.);
   const Straight_distances geodesics{mesh};
   std::vector<Mesh::Vertex_index> landmarks;
-  const auto fields = CP::farthest_point_landmarks(geodesics, 25, Mesh::Vertex_index(3), std::back_inserter(landmarks));
+  const auto fields = CP::farthest_point_landmarks(geodesics, 25, Mesh::Vertex_index(3),
+                                                   std::back_inserter(landmarks));
   ASSERT_EQ(fields.landmarks.size(), 25u);
   EXPECT_EQ(geodesics.number_of_fields, 25);
   EXPECT_EQ(landmarks.front(), Mesh::Vertex_index(3));
@@ -73,7 +75,8 @@ TEST(Farthest_point_landmarks, are_farthest_and_cover)
 TEST(Farthest_point_landmarks, more_than_there_are_vertices)
 {
   const Mesh mesh = Canonical_pose_test::icosphere<Mesh>(0, 1.);
-  const auto fields = CP::farthest_point_landmarks(Straight_distances{mesh}, 80, Mesh::Vertex_index(0));
+  const auto fields
+    = CP::farthest_point_landmarks(Straight_distances{mesh}, 80, Mesh::Vertex_index(0));
   EXPECT_EQ(std::set<std::size_t>(fields.landmarks.begin(), fields.landmarks.end()).size(), 12u);
   EXPECT_EQ(fields.distances.cols(), 12);
   EXPECT_EQ(fields.covering_radius, 0.);
@@ -81,25 +84,29 @@ TEST(Farthest_point_landmarks, more_than_there_are_vertices)
                CGAL::Precondition_exception);
 }
 
-// A rigid motion is undone exactly but for rounding, a reflection only when it is allowed; the size is never changed.
+// A rigid motion is undone exactly but for rounding, a reflection only when it is allowed; the size
+// is never changed.
 TEST(Align_target, undoes_motions_and_keeps_size)
 {
-  const CP::Point_matrix points
-    = Canonical_pose_test::to_matrix(Canonical_pose_test::tetrahedral_box(3, 2, 4, {{1., 2., 3.}}).points);
+  const CP::Point_matrix points = Canonical_pose_test::to_matrix(
+    Canonical_pose_test::tetrahedral_box(3, 2, 4, {{1., 2., 3.}}).points);
   const Eigen::VectorXd weights = Eigen::VectorXd::LinSpaced(points.rows(), 1, 2);
-  const Eigen::Matrix3d rotation = Eigen::AngleAxisd(2.5, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
-  const CP::Point_matrix moved = (points * rotation.transpose()).rowwise() + Eigen::RowVector3d(5, -6, 7);
+  const Eigen::Matrix3d rotation
+    = Eigen::AngleAxisd(2.5, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
+  const CP::Point_matrix moved
+    = (points * rotation.transpose()).rowwise() + Eigen::RowVector3d(5, -6, 7);
   EXPECT_LT((CP::align_target(moved, points, weights) - points).norm(), 1e-12);
   const CP::Point_matrix mirrored = moved * Eigen::Vector3d(-1, 1, 1).asDiagonal();
   EXPECT_LT((CP::align_target(mirrored, points, weights, true) - points).norm(), 1e-12);
   EXPECT_GT((CP::align_target(mirrored, points, weights) - points).norm(), 1.);
   const CP::Point_matrix enlarged = CP::align_target(3 * mirrored, points, weights);
-  EXPECT_NEAR(Canonical_pose_test::radius_of_gyration(enlarged), 3 * Canonical_pose_test::radius_of_gyration(points),
-              1e-12);
+  EXPECT_NEAR(Canonical_pose_test::radius_of_gyration(enlarged),
+              3 * Canonical_pose_test::radius_of_gyration(points), 1e-12);
 }
 
-// Extra points in one corner of a square pull the mean of the vertices there, but not the centroid of area, which lies
-// in the middle; of the others the corner lifted by a tenth is then the farthest.
+// Extra points in one corner of a square pull the mean of the vertices there, but not the centroid
+// of area, which lies in the middle; of the others the corner lifted by a tenth is then the
+// farthest.
 TEST(Extremal_point, is_farthest_from_the_centroid_of_area)
 {
   CP::Point_matrix points(6, 3);

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
 //
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
@@ -42,7 +43,8 @@ Outcome canonical_pose(const Mesh& mesh, const CP::Options& options = CP::Option
   std::vector<Kernel::Point_3> points(mesh.number_of_vertices());
   Outcome result;
   result.summary = CGAL::canonical_pose_3(
-    mesh, boost::make_iterator_property_map(points.begin(), get(boost::vertex_index, mesh)), options);
+    mesh, boost::make_iterator_property_map(points.begin(), get(boost::vertex_index, mesh)),
+    options);
   result.pose.resize(static_cast<Eigen::Index>(points.size()), 3);
   for(std::size_t i = 0; i < points.size(); ++i)
     for(int k = 0; k < 3; ++k)
@@ -58,9 +60,10 @@ const Articulated_figure& figure()
 
 } // namespace
 
-// What the package is for. The poses of the figure differ by bending only, so that geodesics, and with them the canonical
-// poses, nearly agree; a third of the difference of the inputs leaves room for the change of the geodesics at the
-// joints. The strain bound says that this was not bought by giving up the shape.
+// What the package is for. The poses of the figure differ by bending only, so that geodesics, and
+// with them the canonical poses, nearly agree; a third of the difference of the inputs leaves room
+// for the change of the geodesics at the joints. The strain bound says that this was not bought by
+// giving up the shape.
 TEST(Pipeline, poses_of_the_figure_end_in_nearly_the_same_pose)
 {
   std::vector<Point_matrix> inputs, poses;
@@ -85,8 +88,9 @@ TEST(Pipeline, poses_of_the_figure_end_in_nearly_the_same_pose)
   EXPECT_LE(after, before / 3);
 }
 
-// Along the fibres of a bent bar distances are those of the straight bar up to the thickness, hence the middles of its ends,
-// which lie 8 apart along the bar, must come (nearly) that far apart in space.
+// Along the fibres of a bent bar distances are those of the straight bar up to the thickness, hence
+// the middles of its ends, which lie 8 apart along the bar, must come (nearly) that far apart in
+// space.
 TEST(Pipeline, bent_bar_becomes_straight)
 {
   const Mesh bent = Canonical_pose_test::bent_bar<Mesh>(40, 4, 4, 3.);
@@ -101,7 +105,8 @@ TEST(Pipeline, bent_bar_becomes_straight)
   EXPECT_NEAR(largest_distance(pose), 8., 0.4);
 }
 
-// What was computed on the way can be handed in again, and then gives the same pose, without being computed anew.
+// What was computed on the way can be handed in again, and then gives the same pose, without being
+// computed anew.
 TEST(Pipeline, intermediate_results_are_used_again)
 {
   const Mesh mesh = Canonical_pose_test::bent_bar<Mesh>(20, 3, 3, 2.);
@@ -125,9 +130,11 @@ TEST(Pipeline, intermediate_results_are_used_again)
   EXPECT_LT(at_rest.summary.energy, 1e-16);
 
   results.target->conservativeResize(5, 3);
-  EXPECT_THROW_WITH(canonical_pose(mesh, options), std::invalid_argument, "target handed in has 5 rows");
+  EXPECT_THROW_WITH(canonical_pose(mesh, options), std::invalid_argument,
+                    "target handed in has 5 rows");
   results.landmark_fields->distances.conservativeResize(7, 80);
-  EXPECT_THROW_WITH(canonical_pose(mesh, options), std::invalid_argument, "distances handed in have 7 rows");
+  EXPECT_THROW_WITH(canonical_pose(mesh, options), std::invalid_argument,
+                    "distances handed in have 7 rows");
 }
 
 // Kernels, distances and solvers are choices of the same method: each straightens the bar.
@@ -138,7 +145,8 @@ TEST(Pipeline, all_choices_run)
   CP::Options options;
   options.geodesics = CP::Options::Geodesics::EXACT;
   options.number_of_landmarks = 30;
-  EXPECT_LT(Canonical_pose_test::relative_rms(canonical_pose(mesh, options).pose, reference.pose), 0.1);
+  EXPECT_LT(Canonical_pose_test::relative_rms(canonical_pose(mesh, options).pose, reference.pose),
+            0.1);
   options = CP::Options();
   options.solver = CP::Options::Solver::EIGEN;
   const Outcome eigen = canonical_pose(mesh, options);
@@ -146,7 +154,8 @@ TEST(Pipeline, all_choices_run)
   EXPECT_NE(eigen.summary.solver.find("Eigen"), std::string::npos);
   options = CP::Options();
   options.kernel = CP::Options::Kernel::GAUSSIAN;
-  EXPECT_LT(Canonical_pose_test::relative_rms(canonical_pose(mesh, options).pose, reference.pose), 0.3);
+  EXPECT_LT(Canonical_pose_test::relative_rms(canonical_pose(mesh, options).pose, reference.pose),
+            0.3);
   options.kernel = CP::Options::Kernel::UNCENTERED_GAUSSIAN;
   options.paper_weights.emplace();
   const Outcome literal = canonical_pose(mesh, options);

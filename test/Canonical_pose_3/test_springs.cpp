@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
 //
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
@@ -30,7 +31,8 @@ CP::Conforming_body_3 bar_body()
   std::vector<std::array<int, 4>> cells;
   for(const auto& c : soup.cells)
     cells.push_back({int(c[0]), int(c[1]), int(c[2]), int(c[3])});
-  return CP::Conforming_body_3(Canonical_pose_test::to_matrix(soup.points), cells, soup.points.size());
+  return CP::Conforming_body_3(Canonical_pose_test::to_matrix(soup.points), cells,
+                               soup.points.size());
 }
 
 // Counts how often it gives its matrix: that is once per factorisation.
@@ -58,12 +60,14 @@ CP::Registration_options exact()
 
 } // namespace
 
-// With the rest length it has anyway a spring stores no energy and must not move anything: the pose stays at rest.
+// With the rest length it has anyway a spring stores no energy and must not move anything: the pose
+// stays at rest.
 TEST(Springs, relaxed_spring_does_nothing)
 {
   const CP::Conforming_body_3 body = bar_body();
   ASSERT_NEAR((body.points().row(left) - body.points().row(right)).norm(), 8., 1e-12);
-  CP::Tetrahedral_arap_registrar_3<CP::Conforming_body_3> registrar(body, uniform_weights(body.points()), 8.);
+  CP::Tetrahedral_arap_registrar_3<CP::Conforming_body_3> registrar(
+    body, uniform_weights(body.points()), 8.);
   CP::Spring_constraint_adaptor_3 springs(static_cast<std::size_t>(body.points().rows()));
   springs.insert({left, right, 8., 100.});
   registrar.add_constraint(springs);
@@ -73,8 +77,9 @@ TEST(Springs, relaxed_spring_does_nothing)
   EXPECT_LT((pose - body.points()).norm(), 1e-9);
 }
 
-// Two separate tetrahedra with one target each move rigidly, without elastic energy. For targets D apart, of weight m each,
-// and a spring of rest length r between them, stationarity along the line gives the length x = (m D + kappa r) / (m + kappa).
+// Two separate tetrahedra with one target each move rigidly, without elastic energy. For targets D
+// apart, of weight m each, and a spring of rest length r between them, stationarity along the line
+// gives the length x = (m D + kappa r) / (m + kappa).
 TEST(Springs, length_in_equilibrium_is_exact)
 {
   Point_matrix points(8, 3);
@@ -103,7 +108,8 @@ TEST(Springs, length_in_equilibrium_is_exact)
 TEST(Springs, rest_length_needs_no_factorisation)
 {
   const CP::Conforming_body_3 body = bar_body();
-  CP::Tetrahedral_arap_registrar_3<CP::Conforming_body_3> registrar(body, uniform_weights(body.points()), 8.);
+  CP::Tetrahedral_arap_registrar_3<CP::Conforming_body_3> registrar(
+    body, uniform_weights(body.points()), 8.);
   Counting_springs springs(static_cast<std::size_t>(body.points().rows()));
   const std::size_t index = springs.insert({left, right, 8., 10.});
   registrar.add_constraint(springs);
@@ -126,11 +132,13 @@ TEST(Springs, rest_length_needs_no_factorisation)
   EXPECT_EQ(springs.factorisations, 2);
 }
 
-// Ends that start at the same point have no direction; the spring must push them apart all the same, without a NaN.
+// Ends that start at the same point have no direction; the spring must push them apart all the
+// same, without a NaN.
 TEST(Springs, coinciding_ends)
 {
   const CP::Conforming_body_3 body = bar_body();
-  CP::Tetrahedral_arap_registrar_3<CP::Conforming_body_3> registrar(body, uniform_weights(body.points()), 8.);
+  CP::Tetrahedral_arap_registrar_3<CP::Conforming_body_3> registrar(
+    body, uniform_weights(body.points()), 8.);
   CP::Spring_constraint_adaptor_3 springs(static_cast<std::size_t>(body.points().rows()));
   springs.insert({left, right, 2., 10.});
   registrar.add_constraint(springs);
@@ -148,8 +156,10 @@ TEST(Springs, bad_springs_are_named)
 {
   CP::Spring_constraint_adaptor_3 springs(10);
   springs.insert({1, 2, 0., 1.});
-  EXPECT_THROW_WITH(springs.insert({3, 3, 1., 1.}), std::invalid_argument, "spring 1 joins vertex 3 to itself");
-  EXPECT_THROW_WITH(springs.insert({3, 10, 1., 1.}), std::invalid_argument, "names vertex 10, but there are 10");
+  EXPECT_THROW_WITH(springs.insert({3, 3, 1., 1.}), std::invalid_argument,
+                    "spring 1 joins vertex 3 to itself");
+  EXPECT_THROW_WITH(springs.insert({3, 10, 1., 1.}), std::invalid_argument,
+                    "names vertex 10, but there are 10");
   EXPECT_THROW_WITH(springs.insert({3, 4, -1., 1.}), std::invalid_argument, "rest length");
   EXPECT_THROW_WITH(springs.insert({3, 4, 1., 0.}), std::invalid_argument, "stiffness");
   EXPECT_THROW_WITH(springs.set_rest_length(0, std::nan("")), std::invalid_argument, "rest length");

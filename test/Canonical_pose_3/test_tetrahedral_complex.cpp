@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
 //
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
@@ -58,7 +59,9 @@ Mesh checked_boundary(const Complex& complex)
 {
   typedef CP::Tetrahedral_complex_traits_3<Complex> Traits;
   Mesh mesh;
-  auto origin = mesh.add_property_map<Mesh::Vertex_index, typename Traits::Vertex_descriptor>("v:origin").first;
+  auto origin
+    = mesh.add_property_map<Mesh::Vertex_index, typename Traits::Vertex_descriptor>("v:origin")
+        .first;
   CP::extract_boundary(complex, mesh, origin);
   for(const auto v : mesh.vertices())
     EXPECT_EQ(mesh.point(v), Traits::point(complex, origin[v]));
@@ -66,7 +69,8 @@ Mesh checked_boundary(const Complex& complex)
   return mesh;
 }
 
-// The volume inside the outward boundary is the sum of the volumes of the cells (divergence theorem).
+// The volume inside the outward boundary is the sum of the volumes of the cells (divergence
+// theorem).
 template <class Complex>
 void expect_same_volume(const Complex& complex)
 {
@@ -77,7 +81,8 @@ void expect_same_volume(const Complex& complex)
 
 } // namespace
 
-// A box of 3x2x4 cubes of six tetrahedra each, with every other cell turned inside out: orientation must not matter.
+// A box of 3x2x4 cubes of six tetrahedra each, with every other cell turned inside out: orientation
+// must not matter.
 TEST(Tetrahedral_complex, indexed_cells_in_any_orientation)
 {
   Tetrahedra box = indexed(Canonical_pose_test::tetrahedral_box(3, 2, 4, {{1., 2., 3.}}));
@@ -90,8 +95,8 @@ TEST(Tetrahedral_complex, indexed_cells_in_any_orientation)
   EXPECT_EQ(boundary.number_of_vertices(), 4u * 3 * 5 - 2u * 1 * 3); // all but those inside
 }
 
-// Two cells that share only an edge: the boundary is split there into two closed surfaces, so that the two vertices
-// of the edge have two copies each.
+// Two cells that share only an edge: the boundary is split there into two closed surfaces, so that
+// the two vertices of the edge have two copies each.
 TEST(Tetrahedral_complex, boundary_is_split_where_it_is_not_manifold)
 {
   Tetrahedra pair;
@@ -109,17 +114,22 @@ TEST(Tetrahedral_complex, mesh_3_complex)
   typedef CGAL::Mesh_complex_3_in_triangulation_3<Triangulation> C3t3;
   typedef CGAL::Mesh_criteria_3<Triangulation> Criteria;
   const Domain domain = Domain::create_implicit_mesh_domain(
-    [](const Point& p) { return CGAL::to_double(p.x() * p.x() + p.y() * p.y() + 4 * p.z() * p.z() - 1); },
+    [](const Point& p) {
+      return CGAL::to_double(p.x() * p.x() + p.y() * p.y() + 4 * p.z() * p.z() - 1);
+    },
     Kernel::Sphere_3(CGAL::ORIGIN, 4.));
   namespace params = CGAL::parameters;
-  const Criteria criteria(Criteria::Facet_criteria(25, 0.25, 0.02), Criteria::Cell_criteria(3, 0.3));
-  const C3t3 c3t3 = CGAL::make_mesh_3<C3t3>(domain, criteria, params::no_perturb(), params::no_exude());
+  const Criteria criteria(Criteria::Facet_criteria(25, 0.25, 0.02),
+                          Criteria::Cell_criteria(3, 0.3));
+  const C3t3 c3t3
+    = CGAL::make_mesh_3<C3t3>(domain, criteria, params::no_perturb(), params::no_exude());
   expect_same_volume(c3t3);
   // An ellipsoid of half axes 1, 1, 1/2, inscribed.
   EXPECT_NEAR(CP::complex_body(c3t3).volume(), 2. / 3 * Canonical_pose_test::pi, 0.1);
 }
 
-// The cells of a Delaunay triangulation of a grid tile its hull: of those in the complex the volume is known.
+// The cells of a Delaunay triangulation of a grid tile its hull: of those in the complex the volume
+// is known.
 TEST(Tetrahedral_complex, triangulation_with_subdomains)
 {
   typedef CGAL::Tetrahedral_remeshing::Remeshing_triangulation_3<Kernel> Remeshing_triangulation;
@@ -143,7 +153,8 @@ TEST(Tetrahedral_complex, triangulation_with_subdomains)
   expect_same_volume(copy);
 }
 
-// TetGen keeps the vertices, and its cells fill the volume of the surface: a polyhedron, hence exactly.
+// TetGen keeps the vertices, and its cells fill the volume of the surface: a polyhedron, hence
+// exactly.
 TEST(Tetgen_body, fills_the_surface)
 {
   Mesh mesh = Canonical_pose_test::torus<Mesh>(24, 12, 1., 0.4);
@@ -176,14 +187,15 @@ TEST(Conforming_body, bad_input_is_named)
   EXPECT_THROW_WITH(CP::complex_body(bad), std::invalid_argument, "cell 4 has no volume");
   bad = box;
   bad.points[5] = Point(0, std::numeric_limits<double>::quiet_NaN(), 0);
-  EXPECT_THROW_WITH(CP::complex_body(bad), std::invalid_argument, "vertex 5 has a coordinate that is not finite");
+  EXPECT_THROW_WITH(CP::complex_body(bad), std::invalid_argument,
+                    "vertex 5 has a coordinate that is not finite");
   bad = box;
   bad.cells.push_back({{0, 1, 3, 2}});
   bad.cells.push_back({{0, 1, 3, 4}});
   bad.cells.push_back({{0, 1, 3, 5}});
   Mesh mesh;
   std::unordered_map<Mesh::Vertex_index, std::size_t> origin;
-  EXPECT_THROW_WITH(CP::extract_boundary(bad, mesh, boost::make_assoc_property_map(origin)), std::invalid_argument,
-                    "share a face");
+  EXPECT_THROW_WITH(CP::extract_boundary(bad, mesh, boost::make_assoc_property_map(origin)),
+                    std::invalid_argument, "share a face");
   EXPECT_THROW_WITH(CP::complex_body(Tetrahedra()), std::invalid_argument, "no cell");
 }

@@ -29,7 +29,7 @@ public:
 
   /// returns the cells, four different rows of `points()` each, in either orientation. No cell is
   /// without volume. Cells need not fit together: they may overlap, and a face may belong to any
-  /// number of them.
+  /// number of them (to two at most where fairing is wanted).
   const std::vector<std::array<int, 4>>& cells() const;
 
   /// returns the weights of the cells, positive numbers with sum 1; usually the shares in the rest

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
 //
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
@@ -55,10 +56,10 @@ public:
   /// \name Types
   /// @{
 
-  using NT = double;                               ///< the number type
-  using Vector = CGAL::Eigen_vector<double>;       ///< the vector type
+  using NT = double;                                ///< the number type
+  using Vector = CGAL::Eigen_vector<double>;        ///< the vector type
   using Matrix = CGAL::Eigen_sparse_matrix<double>; ///< the matrix type
-  using Index = Eigen::Index;                      ///< the type of a row or column
+  using Index = Eigen::Index;                       ///< the type of a row or column
 
   /// @}
 

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
 //
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
@@ -30,11 +31,13 @@ namespace Canonical_pose_3 {
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief is an elastic body among whose vertices are those of the surface: the first ones, in their order.
+\brief is an elastic body among whose vertices are those of the surface: the first ones, in their
+order.
 
-Surface vertex \f$ i \f$ is body vertex \f$ i \f$, so that the embedding matrix has identity rows; vertices
-that follow (Steiner points, say) belong to the interior and have no target. Of a tetrahedral
-complex all vertices count as surface vertices here, those inside with matching weight 0.
+Surface vertex \f$ i \f$ is body vertex \f$ i \f$, so that the embedding matrix has identity rows;
+vertices that follow (Steiner points, say) belong to the interior and have no target. Of a
+tetrahedral complex all vertices count as surface vertices here, those inside with matching weight
+0.
 
 \cgalModels `ElasticBody_3`
 
@@ -51,8 +54,9 @@ public:
   \param cells four rows of `points` per cell, in either orientation.
   \param number_of_surface_vertices the first so many rows are the surface.
 
-  \throws std::invalid_argument if there is no cell, a cell names a row that does not exist or names one twice, a
-  coordinate is not finite, or a cell has no volume; the message names the element.
+  \throws std::invalid_argument if there is no cell, a cell names a row that does not exist or names
+         one twice, a coordinate is not finite, or a cell has no volume; the message names the
+         element.
 
   <em>Complexity:</em> linear.
   */
@@ -98,8 +102,9 @@ private:
       const std::array<int, 4>& c = m_cells[t];
       for(const int v : c)
         if(v < 0 || v >= m_points.rows())
-          throw std::invalid_argument("cell " + std::to_string(t) + " names vertex " + std::to_string(v)
-                                      + ", but there are " + std::to_string(m_points.rows()));
+          throw std::invalid_argument("cell " + std::to_string(t) + " names vertex "
+                                      + std::to_string(v) + ", but there are "
+                                      + std::to_string(m_points.rows()));
       Eigen::Matrix3d edges;
       for(int k = 0; k < 3; ++k)
         edges.row(k) = (m_points.row(c[k + 1]) - m_points.row(c[0])) / size;

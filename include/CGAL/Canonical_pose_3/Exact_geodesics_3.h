@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
 //
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
@@ -54,10 +55,10 @@ of two, hence any kernel and any unit will do.
         with any number of connected components and isolated vertices
 \tparam VertexPointMap a model of `ReadablePropertyMap` with
         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `Traits::Point_3` as
-        value type.<br>
-        <b>%Default:</b> `boost::property_map<TriangleMesh, CGAL::vertex_point_t>::%const_type`
-\tparam Traits a model of `CanonicalPoseTraits_3`.<br>
-        <b>%Default:</b> the kernel of the points of `VertexPointMap`
+        value type.<br> <b>%Default:</b> `boost::property_map<TriangleMesh,
+        CGAL::vertex_point_t>::%const_type`
+\tparam Traits a model of `CanonicalPoseTraits_3`.<br> <b>%Default:</b> the kernel of the points of
+        `VertexPointMap`
 
 \cgalModels `GeodesicDistances_3`
 

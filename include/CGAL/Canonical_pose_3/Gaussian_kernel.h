@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
 //
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
@@ -17,12 +18,12 @@ namespace Canonical_pose_3 {
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief is the Gaussian affinity \f$ k(g) = \exp(-g^2 / 2\sigma^2) \f$ with \f$ \sigma = L/2 \f$, \f$ L \f$ being
-the largest distance \cgalCite{cgal:canonical-s-sdacm-15}, Section 5.
+\brief is the Gaussian affinity \f$ k(g) = \exp(-g^2 / 2\sigma^2) \f$ with \f$ \sigma = L/2 \f$, \f$
+L \f$ being the largest distance \cgalCite{cgal:canonical-s-sdacm-15}, Section 5.
 
-Centred (the default) this is kernel principal component analysis. The affinity as printed in the paper is not
-centred; its first eigenvector is then nearly constant, so that the first coordinate measures how central a point is and the
-target curls. That form is kept for reproduction only.
+Centred (the default) this is kernel principal component analysis. The affinity as printed in the
+paper is not centred; its first eigenvector is then nearly constant, so that the first coordinate
+measures how central a point is and the target curls. That form is kept for reproduction only.
 
 \cgalModels `MdsKernel`
 */

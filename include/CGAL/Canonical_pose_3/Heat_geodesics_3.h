@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
 //
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
@@ -48,24 +49,25 @@ this matters and time does not. What flips cannot mend is a surface whose *verti
 in one direction than in the other: from about 15 to 1 on, the steps of the heat no longer reach
 across the gaps, and distances come out far too short. Remesh such a surface.
 
-<em>Time step.</em> The square of \f$ h \f$, the mean edge length of the connected component after the
-flips, or 1/300 of the longest of the shortest paths along edges from the first vertex of the
+<em>Time step.</em> The square of \f$ h \f$, the mean edge length of the connected component after
+the flips, or 1/300 of the longest of the shortest paths along edges from the first vertex of the
 component, if this is more: it keeps the heat, which decays like \f$ \exp(-d/h) \f$, within the
 range of `double` everywhere, on meshes of any size. Compact surfaces need it from about a hundred
 thousand vertices on, long thin ones earlier.
 
-<em>Units and determinism.</em> Any unit will do. Multiplying all coordinates by a power of two multiplies
-all distances by it, to the last bit. Distances do not depend on the number of threads, nor on the
-other sources of a batch, nor on the type of the mesh if vertices and faces come in the same order.
+<em>Units and determinism.</em> Any unit will do. Multiplying all coordinates by a power of two
+multiplies all distances by it, to the last bit. Distances do not depend on the number of threads,
+nor on the other sources of a batch, nor on the type of the mesh if vertices and faces come in the
+same order.
 
 \tparam TriangleMesh a model of `FaceListGraph`, oriented and 2-manifold, with or without boundary,
         with any number of connected components and isolated vertices
 \tparam VertexPointMap a model of `ReadablePropertyMap` with
         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `Traits::Point_3` as
-        value type.<br>
-        <b>%Default:</b> `boost::property_map<TriangleMesh, CGAL::vertex_point_t>::%const_type`
-\tparam Traits a model of `CanonicalPoseTraits_3`.<br>
-        <b>%Default:</b> the kernel of the points of `VertexPointMap`
+        value type.<br> <b>%Default:</b> `boost::property_map<TriangleMesh,
+        CGAL::vertex_point_t>::%const_type`
+\tparam Traits a model of `CanonicalPoseTraits_3`.<br> <b>%Default:</b> the kernel of the points of
+        `VertexPointMap`
 \tparam FactorTraits a model of `SparseLinearAlgebraWithBlockFactorTraits_d`.<br>
         <b>%Default:</b> `Default_factor_traits_d`
 

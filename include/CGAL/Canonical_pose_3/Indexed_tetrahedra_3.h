@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
 //
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
@@ -31,7 +32,8 @@ struct Indexed_tetrahedra_3
   /// the type of points.
   typedef Point Point_3;
 
-  /// the points; points of no cell are allowed, they move with nothing and are rejected where they would matter.
+  /// the points; points of no cell are allowed, they move with nothing and are rejected where they
+  /// would matter.
   std::vector<Point> points;
 
   /// four indices into `points` per cell, in either orientation.

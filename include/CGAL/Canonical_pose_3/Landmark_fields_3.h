@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
 //
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
@@ -22,8 +23,8 @@ namespace Canonical_pose_3 {
 
 \brief holds landmarks and the distances of all points to them.
 
-It is what `farthest_point_landmarks()` returns and what `Landmark_mds_target_builder_3` embeds. The distances
-may as well come from elsewhere: nothing here depends on a mesh.
+It is what `farthest_point_landmarks()` returns and what `Landmark_mds_target_builder_3` embeds. The
+distances may as well come from elsewhere: nothing here depends on a mesh.
 
 \sa `farthest_point_landmarks()`
 \sa `Landmark_mds_target_builder_3`
@@ -33,8 +34,8 @@ struct Landmark_fields_3
   /// the \f$ l \f$ landmarks, as numbers of points (of vertices in the order of `vertices(tmesh)`).
   std::vector<std::size_t> landmarks;
 
-  /// \f$ n \times l \f$: entry \f$ (i, j) \f$ is the distance of point \f$ i \f$ to landmark \f$ j \f$, in the
-  /// unit of the points.
+  /// \f$ n \times l \f$: entry \f$ (i, j) \f$ is the distance of point \f$ i \f$ to landmark \f$ j
+  /// \f$, in the unit of the points.
   Eigen::MatrixXd distances;
 
   /// the largest distance of a point to its nearest landmark, in the unit of the points.

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
 //
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
@@ -31,17 +32,18 @@ namespace Canonical_pose_3 {
 
 \brief embeds points by landmark multidimensional scaling, from their distances to a few of them.
 
-The landmarks are embedded by the leading eigenvectors of their (centred) kernel matrix, all other points are
-interpolated from their distances to the landmarks \cgalCite{cgal:canonical-st-glmnd-02},
-\cgalCite{cgal:canonical-s-sdacm-15} (Equation 3). With \f$ K_{ij} = k(g_{ij}/L) \f$ over the landmarks (distances
-symmetrised, \f$ L \f$ the largest of all), \f$ H \f$ the centring matrix and \f$ HKH = Q \Lambda Q^t \f$ truncated to the \f$ m \f$ largest
-eigenvalues, point \f$ i \f$ lands at \f$ s\,\Lambda^{-1/2} Q^t (k_i - \bar k) \f$, \f$ \bar k \f$ being the mean of the
-columns of \f$ K \f$. The scale \f$ s = \sum d g / \sum d^2 \f$ over the pairs of landmarks
-(\f$ d \f$ embedded, \f$ g \f$ given) brings any kernel to the unit of the distances.
+The landmarks are embedded by the leading eigenvectors of their (centred) kernel matrix, all other
+points are interpolated from their distances to the landmarks \cgalCite{cgal:canonical-st-glmnd-02},
+\cgalCite{cgal:canonical-s-sdacm-15} (Equation 3). With \f$ K_{ij} = k(g_{ij}/L) \f$ over the
+landmarks (distances symmetrised, \f$ L \f$ the largest of all), \f$ H \f$ the centring matrix and
+\f$ HKH = Q \Lambda Q^t \f$ truncated to the \f$ m \f$ largest eigenvalues, point \f$ i \f$ lands at
+\f$ s\,\Lambda^{-1/2} Q^t (k_i - \bar k) \f$, \f$ \bar k \f$ being the mean of the columns of \f$ K
+\f$. The scale \f$ s = \sum d g / \sum d^2 \f$ over the pairs of landmarks (\f$ d \f$ embedded, \f$
+g \f$ given) brings any kernel to the unit of the distances.
 
-Where the matrix has fewer than \f$ m \f$ positive eigenvalues, the coordinates left over are 0 (the target is flat) and
-`number_of_positive_eigenvalues()` tells it. Each eigenvector is taken with the sign
-that makes the third moment of its entries non-negative. Landmarks that coincide do no harm.
+Where the matrix has fewer than \f$ m \f$ positive eigenvalues, the coordinates left over are 0 (the
+target is flat) and `number_of_positive_eigenvalues()` tells it. Each eigenvector is taken with the
+sign that makes the third moment of its entries non-negative. Landmarks that coincide do no harm.
 
 \tparam MdsKernel a model of `MdsKernel`
 
@@ -63,8 +65,9 @@ public:
   /*!
   embeds the points whose distances to the landmarks are given.
 
-  \throws std::invalid_argument if there is no landmark, the sizes do not match, a landmark is no row of the distances,
-  or a distance is negative or not finite (a point that a landmark does not reach); the message names the element.
+  \throws std::invalid_argument if there is no landmark, the sizes do not match, a landmark is no
+         row of the distances, or a distance is negative or not finite (a point that a landmark does
+         not reach); the message names the element.
 
   <em>Complexity:</em> \f$ O(nl + l^3) \f$ for \f$ n \f$ points and \f$ l \f$ landmarks.
   */
@@ -96,17 +99,19 @@ public:
   /// returns the \f$ n \times m \f$ matrix of embedded points, in the unit of the distances.
   const Eigen::MatrixXd& targets() const { return m_targets; }
 
-  /// returns \f$ \sqrt{\sum (d - g)^2 / \sum g^2} \f$ over all pairs of landmarks; 0 if all distances are 0.
+  /// returns \f$ \sqrt{\sum (d - g)^2 / \sum g^2} \f$ over all pairs of landmarks; 0 if all
+  /// distances are 0.
   double stress() const { return m_stress; }
 
-  /// returns all eigenvalues of the (centred) kernel matrix of distances divided by the largest one, in decreasing order.
+  /// returns all eigenvalues of the (centred) kernel matrix of distances divided by the largest
+  /// one, in decreasing order.
   const Eigen::VectorXd& eigenvalues() const { return m_eigenvalues; }
 
   /// returns how many of the first \f$ m \f$ eigenvalues count as positive (beyond rounding).
   int number_of_positive_eigenvalues() const { return m_number_of_positive_eigenvalues; }
 
-  /// returns `false` if the eigenvalue after the last used one exceeds 0.9 times that one: another choice of axes
-  /// is then about as good, and the pose hangs on details of the distances.
+  /// returns `false` if the eigenvalue after the last used one exceeds 0.9 times that one: another
+  /// choice of axes is then about as good, and the pose hangs on details of the distances.
   bool is_determined() const
   {
     return m_eigenvalues.size() <= m_dimension
@@ -128,8 +133,9 @@ private:
     if(d.cols() == 0 || d.rows() == 0)
       throw std::invalid_argument("there is no landmark to embed");
     if(fields.landmarks.size() != static_cast<std::size_t>(d.cols()))
-      throw std::invalid_argument("there are " + std::to_string(fields.landmarks.size()) + " landmarks but "
-                                  + std::to_string(d.cols()) + " columns of distances");
+      throw std::invalid_argument("there are " + std::to_string(fields.landmarks.size())
+                                  + " landmarks but " + std::to_string(d.cols())
+                                  + " columns of distances");
     for(const std::size_t landmark : fields.landmarks)
       if(landmark >= static_cast<std::size_t>(d.rows()))
         throw std::invalid_argument("landmark " + std::to_string(landmark) + " is not one of the "
@@ -137,9 +143,9 @@ private:
     for(Eigen::Index j = 0; j < d.cols(); ++j)
       for(Eigen::Index i = 0; i < d.rows(); ++i)
         if(!std::isfinite(d(i, j)) || d(i, j) < 0)
-          throw std::invalid_argument("the distance of vertex " + std::to_string(i) + " to landmark "
-                                      + std::to_string(fields.landmarks[j]) + " is "
-                                      + (d(i, j) < 0 ? "negative" : "not finite"));
+          throw std::invalid_argument("the distance of vertex " + std::to_string(i)
+                                      + " to landmark " + std::to_string(fields.landmarks[j])
+                                      + " is " + (d(i, j) < 0 ? "negative" : "not finite"));
   }
 
   static Eigen::MatrixXd landmark_distances(const Landmark_fields_3& fields)
@@ -175,7 +181,8 @@ private:
 
   // Returns the scale s and stores the stress after scaling.
   double scale_to_distances(const Eigen::MatrixXd& kernel, const Eigen::VectorXd& mean,
-                            const Eigen::MatrixXd& projection, const Eigen::MatrixXd& g, const double unit)
+                            const Eigen::MatrixXd& projection, const Eigen::MatrixXd& g,
+                            const double unit)
   {
     const Eigen::MatrixXd embedded = (kernel.colwise() - mean).transpose() * projection;
     double dg = 0, dd = 0, gg = 0;
@@ -194,8 +201,8 @@ private:
     return scale;
   }
 
-  void interpolate(const Landmark_fields_3& fields, const Eigen::VectorXd& mean, const Eigen::MatrixXd& projection,
-                   const double unit)
+  void interpolate(const Landmark_fields_3& fields, const Eigen::VectorXd& mean,
+                   const Eigen::MatrixXd& projection, const double unit)
   {
     m_targets = Eigen::MatrixXd::Zero(fields.distances.rows(), m_dimension);
     for(Eigen::Index j = 0; j < fields.distances.cols(); ++j)

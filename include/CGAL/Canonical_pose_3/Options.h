@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
 //
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
@@ -26,15 +27,17 @@ namespace Canonical_pose_3 {
 
 \brief holds what `canonical_pose_3()` computes on the way to the pose.
 
-What is there when the call begins is used, what is not is computed and left here. Rows are the vertices in the order
-of `vertices(tmesh)`; for a tetrahedral complex those of its boundary, in the order of `extract_boundary()`.
+What is there when the call begins is used, what is not is computed and left here. Rows are the
+vertices in the order of `vertices(tmesh)`; for a tetrahedral complex those of its boundary, in the
+order of `extract_boundary()`.
 */
 struct Intermediate_results
 {
   /// landmarks and distances to them.
   std::optional<Landmark_fields_3> landmark_fields;
 
-  /// \f$ n \times 3 \f$, the target in its final place. One that is handed in is neither aligned nor reflected.
+  /// \f$ n \times 3 \f$, the target in its final place. One that is handed in is neither aligned
+  /// nor reflected.
   std::optional<Point_matrix> target;
 };
 
@@ -67,7 +70,8 @@ struct Options
   /// number of landmarks, at least 1.
   std::size_t number_of_landmarks = 80;
 
-  /// 0: the first landmark is `extremal_point()`; otherwise it is drawn with this seed. Nothing else is random.
+  /// 0: the first landmark is `extremal_point()`; otherwise it is drawn with this seed. Nothing
+  /// else is random.
   unsigned int random_seed = 0;
 
   /// the kernel.
@@ -76,11 +80,13 @@ struct Options
   /// the knobs of the registration.
   Registration_options registration;
 
-  /// if set, these replace detail length, Tikhonov weight and matching weights, and rotations are computed from the
-  /// pose after one pass of fairing (or as many as `registration` says, if more), as the paper does.
+  /// if set, these replace detail length, Tikhonov weight and matching weights, and rotations are
+  /// computed from the pose after one pass of fairing (or as many as `registration` says, if more),
+  /// as the paper does.
   std::optional<Paper_weights> paper_weights;
 
-  /// springs between vertices, by their places in `vertices(tmesh)` or among the vertices of the complex.
+  /// springs between vertices, by their places in `vertices(tmesh)` or among the vertices of the
+  /// complex.
   std::vector<Spring_3> springs;
 
   /// the linear solver.

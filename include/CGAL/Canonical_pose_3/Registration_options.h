@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
 //
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
@@ -24,29 +25,32 @@ namespace Canonical_pose_3 {
 */
 struct Registration_options
 {
-  /// \f$ \ell \f$, as a fraction of the length scale \f$ L \f$: features smaller than \f$ \ell L \f$ keep their shape, larger
-  /// ones follow the target. Positive.
+  /// \f$ \ell \f$, as a fraction of the length scale \f$ L \f$: features smaller than \f$ \ell L
+  /// \f$ keep their shape, larger ones follow the target. Positive.
   double detail_length = 0.1;
 
   /// \f$ \beta \f$, weight of the Tikhonov term that holds an iteration near the one before it
-  /// \cgalCite{cgal:canonical-s-sdacm-15} (Equation 11). Not negative. It slows convergence and rarely helps.
+  /// \cgalCite{cgal:canonical-s-sdacm-15} (Equation 11). Not negative. It slows convergence and
+  /// rarely helps.
   double tikhonov = 0;
 
   /// cap on the number of iterations. Not negative.
   int number_of_iterations = 200;
 
-  /// stops when \f$ |E_{k-1} - E_k| \le \f$ `energy_tolerance` \f$ \cdot \max(E_{k-1}, 10^{-15}) \f$ and
-  /// `move_tolerance` agrees; the floor, without unit as \f$ E \f$ is, stands for an energy of 0 up to rounding.
+  /// stops when \f$ |E_{k-1} - E_k| \le \f$ `energy_tolerance` \f$ \cdot \max(E_{k-1}, 10^{-15})
+  /// \f$ and `move_tolerance` agrees; the floor, without unit as \f$ E \f$ is, stands for an energy
+  /// of 0 up to rounding.
   double energy_tolerance = 1e-5;
 
-  /// stops when no surface vertex moved by more than `move_tolerance` \f$ \cdot L \f$ in the last iteration and
-  /// `energy_tolerance` agrees.
+  /// stops when no surface vertex moved by more than `move_tolerance` \f$ \cdot L \f$ in the last
+  /// iteration and `energy_tolerance` agrees.
   double move_tolerance = 5e-4;
 
-  /// number of fairing passes (Taubin \cgalCite{cgal:canonical-t-spafsd-95}: one step of \f$ \lambda \f$ and one of \f$ \mu \f$,
-  /// equal weights over the edges of the boundary of the body) of the copy from which the rotations are computed from the
-  /// second iteration on \cgalCite{cgal:canonical-s-sdacm-15} (Section 6.2). 0 for none; with fairing the energy
-  /// may rise.
+  /// number of fairing passes (Taubin \cgalCite{cgal:canonical-t-spafsd-95}: one step of \f$
+  /// \lambda \f$ and one of \f$ \mu \f$, equal weights over the edges of the boundary of the body)
+  /// of the copy from which the rotations are computed from the second iteration on
+  /// \cgalCite{cgal:canonical-s-sdacm-15} (Section 6.2). 0 for none; with fairing the energy may
+  /// rise.
   int fairing_passes = 0;
 
   /// \f$ \lambda \f$ of the fairing.
@@ -56,17 +60,18 @@ struct Registration_options
   double fairing_mu = -0.53;
 
   /*!
-  sets the weights as the paper prints them \cgalCite{cgal:canonical-s-sdacm-15} (Equation 13), which go with
-  matching weights \f$ m_i = 1/n \f$.
+  sets the weights as the paper prints them \cgalCite{cgal:canonical-s-sdacm-15} (Equation 13),
+  which go with matching weights \f$ m_i = 1/n \f$.
 
-  \param alpha \f$ \alpha \f$, in the inverse of the mesh's unit of length (the paper names no unit; it used 100).
+  \param alpha \f$ \alpha \f$, in the inverse of the mesh's unit of length (the paper names no unit;
+         it used 100).
   \param beta \f$ \beta \f$ (the paper used 10).
   \param n number of surface vertices.
   \param volume rest volume.
   \param length_scale \f$ L \f$.
   */
-  void set_paper_weights(const double alpha, const double beta, const std::size_t n, const double volume,
-                         const double length_scale)
+  void set_paper_weights(const double alpha, const double beta, const std::size_t n,
+                         const double volume, const double length_scale)
   {
     detail_length = std::sqrt(alpha * volume / static_cast<double>(n)) / length_scale;
     tikhonov = beta;
@@ -75,7 +80,8 @@ struct Registration_options
   /// \throws std::invalid_argument naming the first value that is out of its bounds.
   void check() const
   {
-    require(std::isfinite(detail_length) && detail_length > 0, "detail_length", detail_length, "> 0");
+    require(std::isfinite(detail_length) && detail_length > 0, "detail_length", detail_length,
+            "> 0");
     require(std::isfinite(tikhonov) && tikhonov >= 0, "tikhonov", tikhonov, ">= 0");
     require(number_of_iterations >= 0, "number_of_iterations", number_of_iterations, ">= 0");
     require(energy_tolerance >= 0, "energy_tolerance", energy_tolerance, ">= 0");
@@ -84,10 +90,12 @@ struct Registration_options
   }
 
 private:
-  static void require(const bool holds, const std::string& name, const double value, const std::string& bound)
+  static void require(const bool holds, const std::string& name, const double value,
+                      const std::string& bound)
   {
     if(!holds)
-      throw std::invalid_argument("option " + name + " is " + std::to_string(value) + ", but must be " + bound);
+      throw std::invalid_argument("option " + name + " is " + std::to_string(value)
+                                  + ", but must be " + bound);
   }
 };
 

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
 //
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
@@ -27,13 +28,13 @@ namespace Canonical_pose_3 {
 
 \brief tells how a registration ended, and what was done on the way to it.
 
-`Tetrahedral_arap_registrar_3` fills the members about the registration, `canonical_pose_3()` all of them.
+`Tetrahedral_arap_registrar_3` fills the members about the registration, `canonical_pose_3()` all of
+them.
 */
 struct Registration_summary
 {
   /// why the iteration stopped.
-  enum Termination
-  {
+  enum Termination {
     NOT_RUN,         ///< no iteration was done.
     CONVERGED,       ///< the stopping inequalities of `Registration_options` hold.
     ITERATION_LIMIT, ///< the cap on the iterations was reached first; the pose is usable.
@@ -43,13 +44,15 @@ struct Registration_summary
   /// what the target of the registration is.
   struct Target
   {
-    std::string kernel;              ///< name of the kernel; `"given"` for a target handed in.
-    std::size_t landmarks = 0;       ///< number of landmarks.
-    double covering_radius = 0;      ///< largest distance of a vertex to its nearest landmark.
-    double stress = 0;               ///< stress over the landmarks, see `Landmark_mds_target_builder_3::stress()`.
-    std::vector<double> eigenvalues; ///< the six leading eigenvalues (fewer if there are fewer landmarks).
-    double max_geodesic = 0;         ///< \f$ L \f$, the largest distance to a landmark.
-    bool reflected = false;          ///< whether the mirrored target was taken.
+    std::string kernel;         ///< name of the kernel; `"given"` for a target handed in.
+    std::size_t landmarks = 0;  ///< number of landmarks.
+    double covering_radius = 0; ///< largest distance of a vertex to its nearest landmark.
+    double stress
+      = 0; ///< stress over the landmarks, see `Landmark_mds_target_builder_3::stress()`.
+    std::vector<double>
+      eigenvalues;           ///< the six leading eigenvalues (fewer if there are fewer landmarks).
+    double max_geodesic = 0; ///< \f$ L \f$, the largest distance to a landmark.
+    bool reflected = false;  ///< whether the mirrored target was taken.
   };
 
   /// what the surface hangs on.
@@ -79,11 +82,13 @@ struct Registration_summary
   std::vector<double> energy_history;
   /// number of cells that are turned inside out (or flat) in the result.
   std::size_t inverted = 0;
-  /// number of surface faces whose normal turned by more than 90 degrees against the rotation of their cell.
+  /// number of surface faces whose normal turned by more than 90 degrees against the rotation of
+  /// their cell.
   std::size_t flipped_faces = 0;
   /// volume of the result by that of the rest pose.
   double volume_ratio = 0;
-  /// median over the edges of the surface of \f$ | \log(\text{length in the result} / \text{length at rest}) | \f$.
+  /// median over the edges of the surface of \f$ | \log(\text{length in the result} / \text{length
+  /// at rest}) | \f$.
   double median_edge_strain = 0;
   /// name of the linear solver.
   std::string solver;
@@ -116,7 +121,8 @@ struct Registration_summary
   /// adds `seconds` to the stage called `name`, which is appended if it is new.
   void add_seconds(const std::string& name, const double seconds)
   {
-    const auto stage = std::find_if(stages.begin(), stages.end(), [&](const Stage& s) { return s.first == name; });
+    const auto stage
+      = std::find_if(stages.begin(), stages.end(), [&](const Stage& s) { return s.first == name; });
     if(stage != stages.end())
       stage->second += seconds;
     else
@@ -126,20 +132,22 @@ struct Registration_summary
   /// returns the outcome in one line.
   std::string brief_report() const
   {
-    static const char* const names[] = {"not run", "converged", "iteration limit reached", "not finite"};
+    static const char* const names[]
+      = {"not run", "converged", "iteration limit reached", "not finite"};
     std::ostringstream out;
     out.precision(4);
-    out << names[termination] << " after " << iterations << " iterations, energy " << energy << ", " << inverted
-        << " of " << body.tetrahedra << " cells inverted, median edge strain " << median_edge_strain;
-    if(target.landmarks > 0)
+    out << names[termination] << " after " << iterations << " iterations, energy " << energy << ", "
+        << inverted << " of " << body.tetrahedra << " cells inverted";
+    if(median_edge_strain > 0) // measured
+      out << ", median edge strain " << median_edge_strain;
+    if(!target.eigenvalues.empty()) // no target handed in
       out << ", stress " << target.stress;
     out << ", " << total_seconds() << " s (" << solver << ')';
     return out.str();
   }
 };
 
-/// \relates Registration_summary
-/// writes `Registration_summary::brief_report()`.
+/// \relates Registration_summary writes `Registration_summary::brief_report()`.
 inline std::ostream& operator<<(std::ostream& out, const Registration_summary& summary)
 {
   return out << summary.brief_report();

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
 //
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
@@ -31,10 +32,10 @@ namespace Canonical_pose_3 {
 */
 struct Spring_3
 {
-  std::size_t p = 0;       ///< row of the first vertex.
-  std::size_t q = 0;       ///< row of the second vertex, another one.
-  double rest_length = 0;  ///< wished distance, in the unit of the mesh. Not negative.
-  double stiffness = 1;    ///< \f$ \kappa \f$, without unit. Positive.
+  std::size_t p = 0;      ///< row of the first vertex.
+  std::size_t q = 0;      ///< row of the second vertex, another one.
+  double rest_length = 0; ///< wished distance, in the unit of the mesh. Not negative.
+  double stiffness = 1;   ///< \f$ \kappa \f$, without unit. Positive.
 };
 
 /*!
@@ -43,11 +44,13 @@ struct Spring_3
 \brief adds springs between pairs of vertices to a registration, as in Section 7 of
 \cgalCite{cgal:canonical-s-sdacm-15} by the splitting of \cgalCite{cgal:canonical-lbok-fsmss-13}.
 
-The energy of spring \f$ s \f$ is \f$ \frac{1}{2} \kappa_s (|p_s - q_s| - r_s)^2 \f$. In an iteration
-\f$ |p - q - d|^2 \f$ takes the place of the square, \f$ d \f$ being of length \f$ r \f$ and in the direction of
-\f$ p - q \f$ before it. Where \f$ p \f$ and \f$ q \f$ coincide the last direction stands (the first axis if there is none).
-With \f$ n \f$ vertices, the stiffness of Equation 16 of the paper is \f$ n \kappa \f$, the
-matching weights being \f$ 1/n \f$ each.
+The energy of spring \f$ s \f$ is \f$ \frac{1}{2} \kappa_s (|p_s - q_s| - r_s)^2 \f$. In an
+iteration
+\f$ |p - q - d|^2 \f$ takes the place of the square, \f$ d \f$ being of length \f$ r \f$ and in the
+direction of
+\f$ p - q \f$ before it. Where \f$ p \f$ and \f$ q \f$ coincide the last direction stands (the first
+axis if there is none). With \f$ n \f$ vertices, the stiffness of Equation 16 of the paper is \f$ n
+\kappa \f$, the matching weights being \f$ 1/n \f$ each.
 
 \cgalModels `RegistrationConstraint_3`
 
@@ -58,10 +61,12 @@ class Spring_constraint_adaptor_3
 public:
   /// constructs a constraint on a surface of `number_of_vertices` vertices, without springs.
   explicit Spring_constraint_adaptor_3(const std::size_t number_of_vertices)
-    : m_number_of_vertices(number_of_vertices) {}
+    : m_number_of_vertices(number_of_vertices)
+  {}
 
   /// adds a spring and returns its index. The matrix of the registrar will be factored anew.
-  /// \throws std::invalid_argument if a vertex does not exist, both are the same, or a number is out of its bounds.
+  /// \throws std::invalid_argument if a vertex does not exist, both are the same, or a number is
+  ///        out of its bounds.
   std::size_t insert(const Spring_3& spring)
   {
     const std::string name = "spring " + std::to_string(m_springs.size());
@@ -70,7 +75,8 @@ public:
         throw std::invalid_argument(name + " names vertex " + std::to_string(v) + ", but there are "
                                     + std::to_string(m_number_of_vertices));
     if(spring.p == spring.q)
-      throw std::invalid_argument(name + " joins vertex " + std::to_string(spring.p) + " to itself");
+      throw std::invalid_argument(name + " joins vertex " + std::to_string(spring.p)
+                                  + " to itself");
     if(!(spring.stiffness > 0) || !std::isfinite(spring.stiffness))
       throw std::invalid_argument(name + " has a stiffness that is not positive");
     check_rest_length(name, spring.rest_length);
@@ -113,7 +119,8 @@ public:
     }
   }
 
-  /// adds \f$ \frac{1}{2} \sum_s \kappa_s b_s d_s^t \f$ for the directions at `points` (\f$ n \times 3 \f$).
+  /// adds \f$ \frac{1}{2} \sum_s \kappa_s b_s d_s^t \f$ for the directions at `points` (\f$ n
+  /// \times 3 \f$).
   void add_to_right_hand_side(const Point_matrix& points, Point_matrix& right_hand_side)
   {
     for(std::size_t i = 0; i < m_springs.size(); ++i)

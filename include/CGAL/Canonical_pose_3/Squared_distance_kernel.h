@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
 //
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
@@ -17,8 +18,9 @@ namespace Canonical_pose_3 {
 
 \brief is the kernel of classical multidimensional scaling, \f$ k(r) = -r^2/2 \f$.
 
-Centred, it turns Euclidean distances into the Gram matrix of the points that have them, which is why a point set of
-the space is recovered exactly from its distances \cgalCite{cgal:canonical-st-glmnd-02}.
+Centred, it turns Euclidean distances into the Gram matrix of the points that have them, which is
+why a point set of the space is recovered exactly from its distances
+\cgalCite{cgal:canonical-st-glmnd-02}.
 
 \cgalModels `MdsKernel`
 */

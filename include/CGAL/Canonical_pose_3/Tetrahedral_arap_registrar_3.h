@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
 //
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
@@ -42,49 +43,55 @@ namespace Canonical_pose_3 {
 \brief pulls an elastic body towards a target of its surface while it keeps the details.
 
 It minimises
-\f[ E(v) = \sum_i m_i |(Bv)_i - \hat v_i|^2 / L^2 + \ell^2 \sum_t w_t \|F_t - R_t\|^2 + E_{constraints} / L^2 \f]
-by local and global steps in turn \cgalCite{cgal:canonical-sa-asap-07}, \cgalCite{cgal:canonical-s-sdacm-15} (Equations 4 to 13).
-\f$ v \f$ are the body vertices, \f$ Bv \f$ the surface, \f$ \hat v \f$ the target, \f$ m \f$ the matching weights and
-\f$ w \f$ the cell weights (each with sum 1), \f$ F_t \f$ the deformation gradient of cell \f$ t \f$ and
-\f$ R_t \f$ the rotation closest to it, always of determinant 1. The global step has the constant matrix
+\f[ E(v) = \sum_i m_i |(Bv)_i - \hat v_i|^2 / L^2 + \ell^2 \sum_t w_t \|F_t - R_t\|^2
+           + E_{constraints} / L^2 \f]
+by local and global steps in turn \cgalCite{cgal:canonical-sa-asap-07},
+\cgalCite{cgal:canonical-s-sdacm-15} (Equations 4 to 13). Here \f$ v \f$ are the body vertices,
+\f$ Bv \f$ the surface, \f$ \hat v \f$ the target, \f$ m \f$ the matching weights and \f$ w \f$ the
+cell weights (each with sum 1), \f$ F_t \f$ is the deformation gradient of cell \f$ t \f$ and
+\f$ R_t \f$ the rotation closest to it, always of determinant 1. The global step has the matrix
 \f[ A = \ell^2 L^2 \sum_t w_t G_t^t G_t + (1 + \beta) B^t M B + A_{constraints}, \f]
-which is factored once. All lengths are divided by \f$ L \f$, hence neither units nor resolution matter.
-Without fairing the energy never rises. Iterations stop by the inequalities of `Registration_options`.
+which is factored once. All lengths are divided by \f$ L \f$, hence neither units nor resolution
+matter. Without fairing the energy never rises. Iterations stop by the inequalities of
+`Registration_options`.
 
 \tparam ElasticBody a model of `ElasticBody_3`
 \tparam ClosestRotationTraits a model of CGAL's `DeformationClosestRotationTraits_3`,
         by default `CGAL::Deformation_Eigen_polar_closest_rotation_traits_3`
-\tparam FactorTraits a model of `SparseLinearAlgebraWithBlockFactorTraits_d`, by default `Default_factor_traits_d`
+\tparam FactorTraits a model of `SparseLinearAlgebraWithBlockFactorTraits_d`, by default
+       `Default_factor_traits_d`
 
 \sa `canonical_pose_3()`
 \sa `Spring_constraint_adaptor_3`
 */
-template <typename ElasticBody, typename ClosestRotationTraits = Default, typename FactorTraits = Default>
+template <typename ElasticBody, typename ClosestRotationTraits = Default,
+          typename FactorTraits = Default>
 class Tetrahedral_arap_registrar_3
 {
 public:
   /*!
-  constructs a registrar, without target. Body and weights are measured and checked here, the matrix is
-  factored by `factor()` or at first need.
+  constructs a registrar, without target. Body and weights are measured and checked here, the matrix
+  is factored by `factor()` or at first need.
 
   \param body the body; it must outlive the registrar.
-  \param matching_weights \f$ n \f$ non-negative weights of the surface vertices; divided by their sum. Vertices of
-         weight 0 have no target.
+  \param matching_weights \f$ n \f$ non-negative weights of the surface vertices; divided by their
+         sum. Vertices of weight 0 have no target.
   \param length_scale \f$ L \f$, usually the largest geodesic distance. Positive.
   \param options the knobs.
 
   \pre `matching_weights.size() == body.embedding().rows()`
 
-  \throws std::invalid_argument if a weight or an option is out of its bounds, or a connected component of the
-  body carries no surface vertex of positive weight (the matrix would be singular); the message names the element.
+  \throws std::invalid_argument if a weight or an option is out of its bounds, or a connected
+         component of the body carries no surface vertex of positive weight (the matrix would be
+         singular); the message names the element.
 
   <em>Complexity:</em> linear in the size of the body.
   */
   Tetrahedral_arap_registrar_3(const ElasticBody& body, const Eigen::VectorXd& matching_weights,
                                const double length_scale,
                                const Registration_options& options = Registration_options())
-    : m_body(body), m_length_scale(internal::checked_length_scale(length_scale)), m_options(options),
-      m_weights(internal::checked_matching_weights(body, matching_weights)),
+    : m_body(body), m_length_scale(internal::checked_length_scale(length_scale)),
+      m_options(options), m_weights(internal::checked_matching_weights(body, matching_weights)),
       m_embedding_transposed(body.embedding().transpose()),
       m_arap(body.points() / length_scale, body.cells(), body.cell_weights())
   {
@@ -93,13 +100,15 @@ public:
       m_fairing.emplace(body.points(), body.cells());
   }
 
-  /// adds a constraint, which must outlive the registrar. Its right-hand side may change between calls of
-  /// `register_to_target()` at no cost; when its matrix changes, the next call factors anew.
+  /// adds a constraint, which must outlive the registrar. Its right-hand side may change between
+  /// calls of `register_to_target()` at no cost; when its matrix changes, the next call factors
+  /// anew.
   /// \tparam Constraint a model of `RegistrationConstraint_3`
   template <typename Constraint>
   void add_constraint(Constraint& constraint)
   {
-    m_constraints.push_back(std::make_unique<internal::Registration_constraint_model<Constraint>>(constraint));
+    m_constraints.push_back(
+      std::make_unique<internal::Registration_constraint_model<Constraint>>(constraint));
     m_factored_revisions.clear();
   }
 
@@ -129,10 +138,11 @@ public:
   /*!
   runs the iteration.
 
-  \param body_points \f$ N \times 3 \f$. If it has no row the iteration starts at the target: a body vertex that is
-         a surface vertex starts where its target is, all others where the system without rotations puts them. Otherwise it
-         starts from these positions (warm start). On return the result, unless the summary says that it is not usable; then
-         it is left as it was.
+  \param body_points \f$ N \times 3 \f$. If it has no row the iteration starts at the target: a body
+         vertex that is a surface vertex starts where its target is, all others where the system
+         without rotations puts them. Otherwise it starts from these positions (warm start). On
+         return the result, unless the summary says that it is not usable; then it is left as it
+         was.
 
   \returns the outcome; energies per iteration, inverted cells and volume included.
 
@@ -140,7 +150,8 @@ public:
 
   \throws std::runtime_error see `factor()`.
 
-  <em>Complexity:</em> per iteration one pass over the cells and one solve with the factor for three right-hand sides.
+  <em>Complexity:</em> per iteration one pass over the cells and one solve with the factor for three
+  right-hand sides.
   */
   Registration_summary register_to_target(Point_matrix& body_points)
   {
@@ -165,7 +176,8 @@ public:
     return summary;
   }
 
-  /// returns the surface vertices \f$ Bv \f$ (\f$ n \times 3 \f$) at body positions \f$ v \f$ (\f$ N \times 3 \f$).
+  /// returns the surface vertices \f$ Bv \f$ (\f$ n \times 3 \f$) at body positions \f$ v \f$ (\f$
+  /// N \times 3 \f$).
   Point_matrix surface_points(const Point_matrix& body_points) const
   {
     CGAL_precondition(body_points.rows() == m_body.points().rows());
@@ -183,9 +195,12 @@ public:
   const Registration_options& options() const { return m_options; }
 
 private:
-  typedef typename Default::Get<ClosestRotationTraits, Deformation_Eigen_polar_closest_rotation_traits_3>::type
-    Rotation_traits;
-  typedef internal::Sparse_factor<typename Default::Get<FactorTraits, Default_factor_traits_d>::type> Factor;
+  typedef
+    typename Default::Get<ClosestRotationTraits,
+                          Deformation_Eigen_polar_closest_rotation_traits_3>::type Rotation_traits;
+  typedef internal::Sparse_factor<
+    typename Default::Get<FactorTraits, Default_factor_traits_d>::type>
+    Factor;
 
   template <typename Function>
   static void timed(Registration_summary& summary, const char* stage, const Function& f)
@@ -207,7 +222,8 @@ private:
 
     entries.clear();
     for(Eigen::Index i = 0; i < m_weights.size(); ++i)
-      entries.emplace_back(static_cast<int>(i), static_cast<int>(i), (1 + m_options.tikhonov) * m_weights[i]);
+      entries.emplace_back(static_cast<int>(i), static_cast<int>(i),
+                           (1 + m_options.tikhonov) * m_weights[i]);
     for(const auto& constraint : m_constraints)
       constraint->add_to_matrix(entries);
     Eigen::SparseMatrix<double> surface(m_weights.size(), m_weights.size());
@@ -244,7 +260,8 @@ private:
     {
       const Point_matrix points = surface * m_length_scale;
       for(const auto& constraint : m_constraints)
-        summary.energy_constraints += constraint->energy(points) / (m_length_scale * m_length_scale);
+        summary.energy_constraints
+          += constraint->energy(points) / (m_length_scale * m_length_scale);
     }
     summary.energy = summary.energy_match + summary.energy_arap + summary.energy_constraints;
     summary.inverted = arap.inverted;
@@ -278,12 +295,14 @@ private:
     {
       if(m_fairing && (is_warm_start || summary.iterations > 0))
         timed(summary, "local_steps", [&] {
-          m_arap.fit_rotations((*m_fairing)(v, m_options.fairing_passes, m_options.fairing_lambda, m_options.fairing_mu));
+          m_arap.fit_rotations((*m_fairing)(v, m_options.fairing_passes, m_options.fairing_lambda,
+                                            m_options.fairing_mu));
         });
       double move = 0;
       timed(summary, "global_steps", [&] {
         Point_matrix next = m_factor.solve(right_hand_side(v));
-        move = std::sqrt((m_body.embedding() * Point_matrix(next - v)).rowwise().squaredNorm().maxCoeff());
+        move = std::sqrt(
+          (m_body.embedding() * Point_matrix(next - v)).rowwise().squaredNorm().maxCoeff());
         v.swap(next);
       });
       ++summary.iterations;

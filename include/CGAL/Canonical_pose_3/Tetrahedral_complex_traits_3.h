@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
 //
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
@@ -24,11 +25,15 @@ namespace Canonical_pose_3 {
 namespace internal {
 
 template <typename...>
-struct Make_void { typedef void type; };
+struct Make_void
+{
+  typedef void type;
+};
 
 // Vertices of the cells in `cells`, each once, in the order of the triangulation's vertices.
 template <typename Triangulation, typename CellRange>
-std::vector<typename Triangulation::Vertex_handle> vertices_of_cells(const Triangulation& tr, const CellRange& cells)
+std::vector<typename Triangulation::Vertex_handle> vertices_of_cells(const Triangulation& tr,
+                                                                     const CellRange& cells)
 {
   typedef typename Triangulation::Vertex_handle Vertex_handle;
   std::unordered_set<Vertex_handle> used;
@@ -56,9 +61,11 @@ auto handles_of_cell(const Cell_handle c)
 \brief tells how to read a tetrahedral complex; to be specialised for a complex of one's own.
 
 The package specialises it for
-- `CGAL::Mesh_complex_3_in_triangulation_3` (the result of `CGAL::make_mesh_3()`): its cells in the complex,
-- `CGAL::Triangulation_3` and classes derived from it whose cells have a subdomain index (for instance
-  `CGAL::Tetrahedral_remeshing::Remeshing_triangulation_3`): the finite cells of non-zero index,
+- `CGAL::Mesh_complex_3_in_triangulation_3` (the result of `CGAL::make_mesh_3()`): its cells in the
+  complex,
+- `CGAL::Triangulation_3` and classes derived from it whose cells have a subdomain index (for
+  instance `CGAL::Tetrahedral_remeshing::Remeshing_triangulation_3`): the finite cells of non-zero
+  index,
 - `Indexed_tetrahedra_3`.
 
 The vertices are those of the cells. Nothing is ever written to a complex: moving the vertices of a
@@ -76,7 +83,8 @@ struct Tetrahedral_complex_traits_3;
 // Complexes of Mesh_3.
 template <typename C3t3>
 struct Tetrahedral_complex_traits_3<
-  C3t3, typename internal::Make_void<typename C3t3::Triangulation, typename C3t3::Cells_in_complex_iterator>::type>
+  C3t3, typename internal::Make_void<typename C3t3::Triangulation,
+                                     typename C3t3::Cells_in_complex_iterator>::type>
 {
   typedef typename C3t3::Triangulation::Vertex_handle Vertex_descriptor;
   typedef typename C3t3::Triangulation::Geom_traits::Point_3 Point_3;
@@ -104,16 +112,17 @@ struct Tetrahedral_complex_traits_3<
 // Triangulations whose cells have a subdomain index.
 template <typename Triangulation>
 struct Tetrahedral_complex_traits_3<
-  Triangulation,
-  typename internal::Make_void<typename Triangulation::Triangulation_data_structure,
-                               decltype(typename Triangulation::Cell_handle()->subdomain_index())>::type>
+  Triangulation, typename internal::Make_void<
+                   typename Triangulation::Triangulation_data_structure,
+                   decltype(typename Triangulation::Cell_handle()->subdomain_index())>::type>
 {
   typedef typename Triangulation::Vertex_handle Vertex_descriptor;
   typedef typename Triangulation::Geom_traits::Point_3 Point_3;
 
   static std::vector<std::array<Vertex_descriptor, 4>> cells(const Triangulation& tr)
   {
-    typedef std::decay_t<decltype(typename Triangulation::Cell_handle()->subdomain_index())> Subdomain_index;
+    typedef std::decay_t<decltype(typename Triangulation::Cell_handle()->subdomain_index())>
+      Subdomain_index;
     std::vector<std::array<Vertex_descriptor, 4>> result;
     for(auto c = tr.finite_cells_begin(); c != tr.finite_cells_end(); ++c)
       if(c->subdomain_index() != Subdomain_index())
@@ -143,7 +152,8 @@ struct Tetrahedral_complex_traits_3<Indexed_tetrahedra_3<Point>>
     return boost::irange(std::size_t(0), complex.points.size());
   }
 
-  static const std::vector<std::array<std::size_t, 4>>& cells(const Indexed_tetrahedra_3<Point>& complex)
+  static const std::vector<std::array<std::size_t, 4>>&
+  cells(const Indexed_tetrahedra_3<Point>& complex)
   {
     return complex.cells;
   }

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
 //
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
@@ -21,11 +22,13 @@ namespace Canonical_pose_3 {
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief moves a target rigidly onto the points it belongs to, if wished after a reflection, and returns it.
+\brief moves a target rigidly onto the points it belongs to, if wished after a reflection, and
+returns it.
 
-Translation and rotation minimise \f$ \sum_i m_i |R x_i + t - p_i|^2 \f$ \cgalCite{cgal:canonical-k-sbrrsv-76}. The target is never
-scaled: its scale comes from the geodesic distances, so that it does not depend on the pose. The signs of
-the axes of a multidimensional scaling are arbitrary; `target_handedness()` tells which reflection to take.
+Translation and rotation minimise \f$ \sum_i m_i |R x_i + t - p_i|^2 \f$
+\cgalCite{cgal:canonical-k-sbrrsv-76}. The target is never scaled: its scale comes from the geodesic
+distances, so that it does not depend on the pose. The signs of the axes of a multidimensional
+scaling are arbitrary; `target_handedness()` tells which reflection to take.
 
 \param target \f$ n \times 3 \f$, target \f$ x_i \f$ of each point.
 \param points \f$ n \times 3 \f$, points \f$ p_i \f$.
@@ -52,8 +55,9 @@ inline Point_matrix align_target(const Point_matrix& target, const Point_matrix&
   // Normalised, as the models compare determinants and entries with absolute bounds.
   const double size = covariance.cwiseAbs().maxCoeff();
   const Eigen::Matrix3d rotation
-    = size > 0 ? internal::closest_rotation<Deformation_Eigen_closest_rotation_traits_3>(covariance / size)
-               : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
+    = size > 0
+        ? internal::closest_rotation<Deformation_Eigen_closest_rotation_traits_3>(covariance / size)
+        : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
   moved = moved * rotation.transpose();
   moved.rowwise() += point_mean;
   return moved;

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
 //
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
@@ -21,14 +22,14 @@ namespace Canonical_pose_3 {
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief makes an elastic body of a tetrahedral complex: vertex \f$ i \f$ of the complex, in the order of the
-traits' range, is vertex \f$ i \f$ of the body, and all are in its embedding.
+\brief makes an elastic body of a tetrahedral complex: vertex \f$ i \f$ of the complex, in the order
+of the traits' range, is vertex \f$ i \f$ of the body, and all are in its embedding.
 
 \tparam Complex a type for which `Tetrahedral_complex_traits_3` is specialised
 \tparam Traits a model of `CanonicalPoseTraits_3`, by default the kernel of the points
 
-\throws std::invalid_argument see `Conforming_body_3::Conforming_body_3()`; also if a cell names a vertex
-that is not in the complex.
+\throws std::invalid_argument see `Conforming_body_3::Conforming_body_3()`; also if a cell names a
+       vertex that is not in the complex.
 
 <em>Complexity:</em> linear.
 

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
 //
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
@@ -38,7 +39,8 @@ class Soup_diagnosis
 {
 public:
   Soup_diagnosis(const Point_matrix& points, const std::vector<Index_triangle>& triangles)
-    : m_points(points), m_triangles(triangles) {}
+    : m_points(points), m_triangles(triangles)
+  {}
 
   Diagnosis_3 run()
   {
@@ -71,14 +73,16 @@ private:
     for(std::size_t f = 0; f < m_triangles.size(); ++f)
       for(const std::size_t v : m_triangles[f])
         if(v >= m_result.vertices)
-          throw std::invalid_argument("face " + std::to_string(f) + " names vertex " + std::to_string(v)
-                                      + ", but there are " + std::to_string(m_result.vertices));
+          throw std::invalid_argument("face " + std::to_string(f) + " names vertex "
+                                      + std::to_string(v) + ", but there are "
+                                      + std::to_string(m_result.vertices));
   }
 
   void find_degenerate_faces()
   {
     typedef Indexed_mesh_kernel::Point_3 Point;
-    const auto point = [&](const std::size_t v) { return Point(m_points(v, 0), m_points(v, 1), m_points(v, 2)); };
+    const auto point
+      = [&](const std::size_t v) { return Point(m_points(v, 0), m_points(v, 1), m_points(v, 2)); };
     for(std::size_t f = 0; f < m_triangles.size(); ++f)
     {
       const Index_triangle& t = m_triangles[f];
@@ -107,11 +111,12 @@ private:
       while(j < sides.size() && std::get<0>(sides[j]) == std::get<0>(sides[i])
             && std::get<1>(sides[j]) == std::get<1>(sides[i]))
         ++j;
-      const std::string name
-        = std::to_string(std::get<0>(sides[i])) + " to vertex " + std::to_string(std::get<1>(sides[i]));
+      const std::string name = std::to_string(std::get<0>(sides[i])) + " to vertex "
+                               + std::to_string(std::get<1>(sides[i]));
       if(j - i == 1 && m_result.boundary_edges++ == 0)
         m_first_boundary_edge = name;
-      if((j - i > 2 || (j - i == 2 && sides[i] == sides[i + 1])) && m_result.non_manifold_edges++ == 0)
+      if((j - i > 2 || (j - i == 2 && sides[i] == sides[i + 1]))
+         && m_result.non_manifold_edges++ == 0)
         add_defect("the edge from vertex " + name
                    + (j - i > 2 ? " belongs to " + std::to_string(j - i) + " faces"
                                 : std::string(" separates two faces of opposite orientation")));
@@ -131,7 +136,8 @@ private:
     std::sort(spokes.begin(), spokes.end());
     Disjoint_sets corners(3 * m_triangles.size());
     for(std::size_t i = 1; i < spokes.size(); ++i)
-      if(std::get<0>(spokes[i]) == std::get<0>(spokes[i - 1]) && std::get<1>(spokes[i]) == std::get<1>(spokes[i - 1]))
+      if(std::get<0>(spokes[i]) == std::get<0>(spokes[i - 1])
+         && std::get<1>(spokes[i]) == std::get<1>(spokes[i - 1]))
         corners.unite(std::get<2>(spokes[i]), std::get<2>(spokes[i - 1]));
     std::vector<std::pair<std::size_t, std::size_t>> fans;
     for(std::size_t c = 0; c < 3 * m_triangles.size(); ++c)
@@ -144,8 +150,8 @@ private:
       while(j < fans.size() && fans[j].first == fans[i].first)
         ++j;
       if(j - i > 1 && m_result.non_manifold_vertices++ == 0)
-        add_defect("vertex " + std::to_string(fans[i].first) + " is not manifold: "
-                   + std::to_string(j - i) + " fans of faces meet there");
+        add_defect("vertex " + std::to_string(fans[i].first)
+                   + " is not manifold: " + std::to_string(j - i) + " fans of faces meet there");
       i = j;
     }
   }
@@ -170,15 +176,16 @@ private:
       else if(sets.is_representative(v))
         ++m_result.components;
     if(m_result.components > 1)
-      add_defect("the surface has " + std::to_string(m_result.components) + " connected components");
+      add_defect("the surface has " + std::to_string(m_result.components)
+                 + " connected components");
     if(m_result.isolated_vertices > 0)
       add_defect("vertex " + std::to_string(first_isolated) + " belongs to no face");
   }
 
   void find_self_intersections()
   {
-    if(m_result.degenerate_faces > 0 || m_result.non_manifold_edges > 0 || m_result.non_manifold_vertices > 0
-       || m_triangles.empty())
+    if(m_result.degenerate_faces > 0 || m_result.non_manifold_edges > 0
+       || m_result.non_manifold_vertices > 0 || m_triangles.empty())
       return;
     const Indexed_mesh mesh = indexed_mesh(m_points, m_triangles);
     std::vector<std::pair<Indexed_mesh::Face_index, Indexed_mesh::Face_index>> pairs;
@@ -190,13 +197,15 @@ private:
       if(pair.second < pair.first)
         std::swap(pair.first, pair.second);
     const auto first = *std::min_element(pairs.begin(), pairs.end());
-    add_defect("the surface intersects itself: " + std::to_string(pairs.size()) + " pairs of faces, among them "
-               + std::to_string(std::size_t(first.first)) + " and " + std::to_string(std::size_t(first.second)));
+    add_defect("the surface intersects itself: " + std::to_string(pairs.size())
+               + " pairs of faces, among them " + std::to_string(std::size_t(first.first)) + " and "
+               + std::to_string(std::size_t(first.second)));
   }
 
   struct Disjoint_sets
   {
-    explicit Disjoint_sets(const std::size_t n) : rank(n, 0), parent(n), sets(rank.data(), parent.data())
+    explicit Disjoint_sets(const std::size_t n)
+      : rank(n, 0), parent(n), sets(rank.data(), parent.data())
     {
       std::iota(parent.begin(), parent.end(), std::size_t(0));
     }
@@ -223,11 +232,13 @@ private:
 \param points \f$ n \times 3 \f$, positions.
 \param triangles triples of rows of `points`.
 
-\throws std::invalid_argument if a coordinate is not finite or a triangle names a row that does not exist.
+\throws std::invalid_argument if a coordinate is not finite or a triangle names a row that does not
+       exist.
 
 <em>Complexity:</em> \f$ O(n \log n) \f$, plus the search for intersections.
 */
-inline Diagnosis_3 diagnose(const Point_matrix& points, const std::vector<std::array<std::size_t, 3>>& triangles)
+inline Diagnosis_3 diagnose(const Point_matrix& points,
+                            const std::vector<std::array<std::size_t, 3>>& triangles)
 {
   return internal::Soup_diagnosis(points, triangles).run();
 }
@@ -238,9 +249,11 @@ inline Diagnosis_3 diagnose(const Point_matrix& points, const std::vector<std::a
 \brief examines a triangle mesh.
 
 \tparam TriangleMesh a model of `FaceListGraph`
-\tparam VertexPointMap a model of `ReadablePropertyMap` with vertex descriptors as keys and points of a kernel as values
+\tparam VertexPointMap a model of `ReadablePropertyMap` with vertex descriptors as keys and points
+       of a kernel as values
 
-\throws std::invalid_argument if a face is not a triangle or a coordinate is not finite; the message names the element.
+\throws std::invalid_argument if a face is not a triangle or a coordinate is not finite; the message
+       names the element.
 */
 template <typename TriangleMesh, typename VertexPointMap>
 Diagnosis_3 diagnose(const TriangleMesh& tmesh, VertexPointMap vertex_point_map)

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
 //
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
@@ -25,17 +26,17 @@ namespace Canonical_pose_3 {
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief extracts the boundary of a tetrahedral complex as a surface, and tells which vertex of the complex
-each of its vertices is.
+\brief extracts the boundary of a tetrahedral complex as a surface, and tells which vertex of the
+complex each of its vertices is.
 
-The boundary consists of the faces of exactly one cell, oriented outwards. Where it is not a 2-manifold (cells that
-meet in a vertex or in an edge only), vertices are duplicated, hence several vertices of the surface may be
-the same vertex of the complex.
+The boundary consists of the faces of exactly one cell, oriented outwards. Where it is not a
+2-manifold (cells that meet in a vertex or in an edge only), vertices are duplicated, hence several
+vertices of the surface may be the same vertex of the complex.
 
 \tparam Complex a type for which `Tetrahedral_complex_traits_3` is specialised
 \tparam TriangleMesh a model of `MutableFaceGraph` whose points are of the kernel of the complex
-\tparam OriginMap a model of `WritablePropertyMap` with the vertex descriptor of `TriangleMesh` as key type and
-        that of the complex as value type
+\tparam OriginMap a model of `WritablePropertyMap` with the vertex descriptor of `TriangleMesh` as
+       key type and that of the complex as value type
 
 \param complex the complex.
 \param tmesh receives the boundary.
@@ -43,8 +44,8 @@ the same vertex of the complex.
 
 \pre `tmesh` is empty.
 
-\throws std::invalid_argument if a face belongs to more than two cells, or a cell names a vertex that is
-not in the complex; the message names the cell.
+\throws std::invalid_argument if a face belongs to more than two cells, or a cell names a vertex
+       that is not in the complex; the message names the cell.
 
 <em>Complexity:</em> \f$ O(m \log m) \f$ for \f$ m \f$ cells.
 */
@@ -56,7 +57,8 @@ void extract_boundary(const Complex& complex, TriangleMesh& tmesh, OriginMap ori
 
   CGAL_precondition(is_empty(tmesh));
   const auto indexed = internal::indexed_complex(complex, Kernel());
-  std::vector<internal::Index_triangle> triangles = internal::boundary_triangles(indexed.points, indexed.cells);
+  std::vector<internal::Index_triangle> triangles
+    = internal::boundary_triangles(indexed.points, indexed.cells);
   std::vector<std::size_t> origins;
   internal::make_boundary_manifold(triangles, origins);
 
@@ -65,12 +67,14 @@ void extract_boundary(const Complex& complex, TriangleMesh& tmesh, OriginMap ori
   for(const std::size_t origin : origins)
   {
     const vertex_descriptor v = add_vertex(tmesh);
-    put(point_map, v, Tetrahedral_complex_traits_3<Complex>::point(complex, indexed.vertices[origin]));
+    put(point_map, v,
+        Tetrahedral_complex_traits_3<Complex>::point(complex, indexed.vertices[origin]));
     put(origin_map, v, indexed.vertices[origin]);
     vertex_of_row.push_back(v);
   }
   for(const internal::Index_triangle& t : triangles)
-    Euler::add_face(std::array<vertex_descriptor, 3>{vertex_of_row[t[0]], vertex_of_row[t[1]], vertex_of_row[t[2]]},
+    Euler::add_face(std::array<vertex_descriptor, 3>{vertex_of_row[t[0]], vertex_of_row[t[1]],
+                                                     vertex_of_row[t[2]]},
                     tmesh);
 }
 

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
 //
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
@@ -28,8 +29,8 @@ namespace Canonical_pose_3 {
 
 \brief returns the point that lies farthest from the centroid of area of a triangle soup.
 
-The choice follows a rigid motion and a scaling of the points and, but for ties, does not depend on their order;
-it is the default first landmark. Among points at equal distance the first is taken.
+The choice follows a rigid motion and a scaling of the points and, but for ties, does not depend on
+their order; it is the default first landmark. Among points at equal distance the first is taken.
 
 \param points \f$ n \times 3 \f$, positions.
 \param triangles triples of rows of `points`.
@@ -54,7 +55,8 @@ inline std::size_t extremal_point(const Point_matrix& points,
     weighted += a / 3 * (points.row(t[0]) + points.row(t[1]) + points.row(t[2]));
     area += a;
   }
-  const Eigen::RowVector3d centroid = area > 0 ? (weighted / area).eval() : points.colwise().mean().eval();
+  const Eigen::RowVector3d centroid
+    = area > 0 ? (weighted / area).eval() : points.colwise().mean().eval();
   Eigen::Index farthest;
   (points.rowwise() - centroid).rowwise().squaredNorm().maxCoeff(&farthest);
   return static_cast<std::size_t>(farthest);
@@ -63,14 +65,14 @@ inline std::size_t extremal_point(const Point_matrix& points,
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief selects landmarks by farthest point sampling \cgalCite{cgal:canonical-elpz-fpsi-97} and returns them with
-their distance fields.
+\brief selects landmarks by farthest point sampling \cgalCite{cgal:canonical-elpz-fpsi-97} and
+returns them with their distance fields.
 
-Starting from `first`, the vertex farthest from all landmarks so far is added until there are `l`. The result is
-deterministic; among vertices at equal distance the first in the order of `vertices(tmesh)` is taken. Vertices that
-no landmark reaches are at infinite distance, hence every connected component receives a landmark as long as `l`
-permits. There are fewer than `l` landmarks if the mesh has fewer vertices, or if all of its vertices
-are at distance 0 of those chosen.
+Starting from `first`, the vertex farthest from all landmarks so far is added until there are `l`.
+The result is deterministic; among vertices at equal distance the first in the order of
+`vertices(tmesh)` is taken. Vertices that no landmark reaches are at infinite distance, hence every
+connected component receives a landmark as long as `l` permits. There are fewer than `l` landmarks
+if the mesh has fewer vertices, or if all of its vertices are at distance 0 of those chosen.
 
 \tparam GeodesicDistances a model of `GeodesicDistances_3`
 \tparam VertexOutputIterator a model of `OutputIterator` that takes vertex descriptors
@@ -87,10 +89,10 @@ are at distance 0 of those chosen.
 \sa `Landmark_mds_target_builder_3`
 */
 template <typename GeodesicDistances, typename VertexOutputIterator = Emptyset_iterator>
-Landmark_fields_3 farthest_point_landmarks(const GeodesicDistances& geodesics,
-                                           const std::size_t l,
-                                           const typename GeodesicDistances::vertex_descriptor first,
-                                           VertexOutputIterator out = VertexOutputIterator())
+Landmark_fields_3
+farthest_point_landmarks(const GeodesicDistances& geodesics, const std::size_t l,
+                         const typename GeodesicDistances::vertex_descriptor first,
+                         VertexOutputIterator out = VertexOutputIterator())
 {
   CGAL_precondition(l >= 1);
   const auto vertex_of_row = internal::vertex_descriptors(geodesics.triangle_mesh());

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
 //
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
@@ -31,8 +32,8 @@ namespace Canonical_pose_3 {
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief Points as numbers: row `i` holds the three Cartesian coordinates of point `i`, in the unit of the
-input. For a mesh, row `i` is the `i`-th vertex of the range `vertices(tmesh)`; removed vertices
+\brief Points as numbers: row `i` holds the three Cartesian coordinates of point `i`, in the unit of
+the input. For a mesh, row `i` is the `i`-th vertex of the range `vertices(tmesh)`; removed vertices
 have no row.
 */
 using Point_matrix = Eigen::Matrix<double, Eigen::Dynamic, 3>;
@@ -117,8 +118,7 @@ inline int normalize(Point_matrix& points)
 \returns a matrix with one row per vertex
 \throws std::invalid_argument naming the first vertex with a coordinate that is not finite
 
-\par Complexity
-Linear in the number of vertices.
+\par Complexity Linear in the number of vertices.
 */
 template <class TriangleMesh, class VertexPointMap, class Traits>
 Point_matrix point_matrix(const TriangleMesh& tmesh, VertexPointMap vertex_point_map,
@@ -177,8 +177,7 @@ Point_matrix point_matrix(const TriangleMesh& tmesh)
 
 \pre `points` has as many rows as `tmesh` has vertices (removed ones not counted).
 
-\par Complexity
-Linear in the number of vertices.
+\par Complexity Linear in the number of vertices.
 */
 template <class TriangleMesh, class VertexPointMap, class Traits>
 void put_points(const Point_matrix& points, const TriangleMesh& tmesh,

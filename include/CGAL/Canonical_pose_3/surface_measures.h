@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
 //
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
@@ -27,7 +28,8 @@ namespace Canonical_pose_3 {
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief returns the share of each vertex in the area of a surface: a third of that of its triangles. The sum is 1.
+\brief returns the share of each vertex in the area of a surface: a third of that of its triangles.
+The sum is 1.
 
 \param points \f$ n \times 3 \f$, positions.
 \param triangles triples of rows of `points`.
@@ -59,19 +61,21 @@ inline Eigen::VectorXd vertex_area_shares(const Point_matrix& points,
 \brief returns the share of each vertex in the area of a triangle mesh.
 
 \tparam TriangleMesh a model of `FaceListGraph`
-\tparam VertexPointMap a model of `ReadablePropertyMap` with vertex descriptors as keys and points of a kernel as values
+\tparam VertexPointMap a model of `ReadablePropertyMap` with vertex descriptors as keys and points
+       of a kernel as values
 */
 template <typename TriangleMesh, typename VertexPointMap>
 Eigen::VectorXd vertex_area_shares(const TriangleMesh& tmesh, VertexPointMap vertex_point_map)
 {
-  return vertex_area_shares(point_matrix(tmesh, vertex_point_map), internal::index_triangles(tmesh));
+  return vertex_area_shares(point_matrix(tmesh, vertex_point_map),
+                            internal::index_triangles(tmesh));
 }
 
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief returns the median over the edges of \f$ |\log(l'/l)| \f$, \f$ l \f$ and \f$ l' \f$ being the lengths of an
-edge at rest and in the pose. Edges of length 0 at rest are left out.
+\brief returns the median over the edges of \f$ |\log(l'/l)| \f$, \f$ l \f$ and \f$ l' \f$ being the
+lengths of an edge at rest and in the pose. Edges of length 0 at rest are left out.
 
 \param rest \f$ n \times 3 \f$, positions at rest.
 \param pose \f$ n \times 3 \f$, positions in the pose.

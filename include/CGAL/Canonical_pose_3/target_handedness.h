@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
 //
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
@@ -26,7 +27,8 @@ namespace Canonical_pose_3 {
 namespace internal {
 
 // Six times the volume inside the triangles, in units of the cube of the extent.
-inline double signed_volume(const Point_matrix& points, const std::vector<std::array<std::size_t, 3>>& triangles)
+inline double signed_volume(const Point_matrix& points,
+                            const std::vector<std::array<std::size_t, 3>>& triangles)
 {
   const Eigen::RowVector3d center = points.colwise().mean();
   const double extent = (points.rowwise() - center).cwiseAbs().maxCoeff();
@@ -41,8 +43,9 @@ inline double signed_volume(const Point_matrix& points, const std::vector<std::a
   return sum * extent * extent * extent;
 }
 
-// sum m x y z along the principal axes, the longest first, taken as a right-handed frame, by the product of the standard
-// deviations; 0 for flat points. Reversing two axes does not change it, reversing one or three changes the sign.
+// sum m x y z along the principal axes, the longest first, taken as a right-handed frame, by the
+// product of the standard deviations; 0 for flat points. Reversing two axes does not change it,
+// reversing one or three changes the sign.
 inline double chirality(const Point_matrix& points, const Eigen::VectorXd& weights)
 {
   const Eigen::VectorXd share = weights / weights.sum();
@@ -63,19 +66,22 @@ inline double chirality(const Point_matrix& points, const Eigen::VectorXd& weigh
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief tells whether a target has the handedness in which the canonical pose is taken (positive), or its mirror
-image has (negative).
+\brief tells whether a target has the handedness in which the canonical pose is taken (positive), or
+its mirror image has (negative).
 
-The distances do not tell a target from its mirror image. The choice has to be the same for all poses of a shape, so it
-must not depend on the pose; the energy of the registration does, and differs by little. This is the sum of two numbers
-without unit that only depend on the target, both of which change their sign by reflection:
-- the volume enclosed by the surface in the target by that in the input. It decides for shapes such as quadrupeds (magnitude 1.2 to
-  2 over their poses), whose target is inside out if it is mirrored;
-- the third moment \f$ \sum m_i x_i y_i z_i \f$ along the principal axes of the target, the longest first, by the product of the standard deviations. It
-  decides for shapes such as humans (magnitude 0.9 to 1.4 over their poses), whose target is twisted: of a twist and its mirror image
-  neither is inside out.
+The distances do not tell a target from its mirror image. The choice has to be the same for all
+poses of a shape, so it must not depend on the pose; the energy of the registration does, and
+differs by little. This is the sum of two numbers without unit that only depend on the target, both
+of which change their sign by reflection:
+- the volume enclosed by the surface in the target by that in the input. It decides for shapes such
+  as quadrupeds (magnitude 1.2 to 2 over their poses), whose target is inside out if it is mirrored;
+- the third moment \f$ \sum m_i x_i y_i z_i \f$ along the principal axes of the target, the longest
+  first, by the product of the standard deviations. It decides for shapes such as humans (magnitude
+  0.9 to 1.4 over their poses), whose target is twisted: of a twist and its mirror image neither is
+  inside out.
 
-Near 0 (shapes whose target is its own mirror image, as that of a bar) either choice gives about the same pose.
+Near 0 (shapes whose target is its own mirror image, as that of a bar) either choice gives about the
+same pose.
 
 \param target \f$ n \times 3 \f$, target of each vertex.
 \param points \f$ n \times 3 \f$, points of the input.

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
 //
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
@@ -10,14 +11,14 @@
 #define CGAL_CANONICAL_POSE_3_TETGEN_BODY_H
 
 #ifndef CGAL_CANONICAL_POSE_3_USE_TETGEN
-#  error "tetgen_body.h needs TetGen: link the CMake target Canonical_pose_3::tetgen"
+#error "tetgen_body.h needs TetGen: link the CMake target Canonical_pose_3::tetgen"
 #endif
 
 #include <CGAL/Canonical_pose_3/Conforming_body_3.h>
 #include <CGAL/Canonical_pose_3/diagnose.h>
 
 #ifndef TETLIBRARY
-#  define TETLIBRARY
+#define TETLIBRARY
 #endif
 #include <tetgen.h>
 
@@ -34,8 +35,9 @@ namespace Canonical_pose_3 {
 namespace internal {
 
 // `points` are scaled by a power of two to about unit size, as TetGen has absolute tolerances.
-inline void fill_tetgen_input(const Point_matrix& points, const std::vector<Index_triangle>& triangles,
-                              const double unit, tetgenio& in)
+inline void fill_tetgen_input(const Point_matrix& points,
+                              const std::vector<Index_triangle>& triangles, const double unit,
+                              tetgenio& in)
 {
   in.firstnumber = 0;
   in.numberofpoints = static_cast<int>(points.rows());
@@ -73,7 +75,9 @@ inline Conforming_body_3 tetgen_body_of_clean_surface(const Point_matrix& points
   }
   catch(const int code)
   {
-    throw std::runtime_error("TetGen could not fill the surface (its code: " + std::to_string(code) + ")");
+    throw std::runtime_error(
+      code == 1 ? std::string("TetGen ran out of memory")
+                : "TetGen could not fill the surface (its code: " + std::to_string(code) + ")");
   }
   if(out.numberofpoints < points.rows() || out.numberoftetrahedra == 0)
     throw std::runtime_error("TetGen returned no tetrahedra for the surface");
@@ -87,7 +91,8 @@ inline Conforming_body_3 tetgen_body_of_clean_surface(const Point_matrix& points
   for(std::size_t t = 0; t < cells.size(); ++t)
     for(std::size_t k = 0; k < 4; ++k)
       cells[t][k] = out.tetrahedronlist[4 * t + k];
-  return Conforming_body_3(std::move(body_points), std::move(cells), static_cast<std::size_t>(points.rows()));
+  return Conforming_body_3(std::move(body_points), std::move(cells),
+                           static_cast<std::size_t>(points.rows()));
 }
 
 } // namespace internal
@@ -95,19 +100,21 @@ inline Conforming_body_3 tetgen_body_of_clean_surface(const Point_matrix& points
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief fills a clean closed surface with tetrahedra by TetGen \cgalCite{cgal:canonical-s-tdbqtmg-15}, without
-new vertices on the surface.
+\brief fills a clean closed surface with tetrahedra by TetGen
+\cgalCite{cgal:canonical-s-tdbqtmg-15}, without new vertices on the surface.
 
-The surface is examined first, since TetGen ends the process on many a defect. TetGen is under the AGPL; programs that include
-this header (target `Canonical_pose_3::tetgen`) are bound by it.
+The surface is examined first, since TetGen ends the process on many a defect. TetGen is under the
+AGPL; programs that include this header (target `Canonical_pose_3::tetgen`) are bound by it.
 
 \tparam TriangleMesh a model of `FaceListGraph`
-\tparam VertexPointMap a model of `ReadablePropertyMap` with vertex descriptors as keys and points of a kernel as values
+\tparam VertexPointMap a model of `ReadablePropertyMap` with vertex descriptors as keys and points
+       of a kernel as values
 
 \throws std::invalid_argument if `diagnose()` finds a defect; the message names it and an element.
 \throws std::runtime_error if TetGen gives up.
 
-<em>Complexity:</em> that of `diagnose()` and of TetGen, close to linear in practice (0.3 s for 26 000 vertices).
+<em>Complexity:</em> that of `diagnose()` and of TetGen, close to linear in practice (0.3 s for 26
+000 vertices).
 
 \sa `Conforming_body_3`
 */

@@ -25,8 +25,8 @@ bool solves()
   Eigen::MatrixXd solution;
   std::cout << "solver: " << Solver::name() << '\n';
   return solver.factor(matrix, denominator)
-      && solver.linear_solver(Eigen::MatrixXd::Ones(2, 1), solution)
-      && std::abs(solution(0, 0) - 0.5) < 1e-15 && std::abs(solution(1, 0) - 0.25) < 1e-15;
+         && solver.linear_solver(Eigen::MatrixXd::Ones(2, 1), solution)
+         && std::abs(solution(0, 0) - 0.5) < 1e-15 && std::abs(solution(1, 0) - 0.25) < 1e-15;
 }
 
 bool fills()
@@ -43,7 +43,4 @@ bool fills()
 #endif
 }
 
-int main()
-{
-  return solves() && fills() ? EXIT_SUCCESS : EXIT_FAILURE;
-}
+int main() { return solves() && fills() ? EXIT_SUCCESS : EXIT_FAILURE; }

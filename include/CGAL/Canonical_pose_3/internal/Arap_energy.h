@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
 //
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
@@ -26,7 +27,8 @@ namespace CGAL {
 namespace Canonical_pose_3 {
 namespace internal {
 
-// The as-rigid-as-possible energy of the cells, sum_t w_t |F_t - R_t|^2, and what its local and global steps need.
+// The as-rigid-as-possible energy of the cells, sum_t w_t |F_t - R_t|^2, and what its local and
+// global steps need.
 template <typename ClosestRotationTraits>
 class Arap_energy
 {
@@ -39,7 +41,8 @@ public:
     std::size_t inverted = 0;
   };
 
-  Arap_energy(const Point_matrix& rest, const std::vector<std::array<int, 4>>& cells, const Eigen::VectorXd& weights)
+  Arap_energy(const Point_matrix& rest, const std::vector<std::array<int, 4>>& cells,
+              const Eigen::VectorXd& weights)
     : m_cells(cells), m_weights(weights), m_gradients(cells.size()),
       m_rotations(cells.size(), Eigen::Matrix3d::Identity())
   {
@@ -60,7 +63,8 @@ public:
   {
     for(std::size_t t = 0; t < m_cells.size(); ++t)
     {
-      const Eigen::Matrix4d block = factor * m_weights[t] * m_gradients[t] * m_gradients[t].transpose();
+      const Eigen::Matrix4d block
+        = factor * m_weights[t] * m_gradients[t] * m_gradients[t].transpose();
       for(int i = 0; i < 4; ++i)
         for(int j = 0; j < 4; ++j)
           matrix.emplace_back(m_cells[t][i], m_cells[t][j], block(i, j));
@@ -78,21 +82,23 @@ public:
     }
   }
 
-  // The local step: stores the rotation closest to each gradient, and evaluates the energy with them.
+  // The local step: stores the rotation closest to each gradient, and evaluates the energy with
+  // them.
   Evaluation fit_rotations(const Point_matrix& points)
   {
     std::vector<Evaluation> blocks(number_of_blocks(m_cells.size()));
-    for_each_block(m_cells.size(), [&](const std::size_t block, const std::size_t begin, const std::size_t end) {
-      for(std::size_t t = begin; t < end; ++t)
-      {
-        const Eigen::Matrix3d f = deformation_gradient(points, t);
-        m_rotations[t] = closest_rotation<ClosestRotationTraits>(f);
-        const double determinant = f.determinant();
-        blocks[block].energy += m_weights[t] * (f - m_rotations[t]).squaredNorm();
-        blocks[block].volume_ratio += m_weights[t] * determinant;
-        blocks[block].inverted += determinant > 0 ? 0 : 1;
-      }
-    });
+    for_each_block(m_cells.size(),
+                   [&](const std::size_t block, const std::size_t begin, const std::size_t end) {
+                     for(std::size_t t = begin; t < end; ++t)
+                     {
+                       const Eigen::Matrix3d f = deformation_gradient(points, t);
+                       m_rotations[t] = closest_rotation<ClosestRotationTraits>(f);
+                       const double determinant = f.determinant();
+                       blocks[block].energy += m_weights[t] * (f - m_rotations[t]).squaredNorm();
+                       blocks[block].volume_ratio += m_weights[t] * determinant;
+                       blocks[block].inverted += determinant > 0 ? 0 : 1;
+                     }
+                   });
     Evaluation sum;
     for(const Evaluation& e : blocks)
     {
@@ -104,7 +110,8 @@ public:
   }
 
 private:
-  typedef Eigen::Matrix<double, 4, 3> Gradient; // row k: gradient of the barycentric coordinate of vertex k
+  typedef Eigen::Matrix<double, 4, 3>
+    Gradient; // row k: gradient of the barycentric coordinate of vertex k
 
   Eigen::Matrix3d deformation_gradient(const Point_matrix& points, const std::size_t t) const
   {

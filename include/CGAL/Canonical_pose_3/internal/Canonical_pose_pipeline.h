@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
 //
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
@@ -26,7 +27,7 @@
 #include <CGAL/Canonical_pose_3/surface_measures.h>
 #include <CGAL/Canonical_pose_3/target_handedness.h>
 #ifdef CGAL_CANONICAL_POSE_3_USE_TETGEN
-#  include <CGAL/Canonical_pose_3/tetgen_body.h>
+#include <CGAL/Canonical_pose_3/tetgen_body.h>
 #endif
 
 #include <CGAL/Default.h>
@@ -46,8 +47,8 @@ namespace CGAL {
 namespace Canonical_pose_3 {
 namespace internal {
 
-// The steps of canonical_pose_3() on arrays. `origins` tells the surface vertex of the body (the row of its
-// embedding) that each vertex of the surface mesh is.
+// The steps of canonical_pose_3() on arrays. `origins` tells the surface vertex of the body (the
+// row of its embedding) that each vertex of the surface mesh is.
 template <typename FactorTraits>
 class Canonical_pose_pipeline
 {
@@ -55,10 +56,11 @@ public:
   Canonical_pose_pipeline(const Point_matrix& points, const std::vector<Index_triangle>& triangles,
                           const Options& options)
     : m_points(points), m_triangles(triangles), m_options(options),
-      m_results(options.intermediate_results != nullptr ? *options.intermediate_results : m_own_results)
+      m_results(options.intermediate_results != nullptr ? *options.intermediate_results
+                                                        : m_own_results)
   {
-    for(const char* stage :
-        {"diagnosis", "geodesics", "target", "body", "factorization", "local_steps", "global_steps"})
+    for(const char* stage : {"diagnosis", "geodesics", "target", "body", "factorization",
+                             "local_steps", "global_steps"})
       m_summary.add_seconds(stage, 0);
   }
 
@@ -66,7 +68,7 @@ public:
   Registration_summary run(Point_matrix& pose)
   {
 #ifdef CGAL_CANONICAL_POSE_3_USE_TETGEN
-    prepare();
+    prepare(m_points.rows());
     std::vector<std::size_t> origins(static_cast<std::size_t>(m_points.rows()));
     std::iota(origins.begin(), origins.end(), std::size_t(0));
     m_summary.body.kind = "tetgen";
@@ -82,9 +84,10 @@ public:
   }
 
   // The boundary of a body that is there.
-  Registration_summary run(const Conforming_body_3& body, const std::vector<std::size_t>& origins, Point_matrix& pose)
+  Registration_summary run(const Conforming_body_3& body, const std::vector<std::size_t>& origins,
+                           Point_matrix& pose)
   {
-    prepare();
+    prepare(body.embedding().rows());
     m_summary.body.kind = "complex";
     return deform(body, origins, pose);
   }
@@ -99,9 +102,14 @@ private:
     m_summary.add_seconds(stage, timer.time());
   }
 
-  void prepare()
+  // Options are checked before anything that takes time. `n`: number of vertices that a spring may
+  // name
+  void prepare(const Eigen::Index n)
   {
     m_options.registration.check();
+    m_springs = Spring_constraint_adaptor_3(static_cast<std::size_t>(n));
+    for(const Spring_3& spring : m_options.springs)
+      m_springs.insert(spring);
     if(m_options.number_of_landmarks == 0)
       throw std::invalid_argument("option number_of_landmarks is 0, but must be >= 1");
     timed("diagnosis", [&] { m_summary.input = diagnose(m_points, m_triangles); });
@@ -117,14 +125,17 @@ private:
   void find_landmarks()
   {
     if(m_results.landmark_fields)
-      return check_rows(m_results.landmark_fields->distances.rows(), "the distances handed in have ");
+      return check_rows(m_results.landmark_fields->distances.rows(),
+                        "the distances handed in have ");
     const Indexed_mesh mesh = indexed_mesh(m_points, m_triangles);
     std::size_t first = extremal_point(m_points, m_triangles);
     if(m_options.random_seed != 0)
-      first = static_cast<std::size_t>(Random(m_options.random_seed).get_int(0, static_cast<int>(m_points.rows())));
+      first = static_cast<std::size_t>(
+        Random(m_options.random_seed).get_int(0, static_cast<int>(m_points.rows())));
     const Indexed_mesh::Vertex_index vertex(static_cast<Indexed_mesh::size_type>(first));
     const auto find = [&](const auto& geodesics) {
-      m_results.landmark_fields = farthest_point_landmarks(geodesics, m_options.number_of_landmarks, vertex);
+      m_results.landmark_fields
+        = farthest_point_landmarks(geodesics, m_options.number_of_landmarks, vertex);
     };
     if(m_options.geodesics == Options::Geodesics::EXACT)
       find(Exact_geodesics_3<Indexed_mesh>(mesh));
@@ -150,9 +161,15 @@ private:
     Point_matrix target;
     switch(m_options.kernel)
     {
-      case Options::Kernel::CLASSICAL: target = embed(Squared_distance_kernel()); break;
-      case Options::Kernel::GAUSSIAN: target = embed(Gaussian_kernel()); break;
-      case Options::Kernel::UNCENTERED_GAUSSIAN: target = embed(Gaussian_kernel(false)); break;
+    case Options::Kernel::CLASSICAL:
+      target = embed(Squared_distance_kernel());
+      break;
+    case Options::Kernel::GAUSSIAN:
+      target = embed(Gaussian_kernel());
+      break;
+    case Options::Kernel::UNCENTERED_GAUSSIAN:
+      target = embed(Gaussian_kernel(false));
+      break;
     }
     m_summary.target.reflected = target_handedness(target, m_points, m_triangles, shares) < 0;
     return align_target(target, m_points, shares, m_summary.target.reflected);
@@ -166,16 +183,18 @@ private:
     m_summary.target.kernel = kernel.name();
     m_summary.target.stress = builder.stress();
     const Eigen::VectorXd& values = builder.eigenvalues();
-    m_summary.target.eigenvalues.assign(values.data(), values.data() + (std::min)(Eigen::Index(6), values.size()));
+    m_summary.target.eigenvalues.assign(values.data(),
+                                        values.data() + (std::min)(Eigen::Index(6), values.size()));
     if(builder.number_of_positive_eigenvalues() < 3)
       m_summary.warnings.push_back("the target is flat: fewer than three eigenvalues are positive");
     if(!builder.is_determined())
-      m_summary.warnings.push_back("the pose is not determined: the fourth eigenvalue is nearly as large as the third");
+      m_summary.warnings.push_back(
+        "the pose is not determined: the fourth eigenvalue is nearly as large as the third");
     return builder.targets();
   }
 
-  Registration_summary deform(const Conforming_body_3& body, const std::vector<std::size_t>& origins,
-                              Point_matrix& pose)
+  Registration_summary deform(const Conforming_body_3& body,
+                              const std::vector<std::size_t>& origins, Point_matrix& pose)
   {
     const Eigen::VectorXd shares = vertex_area_shares(m_points, m_triangles);
     timed("target", [&] { m_results.target = find_target(shares); });
@@ -194,11 +213,8 @@ private:
 
     Tetrahedral_arap_registrar_3<Conforming_body_3, CGAL::Default, FactorTraits> registrar(
       body, weights, m_length_scale, registration_options(body));
-    Spring_constraint_adaptor_3 springs(static_cast<std::size_t>(n));
-    for(const Spring_3& spring : m_options.springs)
-      springs.insert(spring);
-    if(!springs.springs().empty())
-      registrar.add_constraint(springs);
+    if(!m_springs.springs().empty())
+      registrar.add_constraint(m_springs);
     registrar.set_target(target);
     Point_matrix body_pose;
     take(registrar.register_to_target(body_pose));
@@ -216,7 +232,8 @@ private:
     if(m_options.paper_weights)
     {
       result.set_paper_weights(m_options.paper_weights->alpha, m_options.paper_weights->beta,
-                               static_cast<std::size_t>(m_points.rows()), body.volume(), m_length_scale);
+                               static_cast<std::size_t>(m_points.rows()), body.volume(),
+                               m_length_scale);
       result.fairing_passes = (std::max)(result.fairing_passes, 1);
     }
     return result;
@@ -235,8 +252,8 @@ private:
     m_summary = std::move(registered);
   }
 
-  void measure(const Conforming_body_3& body, const std::vector<std::size_t>& origins, const Point_matrix& pose,
-               const Point_matrix& body_pose)
+  void measure(const Conforming_body_3& body, const std::vector<std::size_t>& origins,
+               const Point_matrix& pose, const Point_matrix& body_pose)
   {
     std::vector<Index_triangle> triangles = m_triangles;
     for(Index_triangle& t : triangles)
@@ -246,7 +263,8 @@ private:
     m_summary.median_edge_strain = median_edge_strain(rest, pose, triangles);
     m_summary.flipped_faces = flipped_faces(body, triangles, rest, pose, body_pose);
     if(m_summary.termination == Registration_summary::ITERATION_LIMIT)
-      m_summary.warnings.push_back("the registration did not converge within the iterations allowed");
+      m_summary.warnings.push_back(
+        "the registration did not converge within the iterations allowed");
   }
 
   const Point_matrix& m_points;
@@ -255,6 +273,7 @@ private:
   Intermediate_results m_own_results;
   Intermediate_results& m_results;
   Registration_summary m_summary;
+  Spring_constraint_adaptor_3 m_springs{0};
   double m_length_scale = 0;
 };
 

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
 //
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
@@ -36,11 +37,14 @@ struct Indexed_complex
 
 // Whether `Tetrahedral_complex_traits_3` is specialised for T.
 template <typename T, typename = void>
-struct Is_tetrahedral_complex : std::false_type {};
+struct Is_tetrahedral_complex : std::false_type
+{};
 
 template <typename T>
-struct Is_tetrahedral_complex<T, typename Make_void<typename Tetrahedral_complex_traits_3<T>::Vertex_descriptor>::type>
-  : std::true_type {};
+struct Is_tetrahedral_complex<
+  T, typename Make_void<typename Tetrahedral_complex_traits_3<T>::Vertex_descriptor>::type>
+  : std::true_type
+{};
 
 template <typename Complex>
 using Complex_point = typename Tetrahedral_complex_traits_3<Complex>::Point_3;

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
 //
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
@@ -48,7 +49,8 @@ std::vector<Index_triangle> index_triangles(const FaceGraph& tmesh)
     for(const auto h : halfedges_around_face(halfedge(f, tmesh), tmesh))
       corners.push_back(row[target(h, tmesh)]);
     if(corners.size() != 3)
-      throw std::invalid_argument("face " + std::to_string(triangles.size()) + " is not a triangle");
+      throw std::invalid_argument("face " + std::to_string(triangles.size())
+                                  + " is not a triangle");
     std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
     triangles.push_back({corners[0], corners[1], corners[2]});
   }
@@ -56,21 +58,26 @@ std::vector<Index_triangle> index_triangles(const FaceGraph& tmesh)
 }
 
 // Throws std::invalid_argument where the triangles are not an oriented 2-manifold.
-inline Indexed_mesh indexed_mesh(const Point_matrix& points, const std::vector<Index_triangle>& triangles)
+inline Indexed_mesh indexed_mesh(const Point_matrix& points,
+                                 const std::vector<Index_triangle>& triangles)
 {
   typedef Indexed_mesh::Vertex_index Vertex_index;
   Indexed_mesh mesh;
-  mesh.reserve(Indexed_mesh::size_type(points.rows()), Indexed_mesh::size_type(3 * triangles.size() / 2 + 1),
+  mesh.reserve(Indexed_mesh::size_type(points.rows()),
+               Indexed_mesh::size_type(3 * triangles.size() / 2 + 1),
                Indexed_mesh::size_type(triangles.size()));
   for(Eigen::Index i = 0; i < points.rows(); ++i)
     mesh.add_vertex(Indexed_mesh::Point(points(i, 0), points(i, 1), points(i, 2)));
   for(std::size_t f = 0; f < triangles.size(); ++f)
   {
     const Index_triangle& t = triangles[f];
-    if(mesh.add_face(Vertex_index(Indexed_mesh::size_type(t[0])), Vertex_index(Indexed_mesh::size_type(t[1])),
-                     Vertex_index(Indexed_mesh::size_type(t[2]))) == Indexed_mesh::null_face())
-      throw std::invalid_argument("face " + std::to_string(f)
-                                  + " does not fit the others: the surface is not an oriented 2-manifold there");
+    if(mesh.add_face(Vertex_index(Indexed_mesh::size_type(t[0])),
+                     Vertex_index(Indexed_mesh::size_type(t[1])),
+                     Vertex_index(Indexed_mesh::size_type(t[2])))
+       == Indexed_mesh::null_face())
+      throw std::invalid_argument(
+        "face " + std::to_string(f)
+        + " does not fit the others: the surface is not an oriented 2-manifold there");
   }
   return mesh;
 }

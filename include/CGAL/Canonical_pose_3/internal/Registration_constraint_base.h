@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
 //
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
@@ -27,7 +28,8 @@ public:
   virtual ~Registration_constraint_base() = default;
   virtual std::size_t matrix_revision() const = 0;
   virtual void add_to_matrix(std::vector<Eigen::Triplet<double>>& matrix) const = 0;
-  virtual void add_to_right_hand_side(const Point_matrix& points, Point_matrix& right_hand_side) = 0;
+  virtual void add_to_right_hand_side(const Point_matrix& points, Point_matrix& right_hand_side)
+    = 0;
   virtual double energy(const Point_matrix& points) const = 0;
 };
 

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
 //
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
@@ -21,8 +22,9 @@ namespace CGAL {
 namespace Canonical_pose_3 {
 namespace internal {
 
-// Fairing of the boundary of a body (Taubin 1995): v <- v + step * (mean of the neighbours - v), with the steps
-// lambda > 0 and mu < 0 in turn, so that the shape does not shrink. Vertices inside stay.
+// Fairing of the boundary of a body (Taubin 1995): v <- v + step * (mean of the neighbours - v),
+// with the steps lambda > 0 and mu < 0 in turn, so that the shape does not shrink. Vertices inside
+// stay.
 class Taubin_fairing
 {
 public:
@@ -44,7 +46,8 @@ public:
     }
   }
 
-  Point_matrix operator()(const Point_matrix& points, const int passes, const double lambda, const double mu) const
+  Point_matrix operator()(const Point_matrix& points, const int passes, const double lambda,
+                          const double mu) const
   {
     Point_matrix faired = points;
     for(int pass = 0; pass < passes; ++pass)

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
 //
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
@@ -38,7 +39,8 @@ inline std::vector<Index_triangle> boundary_triangles(const Point_matrix& points
   for(std::size_t t = 0; t < cells.size(); ++t)
     for(int k = 0; k < 4; ++k)
     {
-      std::array<int, 3> face = {cells[t][outward[k][0]], cells[t][outward[k][1]], cells[t][outward[k][2]]};
+      std::array<int, 3> face
+        = {cells[t][outward[k][0]], cells[t][outward[k][1]], cells[t][outward[k][2]]};
       std::sort(face.begin(), face.end());
       faces.emplace_back(face, 4 * t + k);
     }
@@ -75,9 +77,11 @@ inline std::vector<Index_triangle> boundary_triangles(const Point_matrix& points
   return triangles;
 }
 
-// Splits vertices and edges at which the triangles are not a surface. On return the triangles name rows of
-// `origins`, which tells the vertex of the body that each row is a copy of; only vertices of triangles have rows.
-inline void make_boundary_manifold(std::vector<Index_triangle>& triangles, std::vector<std::size_t>& origins)
+// Splits vertices and edges at which the triangles are not a surface. On return the triangles name
+// rows of `origins`, which tells the vertex of the body that each row is a copy of; only vertices
+// of triangles have rows.
+inline void make_boundary_manifold(std::vector<Index_triangle>& triangles,
+                                   std::vector<std::size_t>& origins)
 {
   origins.clear();
   for(const Index_triangle& t : triangles)
@@ -86,7 +90,8 @@ inline void make_boundary_manifold(std::vector<Index_triangle>& triangles, std::
   origins.erase(std::unique(origins.begin(), origins.end()), origins.end());
   for(Index_triangle& t : triangles)
     for(std::size_t& v : t)
-      v = static_cast<std::size_t>(std::lower_bound(origins.begin(), origins.end(), v) - origins.begin());
+      v = static_cast<std::size_t>(std::lower_bound(origins.begin(), origins.end(), v)
+                                   - origins.begin());
   std::vector<std::vector<std::size_t>> soup(triangles.size());
   for(std::size_t f = 0; f < triangles.size(); ++f)
     soup[f].assign(triangles[f].begin(), triangles[f].end());

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
 //
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
@@ -33,8 +34,8 @@ inline double checked_length_scale(const double length_scale)
   return length_scale;
 }
 
-// The matrix of the registration is positive definite if and only if each connected component of the body
-// carries a surface vertex of positive weight.
+// The matrix of the registration is positive definite if and only if each connected component of
+// the body carries a surface vertex of positive weight.
 template <typename ElasticBody>
 void check_that_components_are_held(const ElasticBody& body, const Eigen::VectorXd& weights)
 {
@@ -66,7 +67,8 @@ Eigen::VectorXd checked_matching_weights(const ElasticBody& body, const Eigen::V
   CGAL_precondition(body.embedding().cols() == body.points().rows());
   for(Eigen::Index i = 0; i < weights.size(); ++i)
     if(!(weights[i] >= 0) || !std::isfinite(weights[i]))
-      throw std::invalid_argument("the matching weight of vertex " + std::to_string(i) + " is negative or not finite");
+      throw std::invalid_argument("the matching weight of vertex " + std::to_string(i)
+                                  + " is negative or not finite");
   check_that_components_are_held(body, weights);
   return weights / weights.sum();
 }

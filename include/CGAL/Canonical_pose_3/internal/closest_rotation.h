@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
 //
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
@@ -18,9 +19,11 @@ namespace Canonical_pose_3 {
 namespace internal {
 
 // The rotation R (determinant +1) closest to m in the Frobenius norm, by a model of CGAL's
-// `DeformationClosestRotationTraits_3`. Those models return V U^t of their argument U S V^t, hence the transposition.
+// `DeformationClosestRotationTraits_3`. Those models return V U^t of their argument U S V^t, hence
+// the transposition.
 template <typename ClosestRotationTraits = Deformation_Eigen_polar_closest_rotation_traits_3>
-Eigen::Matrix3d closest_rotation(const Eigen::Matrix3d& m, ClosestRotationTraits traits = ClosestRotationTraits())
+Eigen::Matrix3d closest_rotation(const Eigen::Matrix3d& m,
+                                 ClosestRotationTraits traits = ClosestRotationTraits())
 {
   typename ClosestRotationTraits::Matrix argument = traits.zero_matrix();
   typename ClosestRotationTraits::Matrix rotation = traits.zero_matrix();

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
 //
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
@@ -27,9 +28,11 @@ namespace internal {
 
 // For each surface triangle the cell that has most of the body vertices on which its corners hang.
 template <typename ElasticBody>
-std::vector<std::size_t> cells_of_triangles(const ElasticBody& body, const std::vector<Index_triangle>& triangles)
+std::vector<std::size_t> cells_of_triangles(const ElasticBody& body,
+                                            const std::vector<Index_triangle>& triangles)
 {
-  std::vector<std::vector<std::size_t>> cells_of_vertex(static_cast<std::size_t>(body.points().rows()));
+  std::vector<std::vector<std::size_t>> cells_of_vertex(
+    static_cast<std::size_t>(body.points().rows()));
   for(std::size_t t = 0; t < body.cells().size(); ++t)
     for(const int v : body.cells()[t])
       cells_of_vertex[static_cast<std::size_t>(v)].push_back(t);
@@ -51,9 +54,10 @@ std::vector<std::size_t> cells_of_triangles(const ElasticBody& body, const std::
       for(const std::size_t t : cells_of_vertex[static_cast<std::size_t>(v)])
       {
         const auto& cell = body.cells()[t];
-        const std::ptrdiff_t count = std::count_if(support.begin(), support.end(), [&](const int s) {
-          return std::find(cell.begin(), cell.end(), s) != cell.end();
-        });
+        const std::ptrdiff_t count
+          = std::count_if(support.begin(), support.end(), [&](const int s) {
+              return std::find(cell.begin(), cell.end(), s) != cell.end();
+            });
         if(count > best_count || (count == best_count && t < best))
         {
           best = t;
@@ -65,10 +69,12 @@ std::vector<std::size_t> cells_of_triangles(const ElasticBody& body, const std::
   return result;
 }
 
-// Number of surface faces whose normal turned by more than 90 degrees against the rotation of their cell.
+// Number of surface faces whose normal turned by more than 90 degrees against the rotation of their
+// cell.
 template <typename ElasticBody>
 std::size_t flipped_faces(const ElasticBody& body, const std::vector<Index_triangle>& triangles,
-                          const Point_matrix& rest, const Point_matrix& pose, const Point_matrix& body_pose)
+                          const Point_matrix& rest, const Point_matrix& pose,
+                          const Point_matrix& body_pose)
 {
   const auto normal = [](const Point_matrix& points, const Index_triangle& t) {
     const Eigen::Vector3d e = points.row(t[1]) - points.row(t[0]);

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
 //
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL distribution.
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
@@ -10,8 +11,8 @@
 #define CGAL_CANONICAL_POSE_3_INTERNAL_FOR_EACH_BLOCK_H
 
 #ifdef CGAL_LINKED_WITH_TBB
-#  include <tbb/blocked_range.h>
-#  include <tbb/parallel_for.h>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
 #endif
 
 #include <algorithm>
@@ -21,8 +22,9 @@ namespace CGAL {
 namespace Canonical_pose_3 {
 namespace internal {
 
-// Calls f(block, begin, end) for the blocks of fixed size that [0, n) is cut into, in parallel if TBB is there. The
-// blocks do not depend on the number of threads, so that sums taken per block do not either.
+// Calls f(block, begin, end) for the blocks of fixed size that [0, n) is cut into, in parallel if
+// TBB is there. The blocks do not depend on the number of threads, so that sums taken per block do
+// not either.
 constexpr std::size_t block_size = 1024;
 
 inline std::size_t number_of_blocks(const std::size_t n)
