@@ -214,7 +214,7 @@ void take(const Raw_arguments& raw, Options& options)
     if(!(weights[0] > 0) || weights[1] < 0)
       throw CLI::ValidationError("--paper-weights",
                                  "ALPHA must be positive, and BETA not negative");
-    options.paper_weights = Options::Paper_weights{weights[0], weights[1]};
+    options.paper_weights = CGAL::Canonical_pose_3::Paper_weights{weights[0], weights[1]};
   }
   for(const std::string& text : raw.springs)
     options.springs.push_back(spring(text));

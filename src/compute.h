@@ -18,14 +18,10 @@
 #include <CGAL/Canonical_pose_3/Heat_geodesics_3.h>
 #include <CGAL/canonical_pose_3.h>
 
-#ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/global_control.h>
-#endif
-
 #include <cstddef>
-#include <optional>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 // The calls of the library.
@@ -77,15 +73,14 @@ inline Eigen::MatrixXd compute_distances(const Surface& surface,
                                   + std::to_string(surface.number_of_vertices()));
     sources.emplace_back(static_cast<Surface::size_type>(source));
   }
-#ifdef CGAL_LINKED_WITH_TBB
-  std::optional<tbb::global_control> limit;
-  if(options.number_of_threads > 0)
-    limit.emplace(tbb::global_control::max_allowed_parallelism,
-                  static_cast<std::size_t>(options.number_of_threads));
-#endif
-  if(options.geodesics == Options::Geodesics::EXACT)
-    return CGAL::Canonical_pose_3::Exact_geodesics_3<Surface>(surface).distances(sources);
-  return CGAL::Canonical_pose_3::Heat_geodesics_3<Surface>(surface).distances(sources);
+  return CGAL::Canonical_pose_3::internal::with_solver(options, [&](const auto factor_traits) {
+    typedef std::decay_t<decltype(factor_traits)> Factor_traits;
+    if(options.geodesics == Options::Geodesics::EXACT)
+      return CGAL::Canonical_pose_3::Exact_geodesics_3<Surface>(surface).distances(sources);
+    return CGAL::Canonical_pose_3::Heat_geodesics_3<Surface, CGAL::Default, CGAL::Default,
+                                                    Factor_traits>(surface)
+      .distances(sources);
+  });
 }
 
 } // namespace Canonical_pose_tool

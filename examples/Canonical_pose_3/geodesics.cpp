@@ -27,8 +27,10 @@ using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 
 int main(int argc, char* argv[])
 {
-  Mesh mesh = Canonical_pose_examples::Articulated_figure(2500).make_mesh<Mesh>();
-  if(argc > 1 && !CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(argv[1], mesh))
+  Mesh mesh;
+  if(argc == 1)
+    mesh = Canonical_pose_examples::Articulated_figure(2500).make_mesh<Mesh>();
+  else if(!CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(argv[1], mesh))
     return EXIT_FAILURE;
 
   const CP::Heat_geodesics_3<Mesh> geodesics(mesh); // factors both systems, once

@@ -15,6 +15,8 @@
 #include <CGAL/Canonical_pose_3/align_target.h>
 #include <CGAL/Canonical_pose_3/farthest_point_landmarks.h>
 #include <CGAL/Canonical_pose_3/surface_measures.h>
+#include <CGAL/Canonical_pose_3/surface_measures.h>
+#include <CGAL/Canonical_pose_3/target_handedness.h>
 #include <CGAL/Canonical_pose_3/tetgen_body.h>
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 #include <CGAL/Simple_cartesian.h>
@@ -22,43 +24,41 @@
 #include "Articulated_figure.h"
 #include <cstdlib>
 #include <iostream>
-#include <map>
 
 namespace CP = CGAL::Canonical_pose_3;
-using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
+using Kernel = CGAL::Simple_cartesian<double>;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
 int main(int argc, char* argv[])
 {
-  Mesh mesh = Canonical_pose_examples::Articulated_figure(2500).make_mesh<Mesh>();
-  if(argc > 1 && !CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(argv[1], mesh))
+  Mesh mesh;
+  if(argc == 1)
+    mesh = Canonical_pose_examples::Articulated_figure(2500).make_mesh<Mesh>();
+  else if(!CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(argv[1], mesh))
     return EXIT_FAILURE;
 
   // Distances to 80 landmarks; the systems of the heat method are factored once.
   const CP::Heat_geodesics_3<Mesh> geodesics(mesh);
   const auto fields = CP::farthest_point_landmarks(geodesics, 80, *vertices(mesh).begin());
   std::cout << "covering radius of the landmarks: " << fields.covering_radius << '\n';
-
   // A target point for each vertex.
   CP::Landmark_mds_target_builder_3<> builder;
   builder.build(fields);
   std::cout << "stress of the target: " << builder.stress() << '\n';
-  // Tetrahedra inside, and the registration; its matrix is factored once for both reflections of
-  // the
-  // target. (canonical_pose_3() runs one of them, the one of positive target_handedness().)
+  // Its place: moved onto the input, mirrored if that is its handedness.
   const auto points = CP::point_matrix(mesh);
   const auto shares = CP::vertex_area_shares(mesh, mesh.points());
+  const bool mirrored = CP::target_handedness(builder.targets(), mesh, mesh.points()) < 0;
+  const auto target = CP::align_target(builder.targets(), points, shares, mirrored);
+  // Tetrahedra inside, and the registration.
   const auto body = CP::tetgen_body(mesh, mesh.points());
-  const double largest_distance = builder.length_scale();
-  CP::Tetrahedral_arap_registrar_3<CP::Conforming_body_3> registrar(body, shares, largest_distance);
-  std::map<double, CP::Point_matrix> poses; // by their energies; the surface comes first in a pose
-  for(const bool mirrored : {false, true})
-  {
-    registrar.set_target(CP::align_target(builder.targets(), points, shares, mirrored));
-    CP::Point_matrix pose; // empty: start from the target
-    const auto summary = registrar.register_to_target(pose);
-    if(summary.is_usable())
-      poses[summary.energy] = pose;
-    std::cout << (mirrored ? "mirrored: " : "as is: ") << summary << '\n';
-  }
-  return poses.empty() ? EXIT_FAILURE : EXIT_SUCCESS;
+  CP::Tetrahedral_arap_registrar_3 registrar(body, shares, builder.length_scale());
+  registrar.set_target(target);
+  CP::Point_matrix pose; // of all vertices of the body; empty: start from the target
+  const auto summary = registrar.register_to_target(pose);
+  std::cout << summary << '\n';
+  if(!summary.is_usable())
+    return EXIT_FAILURE;
+  CP::put_points(registrar.surface_points(pose), mesh, mesh.points(), Kernel());
+  return EXIT_SUCCESS;
 }

@@ -33,8 +33,6 @@
 #include <vector>
 
 namespace CP = CGAL::Canonical_pose_3;
-using Canonical_pose_test::PAPER_ALPHA;
-using Canonical_pose_test::PAPER_BETA;
 using Canonical_pose_test::Paper_equations;
 using Canonical_pose_test::Spring;
 using Canonical_pose_test::Tetrahedral_soup;
@@ -75,7 +73,8 @@ void compare(const Tetrahedral_soup& box, const Spring& spring)
 
   const double length_scale = 2.7; // any: it cancels
   CP::Registration_options options;
-  options.set_paper_weights(PAPER_ALPHA, PAPER_BETA, n, body.volume(), length_scale);
+  options.set_paper_weights(Canonical_pose_test::PAPER_ALPHA, Canonical_pose_test::PAPER_BETA, n,
+                            body.volume(), length_scale);
   options.fairing_passes = 1;
   options.energy_tolerance = options.move_tolerance = 0;
   CP::Tetrahedral_arap_registrar_3<CP::Conforming_body_3,
@@ -117,7 +116,7 @@ TEST(Literal_mode, one_call)
   CP::Intermediate_results results;
   results.target = bent_target(box);
   CP::Options options;
-  options.paper_weights.emplace();
+  options.paper_weights = CP::Paper_weights();
   options.registration.number_of_iterations = 10;
   options.registration.energy_tolerance = options.registration.move_tolerance = 0;
   options.intermediate_results = &results;
@@ -149,7 +148,6 @@ TEST(Literal_mode, equation_3)
   }
   CP::Landmark_mds_target_builder_3<CP::Gaussian_kernel> builder{CP::Gaussian_kernel(false)};
   builder.build(fields);
-
   const double sigma = fields.distances.maxCoeff() / 2;
   const Eigen::MatrixXd g = (-fields.distances.array().square() / (2 * sigma * sigma)).exp();
   Eigen::MatrixXd affinity(l, l);

@@ -9,7 +9,6 @@
 
 #include <CGAL/Canonical_pose_3/complex_body.h>
 #include <CGAL/Canonical_pose_3/extract_boundary.h>
-#include <CGAL/Canonical_pose_3/tetgen_body.h>
 
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -29,7 +28,6 @@
 #include "matchers.h"
 #include "shapes.h"
 
-#include <cmath>
 #include <limits>
 #include <unordered_map>
 #include <vector>
@@ -151,29 +149,6 @@ TEST(Tetrahedral_complex, triangulation_with_subdomains)
   copy.tds() = tr.tds();
   copy.set_infinite_vertex(copy.tds().vertices_begin());
   expect_same_volume(copy);
-}
-
-// TetGen keeps the vertices, and its cells fill the volume of the surface: a polyhedron, hence
-// exactly.
-TEST(Tetgen_body, fills_the_surface)
-{
-  Mesh mesh = Canonical_pose_test::torus<Mesh>(24, 12, 1., 0.4);
-  const CP::Conforming_body_3 body = CP::tetgen_body(mesh, mesh.points());
-  EXPECT_NEAR(body.volume(), PMP::volume(mesh), 1e-12);
-  ASSERT_GE(body.points().rows(), Eigen::Index(mesh.number_of_vertices()));
-  for(const auto v : mesh.vertices())
-    EXPECT_EQ(body.points()(Eigen::Index(v), 0), mesh.point(v).x());
-  EXPECT_EQ(body.embedding().rows(), Eigen::Index(mesh.number_of_vertices()));
-
-  // also in other units
-  for(const double unit : {1e-6, 1e6, 1e-90})
-  {
-    Mesh scaled = mesh;
-    for(const auto v : scaled.vertices())
-      scaled.point(v) = CGAL::ORIGIN + unit * (mesh.point(v) - CGAL::ORIGIN);
-    const double ratio = CP::tetgen_body(scaled, scaled.points()).volume() / (unit * unit * unit);
-    EXPECT_NEAR(ratio, body.volume(), 1e-11);
-  }
 }
 
 TEST(Conforming_body, bad_input_is_named)

@@ -44,6 +44,17 @@ struct Intermediate_results
 /*!
 \ingroup PkgCanonicalPose3Ref
 
+\brief holds the weights as the paper prints them, see `Registration_options::set_paper_weights()`.
+*/
+struct Paper_weights
+{
+  double alpha = 100; ///< \f$ \alpha \f$, in the inverse of the mesh's unit of length.
+  double beta = 10;   ///< \f$ \beta \f$.
+};
+
+/*!
+\ingroup PkgCanonicalPose3Ref
+
 \brief holds the knobs of `canonical_pose_3()`.
 */
 struct Options
@@ -56,13 +67,6 @@ struct Options
 
   /// linear solver: `AUTOMATIC` is CHOLMOD where the package was configured with it, else Eigen.
   enum class Solver { AUTOMATIC, EIGEN, CHOLMOD };
-
-  /// weights as printed in the paper, see `Registration_options::set_paper_weights()`.
-  struct Paper_weights
-  {
-    double alpha = 100; ///< \f$ \alpha \f$, in the inverse of the mesh's unit of length.
-    double beta = 10;   ///< \f$ \beta \f$.
-  };
 
   /// the distances.
   Geodesics geodesics = Geodesics::HEAT;

@@ -147,7 +147,8 @@ struct Registration_summary
   }
 };
 
-/// \relates Registration_summary writes `Registration_summary::brief_report()`.
+/// \relates Registration_summary
+/// writes `Registration_summary::brief_report()`.
 inline std::ostream& operator<<(std::ostream& out, const Registration_summary& summary)
 {
   return out << summary.brief_report();

@@ -10,7 +10,9 @@
 #ifndef CGAL_CANONICAL_POSE_3_TARGET_HANDEDNESS_H
 #define CGAL_CANONICAL_POSE_3_TARGET_HANDEDNESS_H
 
+#include <CGAL/Canonical_pose_3/internal/Indexed_mesh.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
+#include <CGAL/Canonical_pose_3/surface_measures.h>
 
 #include <CGAL/assertions.h>
 
@@ -103,6 +105,25 @@ inline double target_handedness(const Point_matrix& target, const Point_matrix& 
   const double volume_ratio
     = internal::signed_volume(target, triangles) / internal::signed_volume(points, triangles);
   return (std::isfinite(volume_ratio) ? volume_ratio : 0) + internal::chirality(target, weights);
+}
+
+/*!
+\ingroup PkgCanonicalPose3Ref
+
+\brief is `target_handedness()` of a target of the vertices of a triangle mesh, weighted by
+`vertex_area_shares()`.
+
+\tparam TriangleMesh a model of `FaceListGraph`
+\tparam VertexPointMap a model of `ReadablePropertyMap` with vertex descriptors as keys and points of
+        a kernel as values
+*/
+template <typename TriangleMesh, typename VertexPointMap>
+double target_handedness(const Point_matrix& target, const TriangleMesh& tmesh,
+                         VertexPointMap vertex_point_map)
+{
+  const Point_matrix points = point_matrix(tmesh, vertex_point_map);
+  const auto triangles = internal::index_triangles(tmesh);
+  return target_handedness(target, points, triangles, vertex_area_shares(points, triangles));
 }
 
 } // namespace Canonical_pose_3
