@@ -18,40 +18,60 @@
 
 #include "Articulated_figure.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <iostream>
 #include <map>
 #include <string>
+#include <vector>
 
 namespace CP = CGAL::Canonical_pose_3;
 namespace Examples = Canonical_pose_examples;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
+// The vertices of a hand by their distance from its tip. A hand hangs on many springs, as a single
+// vertex would be drawn out of it.
+std::vector<std::size_t> hand(const Mesh& mesh, const std::size_t tip)
+{
+  std::map<double, std::size_t> by_distance;
+  for(const auto v : mesh.vertices())
+  {
+    const double d = CGAL::squared_distance(mesh.point(v), mesh.point(Mesh::Vertex_index(tip)));
+    if(d < 0.2 * 0.2)
+      by_distance[d] = v;
+  }
+  std::vector<std::size_t> result;
+  for(const auto& entry : by_distance)
+    result.push_back(entry.second);
+  return result;
+}
+
 int main(int argc, char* argv[])
 {
-  const Examples::Articulated_figure figure(2500);
+  const Examples::Articulated_figure figure(5000);
   const Mesh mesh = figure.make_mesh<Mesh>();
-  const std::size_t left = figure.landmark(Examples::Landmark::LEFT_HAND);
-  const std::size_t right = figure.landmark(Examples::Landmark::RIGHT_HAND);
+  const auto left = hand(mesh, figure.landmark(Examples::Landmark::LEFT_HAND));
+  const auto right = hand(mesh, figure.landmark(Examples::Landmark::RIGHT_HAND));
+  const std::size_t n = (std::min)(left.size(), right.size());
 
   CP::Intermediate_results reused; // distances and target are the same for all three
   std::map<std::string, double> distance;
   for(const auto& [name, stiffness] :
-      std::map<std::string, double>{{"none", 0}, {"soft", 0.01}, {"stiff", 1}})
+      std::map<std::string, double>{{"none", 0}, {"soft", 0.02}, {"stiff", 1}})
   {
     CP::Options options;
     options.intermediate_results = &reused;
-    if(stiffness > 0)
-      options.springs.push_back({left, right, 0.1 /* rest length, metres */, stiffness});
+    for(std::size_t i = 0; i < n && stiffness > 0; ++i)
+      options.springs.push_back({left[i], right[i], 0.1 /* metres */, stiffness / double(n)});
     Mesh pose = mesh;
     const auto summary = CGAL::canonical_pose_3(mesh, pose.points(), options);
     if(!summary.is_usable())
       return EXIT_FAILURE;
     const auto& points = pose.points();
-    distance[name] = std::sqrt(
-      CGAL::squared_distance(points[Mesh::Vertex_index(left)], points[Mesh::Vertex_index(right)]));
+    distance[name] = std::sqrt(CGAL::squared_distance(points[Mesh::Vertex_index(left[0])],
+                                                      points[Mesh::Vertex_index(right[0])]));
     std::cout << name << ": hands " << distance[name] << " m apart; " << summary << '\n';
     if(argc > 1 && !CGAL::IO::write_polygon_mesh(std::string(argv[1]) + name + ".off", pose))
       return EXIT_FAILURE;
