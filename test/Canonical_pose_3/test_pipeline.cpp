@@ -135,6 +135,8 @@ TEST(Pipeline, intermediate_results_are_used_again)
   results.landmark_fields->distances.conservativeResize(7, 80);
   EXPECT_THROW_WITH(canonical_pose(mesh, options), std::invalid_argument,
                     "distances handed in have 7 rows");
+  results.landmark_fields = CP::Landmark_fields_3();
+  EXPECT_THROW_WITH(canonical_pose(mesh, options), std::invalid_argument, "no column");
 }
 
 // Kernels, distances and solvers are choices of the same method: each straightens the bar.

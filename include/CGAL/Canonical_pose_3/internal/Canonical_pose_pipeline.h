@@ -102,8 +102,7 @@ private:
     m_summary.add_seconds(stage, timer.time());
   }
 
-  // Options are checked before anything that takes time. `n`: number of vertices that a spring may
-  // name
+  // Options are checked before anything that takes time. A spring may name one of n vertices.
   void prepare(const Eigen::Index n)
   {
     m_options.registration.check();
@@ -125,8 +124,12 @@ private:
   void find_landmarks()
   {
     if(m_results.landmark_fields)
-      return check_rows(m_results.landmark_fields->distances.rows(),
-                        "the distances handed in have ");
+    {
+      if(m_results.landmark_fields->distances.cols() == 0)
+        throw std::invalid_argument("the distances handed in have no column");
+      check_rows(m_results.landmark_fields->distances.rows(), "the distances handed in have ");
+      return;
+    }
     const Indexed_mesh mesh = indexed_mesh(m_points, m_triangles);
     std::size_t first = extremal_point(m_points, m_triangles);
     if(m_options.random_seed != 0)
