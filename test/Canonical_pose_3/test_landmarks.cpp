@@ -2,6 +2,7 @@
 //
 // This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
 // distribution.
+// distribution.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
@@ -9,6 +10,7 @@
 
 #include <CGAL/Canonical_pose_3/align_target.h>
 #include <CGAL/Canonical_pose_3/farthest_point_landmarks.h>
+#include <CGAL/Canonical_pose_3/target_handedness.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
@@ -20,6 +22,7 @@
 
 #include <Eigen/Geometry>
 
+#include <cmath>
 #include <iterator>
 #include <set>
 #include <vector>
@@ -112,4 +115,31 @@ TEST(Extremal_point, is_farthest_from_the_centroid_of_area)
   CP::Point_matrix points(6, 3);
   points << 0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1.1, 0, 1, 1, 0, 1, 1, 0;
   EXPECT_EQ(CP::extremal_point(points, {{0, 1, 2}, {0, 2, 3}}), 3u);
+}
+
+// Both parts of the number are pseudo-scalars: a reflection changes the sign and nothing else, a
+// rigid motion or a scaling
+// of a target that is as large as the input leaves it. Of the input itself the volume part is 1;
+// the corner drawn out of
+// the box makes it chiral.
+TEST(Target_handedness, changes_sign_by_reflection_only)
+{
+  auto soup
+    = Canonical_pose_test::boundary(Canonical_pose_test::tetrahedral_box(3, 4, 5, {{1., 2., 3.}}));
+  soup.points[0] = {{-1., -1.5, -2.5}};
+  const CP::Point_matrix points = Canonical_pose_test::to_matrix(soup.points);
+  const Eigen::VectorXd weights = Canonical_pose_test::uniform_weights(points);
+  const auto handedness = [&](const CP::Point_matrix& target) {
+    return CP::target_handedness(target, points, soup.triangles, weights);
+  };
+  const double value = handedness(points);
+  EXPECT_GT(std::abs(value - 1), 1e-3);
+  EXPECT_NEAR(handedness(points * Eigen::Vector3d(1, 1, -1).asDiagonal()), -value, 1e-12);
+  EXPECT_NEAR(handedness(-points), -value, 1e-12);
+  const Eigen::Matrix3d rotation
+    = Eigen::AngleAxisd(2.5, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
+  EXPECT_NEAR(handedness((points * rotation).rowwise() + Eigen::RowVector3d(5, -6, 7)), value,
+              1e-12);
+  // flat: inside out or not cannot be told
+  EXPECT_EQ(handedness(points * Eigen::Vector3d(1, 1, 0).asDiagonal()), 0.);
 }

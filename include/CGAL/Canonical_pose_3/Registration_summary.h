@@ -47,10 +47,10 @@ struct Registration_summary
     std::string kernel;         ///< name of the kernel; `"given"` for a target handed in.
     std::size_t landmarks = 0;  ///< number of landmarks.
     double covering_radius = 0; ///< largest distance of a vertex to its nearest landmark.
-    double stress
-      = 0; ///< stress over the landmarks, see `Landmark_mds_target_builder_3::stress()`.
-    std::vector<double>
-      eigenvalues;           ///< the six leading eigenvalues (fewer if there are fewer landmarks).
+    /// stress over the landmarks, see `Landmark_mds_target_builder_3::stress()`.
+    double stress = 0;
+    /// the six leading eigenvalues (fewer if there are fewer landmarks).
+    std::vector<double> eigenvalues;
     double max_geodesic = 0; ///< \f$ L \f$, the largest distance to a landmark.
     bool reflected = false;  ///< whether the mirrored target was taken.
   };

@@ -45,12 +45,10 @@ struct Spring_3
 \cgalCite{cgal:canonical-s-sdacm-15} by the splitting of \cgalCite{cgal:canonical-lbok-fsmss-13}.
 
 The energy of spring \f$ s \f$ is \f$ \frac{1}{2} \kappa_s (|p_s - q_s| - r_s)^2 \f$. In an
-iteration
-\f$ |p - q - d|^2 \f$ takes the place of the square, \f$ d \f$ being of length \f$ r \f$ and in the
-direction of
-\f$ p - q \f$ before it. Where \f$ p \f$ and \f$ q \f$ coincide the last direction stands (the first
-axis if there is none). With \f$ n \f$ vertices, the stiffness of Equation 16 of the paper is \f$ n
-\kappa \f$, the matching weights being \f$ 1/n \f$ each.
+iteration \f$ |p - q - d|^2 \f$ takes the place of the square, \f$ d \f$ being of length \f$ r \f$
+and in the direction of \f$ p - q \f$ before it. Where \f$ p \f$ and \f$ q \f$ coincide the last
+direction stands (the first axis if there is none). With \f$ n \f$ vertices, the stiffness of
+Equation 16 of the paper is \f$ n \kappa \f$, the matching weights being \f$ 1/n \f$ each.
 
 \cgalModels `RegistrationConstraint_3`
 

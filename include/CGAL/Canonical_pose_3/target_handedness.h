@@ -28,7 +28,8 @@ namespace CGAL {
 namespace Canonical_pose_3 {
 namespace internal {
 
-// Six times the volume inside the triangles, in units of the cube of the extent.
+// Six times the volume inside the triangles; summed in units of the extent, so that it is accurate in
+// any.
 inline double signed_volume(const Point_matrix& points,
                             const std::vector<std::array<std::size_t, 3>>& triangles)
 {
