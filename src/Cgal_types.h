@@ -23,8 +23,6 @@
 
 #include <array>
 #include <cstddef>
-#include <stdexcept>
-#include <string>
 #include <vector>
 
 // From what a file holds to CGAL's types and back; vertices, faces and cells keep their order.
@@ -73,11 +71,8 @@ inline Mesh_file boundary_of(const Mesh_file& file)
     boundary.points.push_back(file.points[origins[v]]);
   for(const Surface::Face_index f : surface.faces())
   {
-    std::array<std::size_t, 3> face;
-    std::size_t k = 0;
-    for(const Surface::Vertex_index v : CGAL::vertices_around_face(surface.halfedge(f), surface))
-      face[k++] = v;
-    boundary.faces.push_back(face);
+    const auto corners = CGAL::vertices_around_face(surface.halfedge(f), surface);
+    boundary.faces.emplace_back(corners.begin(), corners.end());
   }
   return boundary;
 }
@@ -87,28 +82,6 @@ inline CGAL::Canonical_pose_3::Diagnosis_3 diagnosis_of(const Mesh_file& file)
   if(file.is_tetrahedral)
     return diagnosis_of(boundary_of(file));
   return CGAL::Canonical_pose_3::diagnose(matrix_of(points_of(file)), file.faces);
-}
-
-// Throws std::invalid_argument that names the defect if the faces do not fit together to an
-// oriented
-// 2-manifold.
-inline Surface surface_of(const Mesh_file& file)
-{
-  if(file.is_tetrahedral)
-    throw std::invalid_argument("this is a tetrahedral mesh, but a surface is needed");
-  Surface surface;
-  for(const Point_3& p : points_of(file))
-    surface.add_vertex(p);
-  for(const std::array<std::size_t, 3>& f : file.faces)
-  {
-    std::array<Surface::Vertex_index, 3> face;
-    for(std::size_t k = 0; k < 3; ++k)
-      face[k] = Surface::Vertex_index(static_cast<Surface::size_type>(f[k]));
-    if(f[0] == f[1] || f[1] == f[2] || f[2] == f[0]
-       || surface.add_face(face) == Surface::null_face())
-      throw std::invalid_argument(diagnosis_of(file).first_defect);
-  }
-  return surface;
 }
 
 } // namespace Canonical_pose_tool

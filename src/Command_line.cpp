@@ -31,7 +31,6 @@ struct Raw_arguments
   std::string geodesics = "heat", kernel = "classical", components = "refuse", solver = "auto",
               paper_weights;
   std::vector<std::string> springs;
-  double spacing = 0;
   bool injective = false;
 };
 
@@ -115,7 +114,9 @@ void add_pose(CLI::App& command, Arguments& arguments, Raw_arguments& raw)
                 "elastic body inside a surface: auto, lattice, tetgen, mesh")
     ->check(CLI::IsMember({"auto", "lattice", "tetgen", "mesh"}))
     ->capture_default_str();
-  command.add_option("--spacing", raw.spacing, "spacing of the lattice by the largest distance")
+  command
+    .add_option("--spacing", options.lattice_spacing,
+                "spacing of the lattice by the largest distance")
     ->check(number(true));
   command
     .add_option("--kernel", raw.kernel,
@@ -182,21 +183,26 @@ void add_geodesics(CLI::App& command, Arguments& arguments, Raw_arguments& raw)
   add_common(command, arguments, raw);
 }
 
-void refuse_what_is_not_there_yet(const Arguments& arguments, const Raw_arguments& raw)
+void refuse_what_is_not_there_yet(const Raw_arguments& raw)
 {
   const auto refuse_if = [](const bool condition, const std::string& option) {
     if(condition)
       throw std::invalid_argument(option + ": not available yet");
   };
-  refuse_if(arguments.body == "lattice" || arguments.body == "mesh", "--body " + arguments.body);
-  refuse_if(raw.spacing != 0, "--spacing");
   refuse_if(raw.geodesics != "heat" && raw.geodesics != "exact", "--geodesics " + raw.geodesics);
   refuse_if(raw.injective, "--injective");
-  refuse_if(raw.components != "refuse", "--components " + raw.components);
 }
 
-void take(const Raw_arguments& raw, Options& options)
+void take(const Raw_arguments& raw, const std::string& body, Options& options)
 {
+  const std::map<std::string, Options::Body> bodies = {{"auto", Options::Body::AUTOMATIC},
+                                                       {"lattice", Options::Body::LATTICE},
+                                                       {"tetgen", Options::Body::TETGEN},
+                                                       {"mesh", Options::Body::MESH_3}};
+  const std::map<std::string, Options::Components> components
+    = {{"refuse", Options::Components::REFUSE},
+       {"largest", Options::Components::LARGEST},
+       {"each", Options::Components::EACH}};
   const std::map<std::string, Options::Kernel> kernels
     = {{"classical", Options::Kernel::CLASSICAL},
        {"gaussian", Options::Kernel::GAUSSIAN},
@@ -204,6 +210,8 @@ void take(const Raw_arguments& raw, Options& options)
   const std::map<std::string, Options::Solver> solvers = {{"auto", Options::Solver::AUTOMATIC},
                                                           {"eigen", Options::Solver::EIGEN},
                                                           {"cholmod", Options::Solver::CHOLMOD}};
+  options.body = bodies.at(body);
+  options.components = components.at(raw.components);
   options.kernel = kernels.at(raw.kernel);
   options.solver = solvers.at(raw.solver);
   if(raw.geodesics == "exact")
@@ -238,7 +246,7 @@ std::optional<int> parse_command_line(const int argc, char* argv[], Arguments& a
   try
   {
     app.parse(argc, argv);
-    take(raw, arguments.options);
+    take(raw, arguments.body, arguments.options);
   }
   catch(const CLI::ParseError& error)
   {
@@ -247,7 +255,7 @@ std::optional<int> parse_command_line(const int argc, char* argv[], Arguments& a
   arguments.command = *check       ? Arguments::Command::CHECK
                       : *geodesics ? Arguments::Command::GEODESICS
                                    : Arguments::Command::POSE;
-  refuse_what_is_not_there_yet(arguments, raw);
+  refuse_what_is_not_there_yet(raw);
   return std::nullopt;
 }
 

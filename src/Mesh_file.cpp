@@ -91,12 +91,11 @@ Mesh_file read_mesh_file(const std::string& path)
 std::size_t vertex_index(const long long index, const std::size_t n, const Element& element,
                          const int base)
 {
-  const long long from_zero = index - base;
-  if(index < base || static_cast<unsigned long long>(from_zero) >= n)
+  if(index < base || static_cast<unsigned long long>(index - base) >= n)
     throw std::invalid_argument(element.name() + " names vertex " + std::to_string(index)
                                 + (base == 0 ? "" : " (counted from 1)") + ", but there are "
                                 + std::to_string(n));
-  return static_cast<std::size_t>(from_zero);
+  return static_cast<std::size_t>(index - base);
 }
 
 void check_is_finite(const std::array<double, 3>& point, const Element& element)
@@ -106,11 +105,11 @@ void check_is_finite(const std::array<double, 3>& point, const Element& element)
       throw std::invalid_argument(element.name() + " has a coordinate that is not finite");
 }
 
-void check_is_triangle(const long long number_of_corners, const Element& face)
+void check_is_polygon(const long long number_of_corners, const Element& face)
 {
-  if(number_of_corners != 3)
-    throw std::invalid_argument(face.name() + " is not a triangle: it has "
-                                + std::to_string(number_of_corners) + " corners");
+  if(number_of_corners < 3)
+    throw std::invalid_argument(face.name() + " is not a polygon: its number of corners is "
+                                + std::to_string(number_of_corners));
 }
 
 } // namespace Canonical_pose_tool

@@ -23,7 +23,7 @@ struct Mesh_file
 {
   bool is_tetrahedral = false;
   std::vector<std::array<double, 3>> points;
-  std::vector<std::array<std::size_t, 3>> faces;            // of a surface
+  std::vector<std::vector<std::size_t>> faces;              // of a surface, polygons
   std::vector<std::array<std::size_t, 4>> cells;            // of a tetrahedral mesh
   std::vector<long long> point_references, cell_references; // MEDIT's labels
 };
@@ -38,6 +38,9 @@ Format format_of(const std::string& path);
 // are
 // not used: they only say that they failed.
 Mesh_file read_mesh_file(const std::string& path);
+
+// Throws std::invalid_argument if files of the format cannot hold the mesh.
+void check_format_holds(Format format, const Mesh_file& mesh);
 
 // Writes a mesh with 17 significant digits.
 void write_mesh(std::ostream& out, Format format, const Mesh_file& mesh);

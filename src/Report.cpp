@@ -23,6 +23,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <ostream>
 #include <string>
@@ -57,6 +58,7 @@ Json target_of(const Registration_summary& s)
           {"stress", s.target.stress},
           {"eigenvalues", s.target.eigenvalues},
           {"max_geodesic", s.target.max_geodesic},
+          {"scale", s.target.scale},
           {"reflected", s.target.reflected}};
 }
 
@@ -142,8 +144,16 @@ void write_report(std::ostream& out, const Diagnosis_3& diagnosis,
                   const std::vector<Registration_summary::Stage>& stages,
                   const double total_seconds)
 {
-  const Json defect = diagnosis.is_clean() ? Json() : Json(diagnosis.first_defect);
-  write(out, {{"input", input_of(diagnosis)}, {"first_defect", defect}}, stages, total_seconds);
+  const Json first_defect = diagnosis.defects.empty() ? Json() : Json(diagnosis.first_defect);
+  Json defects = Json::array();
+  for(const Diagnosis_3::Defect& defect : diagnosis.defects)
+    defects.push_back({{"kind", defect.kind},
+                       {"count", defect.count},
+                       {"element", defect.element},
+                       {"examples", defect.examples},
+                       {"message", defect.message}});
+  write(out, {{"input", input_of(diagnosis)}, {"first_defect", first_defect}, {"defects", defects}},
+        stages, total_seconds);
 }
 
 void write_outcome(std::ostream& out, const Registration_summary& summary)
@@ -155,14 +165,26 @@ void write_outcome(std::ostream& out, const Registration_summary& summary)
 
 void write_table(std::ostream& out, const Diagnosis_3& diagnosis)
 {
+  const auto write_line = [&](std::string name, const std::string& value) {
+    name.resize((std::max)(name.size() + 1, std::size_t(26)), ' ');
+    out << name << value << '\n';
+  };
   const Json input = input_of(diagnosis);
   for(const auto& field : input.items())
+    write_line(field.key(), field.value().is_null() ? "not examined" : field.value().dump());
+  write_line("first_defect", diagnosis.defects.empty() ? "none" : diagnosis.first_defect);
+  for(const Diagnosis_3::Defect& defect : diagnosis.defects)
   {
-    std::string name = field.key();
-    name.resize(20, ' ');
-    out << name << (field.value().is_null() ? "not examined" : field.value().dump()) << '\n';
+    std::string line = std::to_string(defect.count);
+    for(const std::vector<std::size_t>& example : defect.examples)
+    {
+      line += (&example == &defect.examples.front() ? ": " : ", ") + defect.element;
+      for(const std::size_t i : example)
+        line += ' ' + std::to_string(i);
+    }
+    write_line("defect " + defect.kind,
+               line + (defect.examples.size() < defect.count ? ", ..." : ""));
   }
-  out << "first_defect        " << (diagnosis.is_clean() ? "none" : diagnosis.first_defect) << '\n';
 }
 
 } // namespace Canonical_pose_tool

@@ -48,6 +48,9 @@ void run_pose(Arguments& arguments)
   Output_files files({arguments.output, arguments.target, arguments.report});
   say(arguments, "reading " + arguments.input);
   const Mesh_file input = read_mesh_file(arguments.input);
+  check_format_holds(format_of(arguments.output), input);
+  if(!arguments.target.empty())
+    check_format_holds(format_of(arguments.target), input);
   const double seconds_to_read = clock.lap();
 
   say(arguments, "computing the pose");
@@ -94,8 +97,8 @@ void run_check(const Arguments& arguments)
 void run_geodesics(const Arguments& arguments)
 {
   Output_files files({arguments.output});
-  const Surface surface = surface_of(read_mesh_file(arguments.input));
-  const auto distances = compute_distances(surface, arguments.sources, arguments.options);
+  const auto distances
+    = compute_distances(read_mesh_file(arguments.input), arguments.sources, arguments.options);
   files.write(arguments.output, [&](std::ostream& out) {
     out << distances.format(Eigen::IOFormat(17, Eigen::DontAlignCols, " ", "\n", "", "", "", "\n"));
   });

@@ -16,6 +16,7 @@
 
 #include <CGAL/Canonical_pose_3/Exact_geodesics_3.h>
 #include <CGAL/Canonical_pose_3/Heat_geodesics_3.h>
+#include <CGAL/Canonical_pose_3/repair_surface.h>
 #include <CGAL/canonical_pose_3.h>
 
 #include <cstddef>
@@ -48,10 +49,11 @@ inline Registration_summary compute_pose(const Mesh_file& input, const Options& 
   }
   else
   {
-    Surface surface = surface_of(input);
+    const std::vector<Point_3> points = points_of(input);
     seconds_to_convert = clock.lap();
-    summary = CGAL::canonical_pose_3(surface, surface.points(), options);
-    pose = CGAL::Canonical_pose_3::point_matrix(surface);
+    std::vector<Point_3> pose_points;
+    summary = CGAL::canonical_pose_3(points, input.faces, pose_points, options);
+    pose = matrix_of(pose_points);
   }
   if(!summary.is_usable())
     throw std::runtime_error("there is no pose: the registration met numbers that are not finite");
@@ -59,28 +61,57 @@ inline Registration_summary compute_pose(const Mesh_file& input, const Options& 
   return summary;
 }
 
+// For each vertex of a surface its first copy in the repaired one. Throws std::invalid_argument if
+// there is none.
+inline std::vector<std::size_t>
+first_copies(const CGAL::Canonical_pose_3::Repaired_surface_3& repaired)
+{
+  const std::size_t none = repaired.origins.size();
+  std::vector<std::size_t> first(repaired.representatives.size(), none), result;
+  for(std::size_t copy = none; copy-- > 0;)
+    first[repaired.origins[copy]] = copy;
+  for(const std::size_t v : repaired.representatives)
+  {
+    if(first[v] == none)
+      throw std::invalid_argument("vertex " + std::to_string(result.size())
+                                  + " belongs to no face: there are no distances from or to it");
+    result.push_back(first[v]);
+  }
+  return result;
+}
+
 // One row per vertex, one column per source.
-inline Eigen::MatrixXd compute_distances(const Surface& surface,
+inline Eigen::MatrixXd compute_distances(const Mesh_file& input,
                                          const std::vector<std::size_t>& source_rows,
                                          const Options& options)
 {
+  if(input.is_tetrahedral)
+    throw std::invalid_argument("this is a tetrahedral mesh, but a surface is needed");
+  for(const std::size_t source : source_rows)
+    if(source >= input.points.size())
+      throw std::invalid_argument("--source names vertex " + std::to_string(source)
+                                  + ", but there are " + std::to_string(input.points.size()));
+  const auto repaired
+    = CGAL::Canonical_pose_3::repair_surface(matrix_of(points_of(input)), input.faces);
+  const std::vector<std::size_t> copies = first_copies(repaired);
+  const Surface surface
+    = CGAL::Canonical_pose_3::internal::indexed_mesh(repaired.points, repaired.triangles);
   std::vector<Surface::Vertex_index> sources;
   for(const std::size_t source : source_rows)
-  {
-    if(source >= surface.number_of_vertices())
-      throw std::invalid_argument("--source names vertex " + std::to_string(source)
-                                  + ", but there are "
-                                  + std::to_string(surface.number_of_vertices()));
-    sources.emplace_back(static_cast<Surface::size_type>(source));
-  }
-  return CGAL::Canonical_pose_3::internal::with_solver(options, [&](const auto factor_traits) {
-    typedef std::decay_t<decltype(factor_traits)> Factor_traits;
-    if(options.geodesics == Options::Geodesics::EXACT)
-      return CGAL::Canonical_pose_3::Exact_geodesics_3<Surface>(surface).distances(sources);
-    return CGAL::Canonical_pose_3::Heat_geodesics_3<Surface, CGAL::Default, CGAL::Default,
-                                                    Factor_traits>(surface)
-      .distances(sources);
-  });
+    sources.emplace_back(static_cast<Surface::size_type>(copies[source]));
+  const Eigen::MatrixXd distances
+    = CGAL::Canonical_pose_3::internal::with_solver(options, [&](const auto factor_traits) {
+        typedef std::decay_t<decltype(factor_traits)> Factor_traits;
+        if(options.geodesics == Options::Geodesics::EXACT)
+          return CGAL::Canonical_pose_3::Exact_geodesics_3<Surface>(surface).distances(sources);
+        return CGAL::Canonical_pose_3::Heat_geodesics_3<Surface, CGAL::Default, CGAL::Default,
+                                                        Factor_traits>(surface)
+          .distances(sources);
+      });
+  Eigen::MatrixXd result(static_cast<Eigen::Index>(copies.size()), distances.cols());
+  for(std::size_t v = 0; v < copies.size(); ++v)
+    result.row(static_cast<Eigen::Index>(v)) = distances.row(static_cast<Eigen::Index>(copies[v]));
+  return result;
 }
 
 } // namespace Canonical_pose_tool

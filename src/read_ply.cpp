@@ -18,6 +18,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace Canonical_pose_tool {
@@ -98,10 +99,10 @@ public:
       throw std::invalid_argument("the header announces no vertices");
     for(Element f{"face", 0}; f.index < m_faces.size(); ++f.index)
     {
-      std::array<std::size_t, 3> face;
-      for(std::size_t k = 0; k < 3; ++k)
-        face[k] = vertex_index(m_faces[f.index][k], m_mesh.points.size(), f);
-      m_mesh.faces.push_back(face);
+      std::vector<std::size_t> face;
+      for(const long long corner : m_faces[f.index])
+        face.push_back(vertex_index(corner, m_mesh.points.size(), f));
+      m_mesh.faces.push_back(std::move(face));
     }
   }
 
@@ -196,11 +197,11 @@ private:
 
   void add_face(const std::vector<double>& corners, const Element& face)
   {
-    check_is_triangle(static_cast<long long>(corners.size()), face);
-    std::array<long long, 3> indices;
-    for(std::size_t k = 0; k < 3; ++k)
-      indices[k] = corners[k] > -1e9 && corners[k] < 1e18 ? static_cast<long long>(corners[k]) : -1;
-    m_faces.push_back(indices); // the vertices may come later
+    check_is_polygon(static_cast<long long>(corners.size()), face);
+    std::vector<long long> indices;
+    for(const double corner : corners)
+      indices.push_back(corner > -1e9 && corner < 1e18 ? static_cast<long long>(corner) : -1);
+    m_faces.push_back(std::move(indices)); // the vertices may come later
   }
 
   std::vector<double> read_list(const Property& property, const Element& e)
@@ -230,7 +231,7 @@ private:
   const char* m_byte = nullptr; // where the binary data go on
   bool m_is_binary = false, m_is_big_endian = false;
   std::vector<Ply_element> m_elements;
-  std::vector<std::array<long long, 3>> m_faces;
+  std::vector<std::vector<long long>> m_faces;
 };
 
 } // namespace

@@ -16,6 +16,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace Canonical_pose_tool {
 
@@ -38,23 +39,22 @@ public:
     const auto found = m_vertices.emplace(point, m_mesh.points.size());
     if(found.second)
       m_mesh.points.push_back(point);
-    if(m_number_of_corners < 3)
-      m_face[m_number_of_corners] = found.first->second;
-    ++m_number_of_corners;
+    m_face.push_back(found.first->second);
   }
 
   void add_face()
   {
-    check_is_triangle(static_cast<long long>(m_number_of_corners), next_face());
+    if(m_face.size() != 3)
+      throw std::invalid_argument(next_face().name() + " is not a triangle: it has "
+                                  + std::to_string(m_face.size()) + " corners");
     m_mesh.faces.push_back(m_face);
-    m_number_of_corners = 0;
+    m_face.clear();
   }
 
 private:
   Mesh_file& m_mesh;
   std::map<std::array<double, 3>, std::size_t> m_vertices;
-  std::array<std::size_t, 3> m_face;
-  std::size_t m_number_of_corners = 0;
+  std::vector<std::size_t> m_face;
 };
 
 std::uint32_t number_of_binary_faces(const std::string& bytes)

@@ -9,9 +9,13 @@
 
 #include "readers.h"
 
+#include <array>
+#include <cstddef>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace Canonical_pose_tool {
 
@@ -56,11 +60,12 @@ void read_off(const std::string& bytes, Mesh_file& mesh)
   }
   for(Element f{"face", 0}; f.index < static_cast<std::size_t>(faces); ++f.index)
   {
-    check_is_triangle(text.integer(text.word(), f), f);
-    std::array<std::size_t, 3> face;
-    for(std::size_t& v : face)
-      v = vertex_index(text.integer(text.word_on_line(), f), mesh.points.size(), f);
-    mesh.faces.push_back(face);
+    const long long corners = text.integer(text.word(), f);
+    check_is_polygon(corners, f);
+    std::vector<std::size_t> face;
+    for(long long k = 0; k < corners; ++k)
+      face.push_back(vertex_index(text.integer(text.word_on_line(), f), mesh.points.size(), f));
+    mesh.faces.push_back(std::move(face));
     text.skip_line();
   }
 }
@@ -68,7 +73,7 @@ void read_off(const std::string& bytes, Mesh_file& mesh)
 void read_obj(const std::string& bytes, Mesh_file& mesh)
 {
   Text_cursor text(bytes);
-  std::vector<std::array<long long, 3>> faces; // they may come before their vertices
+  std::vector<std::vector<long long>> faces; // they may come before their vertices
   for(std::string_view word = text.word(); !word.empty(); text.skip_line(), word = text.word())
     if(word == "v")
     {
@@ -89,15 +94,15 @@ void read_obj(const std::string& bytes, Mesh_file& mesh)
         corners.push_back(index < 0 ? static_cast<long long>(mesh.points.size()) + 1 + index
                                     : index);
       }
-      check_is_triangle(static_cast<long long>(corners.size()), f);
-      faces.push_back({corners[0], corners[1], corners[2]});
+      check_is_polygon(static_cast<long long>(corners.size()), f);
+      faces.push_back(std::move(corners));
     }
   for(Element f{"face", 0}; f.index < faces.size(); ++f.index)
   {
-    std::array<std::size_t, 3> face;
-    for(std::size_t k = 0; k < 3; ++k)
-      face[k] = vertex_index(faces[f.index][k], mesh.points.size(), f, 1);
-    mesh.faces.push_back(face);
+    std::vector<std::size_t> face;
+    for(const long long corner : faces[f.index])
+      face.push_back(vertex_index(corner, mesh.points.size(), f, 1));
+    mesh.faces.push_back(std::move(face));
   }
 }
 

@@ -34,8 +34,8 @@ std::size_t vertex_index(long long index, std::size_t n, const Element& element,
 // Throws if a coordinate is not finite.
 void check_is_finite(const std::array<double, 3>& point, const Element& element);
 
-// Throws if a face does not have three corners.
-void check_is_triangle(long long number_of_corners, const Element& face);
+// Throws if a face has fewer than three corners.
+void check_is_polygon(long long number_of_corners, const Element& face);
 
 } // namespace Canonical_pose_tool
 

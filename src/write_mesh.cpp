@@ -18,6 +18,8 @@
 #include <array>
 #include <cstddef>
 #include <ostream>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace Canonical_pose_tool {
@@ -45,6 +47,14 @@ void write_medit(std::ostream& out, const Mesh_file& mesh)
 }
 
 } // namespace
+
+void check_format_holds(const Format format, const Mesh_file& mesh)
+{
+  for(std::size_t f = 0; format == Format::STL && f < mesh.faces.size(); ++f)
+    if(mesh.faces[f].size() != 3)
+      throw std::invalid_argument("STL holds triangles only, but face " + std::to_string(f)
+                                  + " has " + std::to_string(mesh.faces[f].size()) + " corners");
+}
 
 void write_mesh(std::ostream& out, const Format format, const Mesh_file& mesh)
 {

@@ -9,20 +9,19 @@
 
 // Times of the whole pipeline, stage by stage, beside two references measured in the same run.
 //
-// How to read: the first column is canonical_pose_3() with its defaults, the median of --runs
-// calls.
-// Stages add up to the total; indented rows belong to the row above and are timed apart.
-// - Second column: the same distances by CGAL's Heat_method_3 (Intrinsic_Delaunay, its default
+// How to read: the first column is canonical_pose_3() with its defaults, the second the same with the
+// body of TetGen; medians of --runs calls. Stages add up to the total; indented rows belong to the row
+// above and are timed apart.
+// - Third column: the same distances by CGAL's Heat_method_3 (Intrinsic_Delaunay, its default
 //   solver), from the same landmarks, one by one. Timed once.
-// - Third column: the same registration done literally as the paper prints it
-//   (Literal_registration.h), one thread but for the solver: the matrix is assembled and factored
-// at
-//   every iteration, rotations come from JacobiSVD. As many iterations as ours are run and timed,
-//   or as many as --literal says: the time is then extended to as many as ours, and the line below
-//   the table says so. The matrix has n rows and three right-hand sides; another line tells what
-// the
-//   paper's 3n rows take.
-// Totals of the references have their own time in the rows that they fill, and ours in the others.
+// - Fourth column: the registration of the second done literally as the paper prints it
+//   (Literal_registration.h), without acceleration and on one thread but for the solver: the matrix
+//   is assembled and factored at every iteration, rotations come from JacobiSVD. As many iterations
+//   are run and timed as it takes to converge without acceleration, or as many as --literal says: the
+//   time is then extended to all, and the line below the table says so. The matrix has n rows and
+//   three right-hand sides; another line tells what the paper's 3n rows take.
+// Totals of the references have their own time in the rows that they fill, and in the others that of
+// the first and of the second column.
 // Below the table results are compared: mean difference of the distances, energies after equally
 // many iterations.
 // Usage: pipeline_benchmark [--vertices 53000] [--runs 3] [--literal ITERATIONS] [mesh files]
@@ -78,7 +77,7 @@ double median(std::vector<double> values)
   return values[values.size() / 2];
 }
 
-// The first column.
+// The first two columns.
 struct Ours
 {
   CP::Registration_summary summary; // with the medians of the seconds
@@ -86,7 +85,7 @@ struct Ours
   double set_up = 0, fields = 0;
 };
 
-Ours run_ours(const Mesh& mesh, const int runs)
+Ours run_ours(const Mesh& mesh, const int runs, const CP::Options::Body body)
 {
   Ours ours;
   std::vector<std::vector<double>> stages;
@@ -95,6 +94,7 @@ Ours run_ours(const Mesh& mesh, const int runs)
   {
     ours.results = {};
     CP::Options options;
+    options.body = body;
     options.intermediate_results = &ours.results;
     Mesh pose = mesh;
     ours.summary = CGAL::canonical_pose_3(mesh, pose.points(), options);
@@ -116,7 +116,7 @@ Ours run_ours(const Mesh& mesh, const int runs)
   return ours;
 }
 
-// The second column.
+// The third column.
 struct Heat_method
 {
   double set_up = 0, fields = 0;
@@ -149,12 +149,12 @@ Heat_method run_heat_method(const Mesh& input, const CP::Landmark_fields_3& ours
   return result;
 }
 
-// The third column, for one iteration.
+// The fourth column, for one iteration.
 struct Literal
 {
   Literal_registration::Seconds per_iteration;
   double paper_size_per_iteration = 0; // with 3n rows
-  int iterations = 0;
+  int iterations = 0, iterations_to_converge = 0;
   double energy = 0, energy_of_ours = 0;
 };
 
@@ -165,6 +165,7 @@ Literal run_literal(const Mesh& mesh, const CP::Intermediate_results& results,
   const Eigen::VectorXd weights = CP::vertex_area_shares(mesh, mesh.points());
   const double length_scale = results.landmark_fields->distances.maxCoeff();
   CP::Registration_options options;
+  options.acceleration_window = 0;
   CP::Tetrahedral_arap_registrar_3<CP::Conforming_body_3> registrar(body, weights, length_scale,
                                                                     options);
   registrar.set_target(*results.target);
@@ -173,11 +174,17 @@ Literal run_literal(const Mesh& mesh, const CP::Intermediate_results& results,
   registrar.register_to_target(start); // both begin here
 
   Literal result;
-  registrar.set_number_of_iterations(wished_iterations > 0 ? wished_iterations
-                                                           : options.number_of_iterations);
-  const CP::Registration_summary ours = registrar.register_to_target(pose);
+  registrar.set_number_of_iterations(options.number_of_iterations);
+  CP::Registration_summary ours = registrar.register_to_target(pose);
+  result.iterations = result.iterations_to_converge = ours.iterations;
+  if(wished_iterations > 0)
+  {
+    result.iterations = wished_iterations;
+    registrar.set_number_of_iterations(wished_iterations);
+    pose.resize(0, 3);
+    ours = registrar.register_to_target(pose);
+  }
   result.energy_of_ours = ours.energy;
-  result.iterations = ours.iterations;
 
   const double alpha = std::pow(options.detail_length * length_scale, 2);
   Literal_registration literal(body, weights, *results.target, alpha, 0,
@@ -200,60 +207,64 @@ Literal run_literal(const Mesh& mesh, const CP::Intermediate_results& results,
   return result;
 }
 
-void print_row(const std::string& name, const double ours, const double heat = -1,
-               const double literal = -1)
+void print_row(const std::string& name, const double ours, const double with_tetgen,
+               const double heat = -1, const double literal = -1)
 {
-  std::printf("%-22s%14.3f", name.c_str(), ours);
+  std::printf("%-22s%14.3f%14.3f", name.c_str(), ours, with_tetgen);
   for(const double s : {heat, literal})
     s < 0 ? std::printf("%18s", "") : std::printf("%18.3f", s);
   std::printf("\n");
 }
 
-void print_table(const Ours& ours, const Heat_method& heat, const Literal& literal)
+void print_table(const Ours& ours, const Ours& with_tetgen, const Heat_method& heat,
+                 const Literal& literal)
 {
-  const double n = ours.summary.iterations;
-  std::printf("%-22s%14s%18s%18s\n", "seconds", "this package", "CGAL heat method",
-              "paper, literally");
+  const double n = literal.iterations_to_converge;
+  std::printf("%-22s%14s%14s%18s%18s\n", "seconds", "this package", "with TetGen",
+              "CGAL heat method", "paper, literally");
   double total_heat = 0, total_literal = 0;
-  for(const auto& [stage, s] : ours.summary.stages)
+  for(std::size_t i = 0; i < ours.summary.stages.size(); ++i)
   {
+    const auto& [stage, s] = ours.summary.stages[i];
+    const double s_with_tetgen = with_tetgen.summary.stages[i].second;
     const double heat_here = stage == "geodesics" ? heat.set_up + heat.fields : -1;
     const double literal_here = stage == "factorization"  ? n * literal.per_iteration.matrix
                                 : stage == "local_steps"  ? n * literal.per_iteration.rotations
                                 : stage == "global_steps" ? n * literal.per_iteration.solution
                                                           : -1;
-    print_row(stage, s, heat_here, literal_here);
+    print_row(stage, s, s_with_tetgen, heat_here, literal_here);
     total_heat += heat_here < 0 ? s : heat_here;
-    total_literal += literal_here < 0 ? s : literal_here;
+    total_literal += literal_here < 0 ? s_with_tetgen : literal_here;
     if(stage == "geodesics")
     {
-      print_row("  set-up", ours.set_up, heat.set_up);
-      print_row("  fields", ours.fields, heat.fields);
+      print_row("  set-up", ours.set_up, with_tetgen.set_up, heat.set_up);
+      print_row("  fields", ours.fields, with_tetgen.fields, heat.fields);
     }
   }
-  print_row("total", ours.summary.total_seconds(), total_heat, total_literal);
+  print_row("total", ours.summary.total_seconds(), with_tetgen.summary.total_seconds(), total_heat,
+            total_literal);
 }
 
 void compare(const std::string& name, const Mesh& mesh, const Arguments& arguments)
 {
-  const Ours ours = run_ours(mesh, arguments.runs);
-  const CP::Registration_summary& summary = ours.summary;
-  std::printf("\n%s: %zu vertices, %zu cells, %zu landmarks; median of %d runs\n", name.c_str(),
-              std::size_t(mesh.number_of_vertices()), summary.body.tetrahedra,
-              summary.target.landmarks, arguments.runs);
+  const Ours ours = run_ours(mesh, arguments.runs, CP::Options::Body::AUTOMATIC);
+  const Ours with_tetgen = run_ours(mesh, arguments.runs, CP::Options::Body::TETGEN);
+  std::printf("\n%s: %zu vertices, %zu landmarks; median of %d runs\n", name.c_str(),
+              std::size_t(mesh.number_of_vertices()), ours.summary.target.landmarks,
+              arguments.runs);
   const Heat_method heat = run_heat_method(mesh, *ours.results.landmark_fields);
-  const Literal literal = run_literal(mesh, ours.results, arguments.literal);
-  print_table(ours, heat, literal);
-  std::printf("outcome: %s\n", summary.brief_report().c_str());
+  const Literal literal = run_literal(mesh, with_tetgen.results, arguments.literal);
+  print_table(ours, with_tetgen, heat, literal);
+  std::printf("outcome: %s\n", ours.summary.brief_report().c_str());
+  std::printf("outcome with TetGen: %s\n", with_tetgen.summary.brief_report().c_str());
   std::printf("distances: ours differ from CGAL's by %.2f %% in the mean\n", 100 * heat.difference);
-  std::printf("literal registration: %d iterations timed (%.3f s each) of the %d of the "
-              "first column\n",
-              literal.iterations, literal.per_iteration.total(), summary.iterations);
+  std::printf("literal registration: %d iterations timed (%.3f s each) of the %d to convergence\n",
+              literal.iterations, literal.per_iteration.total(), literal.iterations_to_converge);
   std::printf("  with the paper's 3n rows: %.3f s per iteration (2 timed), %.1f s for all\n",
               literal.paper_size_per_iteration,
-              summary.iterations * literal.paper_size_per_iteration);
-  std::printf("  energy after %d iterations on one target: ours %.10f, literal %.10f, relative "
-              "difference %.1e\n",
+              literal.iterations_to_converge * literal.paper_size_per_iteration);
+  std::printf("  energy after %d iterations on one target, without acceleration: ours %.10f, "
+              "literal %.10f, relative difference %.1e\n",
               literal.iterations, literal.energy_of_ours, literal.energy,
               std::abs(literal.energy / literal.energy_of_ours - 1));
 }

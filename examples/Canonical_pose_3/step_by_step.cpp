@@ -11,13 +11,13 @@
 
 #include <CGAL/Canonical_pose_3/Heat_geodesics_3.h>
 #include <CGAL/Canonical_pose_3/Landmark_mds_target_builder_3.h>
+#include <CGAL/Canonical_pose_3/Lattice_body_3.h>
 #include <CGAL/Canonical_pose_3/Tetrahedral_arap_registrar_3.h>
 #include <CGAL/Canonical_pose_3/align_target.h>
 #include <CGAL/Canonical_pose_3/farthest_point_landmarks.h>
 #include <CGAL/Canonical_pose_3/surface_measures.h>
-#include <CGAL/Canonical_pose_3/surface_measures.h>
 #include <CGAL/Canonical_pose_3/target_handedness.h>
-#include <CGAL/Canonical_pose_3/tetgen_body.h>
+#include <CGAL/Canonical_pose_3/target_scale.h>
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -45,13 +45,14 @@ int main(int argc, char* argv[])
   CP::Landmark_mds_target_builder_3<> builder;
   builder.build(fields);
   std::cout << "stress of the target: " << builder.stress() << '\n';
-  // Its place: moved onto the input, mirrored if that is its handedness.
+  // Its size and place: moved onto the input, mirrored if that is its handedness.
   const auto points = CP::point_matrix(mesh);
   const auto shares = CP::vertex_area_shares(mesh, mesh.points());
   const bool mirrored = CP::target_handedness(builder.targets(), mesh, mesh.points()) < 0;
-  const auto target = CP::align_target(builder.targets(), points, shares, mirrored);
+  const double scale = CP::target_scale(builder.targets(), mesh, mesh.points());
+  const auto target = CP::align_target(scale * builder.targets(), points, shares, mirrored);
   // Tetrahedra inside, and the registration.
-  const auto body = CP::tetgen_body(mesh, mesh.points());
+  const CP::Lattice_body_3 body(mesh, mesh.points(), fields.distances);
   CP::Tetrahedral_arap_registrar_3 registrar(body, shares, builder.length_scale());
   registrar.set_target(target);
   CP::Point_matrix pose; // of all vertices of the body; empty: start from the target

@@ -12,15 +12,22 @@
 
 #include <CGAL/Canonical_pose_3/Options.h>
 #include <CGAL/Canonical_pose_3/Registration_summary.h>
+#include <CGAL/Canonical_pose_3/Repaired_surface_3.h>
 #include <CGAL/Canonical_pose_3/complex_body.h>
+#include <CGAL/Canonical_pose_3/diagnose.h>
 #include <CGAL/Canonical_pose_3/internal/Canonical_pose_pipeline.h>
 #include <CGAL/Canonical_pose_3/internal/boundary_triangles.h>
+#include <CGAL/Canonical_pose_3/internal/pose_of_surface.h>
 #include <CGAL/Canonical_pose_3/internal/with_solver.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/Real_timer.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
+#include <cstddef>
+#include <iterator>
+#include <stdexcept>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -30,7 +37,7 @@ namespace CGAL {
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief brings a closed surface into its detail-preserving canonical pose
+\brief brings a surface into its detail-preserving canonical pose
 \cgalCite{cgal:canonical-s-sdacm-15}.
 
 Geodesic distances to landmarks give a target point per vertex by multidimensional scaling; a
@@ -46,7 +53,9 @@ target to the input puts it. It follows rigid motions, scaling and relabelling o
        itself.
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
-\param tmesh a closed connected triangle mesh without self-intersections.
+\param tmesh a polygon mesh. It may have holes, intersect itself, and have defects of any kind
+       (see `Canonical_pose_3::repair_surface()`); the repairs stay inside. Vertices that are on no
+       face are carried along.
 \param pose_vertex_point_map receives the pose, unless the summary says that there is none.
 \param options the knobs of the method.
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
@@ -68,10 +77,12 @@ target to the input puts it. It follows rigid motions, scaling and relabelling o
 
 \returns the outcome; iterations, energies and seconds per stage included.
 
-\throws std::invalid_argument if the surface is not clean (see `Canonical_pose_3::diagnose()`) or an
-       option is out of its bounds; the message names the defect and an element.
-\throws std::runtime_error if the solver or the mesher fails, or the program was built without
-       TetGen.
+\throws std::invalid_argument if the surface has no area, a coordinate is not finite, there are
+       several components and the options do not say what to do with them, the body wished needs a
+       surface without defect (see `Canonical_pose_3::diagnose()`), or an option is out of its bounds;
+       the message names the defect and an element.
+\throws std::runtime_error if the solver or the mesher fails, or the program was built without the body
+       wished.
 
 <em>Complexity:</em> with the default distances two factorisations and one solve per landmark of
 sparse matrices of the size of the surface, one factorisation of a matrix of the size of the body,
@@ -97,15 +108,9 @@ canonical_pose_3(const TriangleMesh& tmesh, PoseVertexPointMap pose_vertex_point
                    choose_parameter(get_parameter(np, internal_np::vertex_point),
                                     get_const_property_map(vertex_point, tmesh)),
                    traits);
-  const auto triangles = Canonical_pose_3::internal::index_triangles(tmesh);
   Point_matrix pose;
-  const Registration_summary summary
-    = Canonical_pose_3::internal::with_solver(options, [&](const auto factor_traits) {
-        typedef std::decay_t<decltype(factor_traits)> Factor_traits;
-        return Canonical_pose_3::internal::Canonical_pose_pipeline<Factor_traits>(points, triangles,
-                                                                                  options)
-          .run(pose);
-      });
+  const Registration_summary summary = Canonical_pose_3::internal::pose_of_surface(
+    points, Canonical_pose_3::internal::index_polygons(tmesh), options, pose);
   if(summary.is_usable())
     put_points(pose, tmesh, pose_vertex_point_map, traits);
   return summary;
@@ -114,10 +119,57 @@ canonical_pose_3(const TriangleMesh& tmesh, PoseVertexPointMap pose_vertex_point
 /*!
 \ingroup PkgCanonicalPose3Ref
 
+\brief brings a polygon soup into its detail-preserving canonical pose.
+
+\tparam PointRange a model of `RandomAccessContainer` of points of a kernel
+\tparam PolygonRange a range of ranges of indices of points
+\tparam PosePointRange a model of `BackInsertionSequence` of points of the same kernel
+
+\param points the points.
+\param polygons the faces.
+\param pose receives the pose of each point, in the order of `points`, unless the summary says that
+       there is none.
+\param options the knobs of the method.
+
+\returns the outcome.
+
+\throws std::invalid_argument also if a polygon names a point that does not exist.
+*/
+template <
+  typename PointRange, typename PolygonRange, typename PosePointRange,
+  std::enable_if_t<!std::is_same<PosePointRange, Canonical_pose_3::Options>::value, int> = 0>
+Canonical_pose_3::Registration_summary
+canonical_pose_3(const PointRange& points, const PolygonRange& polygons, PosePointRange& pose,
+                 const Canonical_pose_3::Options& options = Canonical_pose_3::Options())
+{
+  using namespace Canonical_pose_3;
+  typedef typename Kernel_traits<std::decay_t<decltype(*std::begin(points))>>::Kernel Traits;
+  const Traits traits;
+  Point_matrix rows(static_cast<Eigen::Index>(std::size(points)), 3), pose_rows;
+  Eigen::Index row = 0;
+  for(const auto& p : points)
+    rows.row(row++) = Canonical_pose_3::internal::to_row(traits, p).transpose();
+  std::vector<std::vector<std::size_t>> indices;
+  for(const auto& polygon : polygons)
+    indices.emplace_back(std::begin(polygon), std::end(polygon));
+  const Registration_summary summary
+    = Canonical_pose_3::internal::pose_of_surface(rows, indices, options, pose_rows);
+  if(summary.is_usable())
+  {
+    pose.clear();
+    for(row = 0; row < pose_rows.rows(); ++row)
+      pose.push_back(Canonical_pose_3::internal::from_row(traits, pose_rows.row(row)));
+  }
+  return summary;
+}
+
+/*!
+\ingroup PkgCanonicalPose3Ref
+
 \brief brings a tetrahedral complex into its detail-preserving canonical pose.
 
-The distances are those on the boundary of the complex, which must be connected and free of
-self-intersections; the cells of the complex are the body.
+The distances are those on the boundary of the complex, which must be connected; the cells of the
+complex are the body.
 
 \tparam TetrahedralComplex a type for which `Canonical_pose_3::Tetrahedral_complex_traits_3` is
        specialised
@@ -152,25 +204,30 @@ canonical_pose_3(const TetrahedralComplex& complex, PoseVertexPointMap pose_vert
   auto indexed = Canonical_pose_3::internal::indexed_complex(complex, traits);
   const Conforming_body_3 body(std::move(indexed.points), std::move(indexed.cells),
                                indexed.vertices.size());
-  auto triangles = Canonical_pose_3::internal::boundary_triangles(body.points(), body.cells());
-  std::vector<std::size_t> origins;
-  Canonical_pose_3::internal::make_boundary_manifold(triangles, origins);
-  Point_matrix surface(static_cast<Eigen::Index>(origins.size()), 3);
-  for(std::size_t i = 0; i < origins.size(); ++i)
-    surface.row(static_cast<Eigen::Index>(i))
-      = body.points().row(static_cast<Eigen::Index>(origins[i]));
-
+  Repaired_surface_3 surface;
+  surface.triangles = Canonical_pose_3::internal::boundary_triangles(body.points(), body.cells());
+  Canonical_pose_3::internal::make_boundary_manifold(surface.triangles, surface.origins);
+  surface.points.resize(static_cast<Eigen::Index>(surface.origins.size()), 3);
+  for(std::size_t i = 0; i < surface.origins.size(); ++i)
+    surface.points.row(static_cast<Eigen::Index>(i))
+      = body.points().row(static_cast<Eigen::Index>(surface.origins[i]));
+  const double seconds_for_body = timer.time();
+  const Diagnosis_3 diagnosis = diagnose(surface.points, surface.triangles);
+  if(diagnosis.components > 1)
+    throw std::invalid_argument("the boundary of the complex has "
+                                + std::to_string(diagnosis.components) + " connected components");
   timer.stop();
 
   Point_matrix pose;
   Registration_summary summary
     = Canonical_pose_3::internal::with_solver(options, [&](const auto factor_traits) {
         typedef std::decay_t<decltype(factor_traits)> Factor_traits;
-        return Canonical_pose_3::internal::Canonical_pose_pipeline<Factor_traits>(
-                 surface, triangles, options)
-          .run(body, origins, pose);
+        return Canonical_pose_3::internal::Canonical_pose_pipeline<Factor_traits>(surface, options,
+                                                                                  diagnosis)
+          .run(body, surface.origins, pose);
       });
-  summary.add_seconds("body", timer.time());
+  summary.add_seconds("diagnosis", timer.time() - seconds_for_body);
+  summary.add_seconds("body", seconds_for_body);
   if(summary.is_usable())
     for(std::size_t i = 0; i < indexed.vertices.size(); ++i)
       put(pose_vertex_point_map, indexed.vertices[i],

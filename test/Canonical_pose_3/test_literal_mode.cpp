@@ -103,7 +103,7 @@ TEST(Literal_mode, equation_13) { compare(BOX, {}); }
 
 TEST(Literal_mode, equation_16) { compare(BOX, CP::Spring_3{0, 35, 0.4, 50.}); }
 
-// The one call in literal mode; here rotations are CGAL's polar ones, which are good to 1e-8 only.
+// The one call in literal mode; here rotations are in closed form.
 TEST(Literal_mode, one_call)
 {
   using Point_3 = CGAL::Simple_cartesian<double>::Point_3;

@@ -35,19 +35,10 @@ expect_exit(2 geodesics ball.off -o out/a.txt --source -1)
 
 # ---- what cannot be done: exit 1, one line on stderr that says why, and no file ------------------------
 
-foreach(option IN ITEMS "--body lattice" "--body mesh" "--geodesics mmp" "--injective"
-                        "--components largest" "--components each")
+foreach(option IN ITEMS "--geodesics mmp" "--injective")
   separate_arguments(words UNIX_COMMAND "${option}")
   expect_refusal("${option}: not available yet" pose ball.off -o out/a.off ${words})
 endforeach()
-
-expect_refusal("--spacing: not available yet" pose ball.off -o out/a.off --spacing 0.01)
-
-run_tool(pose ball.off -o out/a.off)
-if(stderr MATCHES "without TetGen")
-  message(STATUS "The tool was built without TetGen: the poses of surfaces are not tested")
-  return()
-endif()
 
 foreach(input IN LISTS bad_inputs)
   list(POP_FRONT messages message)
@@ -58,6 +49,7 @@ foreach(input IN LISTS bad_inputs)
   expect_refusal("${message}" pose ${input} -o out/a.${format} --target out/b.off --report out/c.json)
 endforeach()
 
+expect_refusal("2 connected components" pose edge.off -o out/a.off) # the fin is one
 expect_refusal("No such file" pose missing.off -o out/a.off)
 expect_refusal("directory" pose folder.off -o out/a.off)
 expect_refusal("extension" pose ball.txt -o out/a.off)
@@ -69,13 +61,26 @@ expect_refusal("tetrahedral" pose ball.off -o out/a.mesh)
 expect_refusal("tetrahedral" pose ball.mesh -o out/a.off)
 expect_refusal("names vertex 99" pose ball.off -o out/a.off --spring 0,99,1)
 expect_refusal("names vertex 99" geodesics ball.off --source 99 -o out/a.txt)
-expect_refusal("opposite orientation" geodesics turned.off --source 0 -o out/a.txt)
+expect_refusal("vertex 12 belongs to no face" geodesics isolated.off --source 0 -o out/a.txt)
+expect_refusal("a surface is needed" geodesics ball.mesh --source 0 -o out/a.txt)
+expect_refusal("STL holds triangles only, but face 0 has 4 corners" pose quad.off -o out/a.stl)
+run_tool(pose ball.off -o out/a.off --body tetgen)
+if(stderr MATCHES "without TetGen")
+  message(STATUS "The tool was built without TetGen: it is not tested that TetGen is spared dirty surfaces")
+else()
+  foreach(input message IN ZIP_LISTS dirty_inputs defect_messages)
+    if(message AND NOT input STREQUAL edge.off)
+      expect_refusal("${message}" pose ${input} -o out/a.off --body tetgen)
+    endif()
+  endforeach()
+endif()
 
 # ---- check: exit 0 if the file can be examined -----------------------------------------------------------
 
 expect_exit(0 check ball.off --report out/check.json)
-expect_match("${stdout}" "faces +20\n.*first_defect +none")
+expect_match("${stdout}" "faces +20\n.*first_defect +none\n$")
 expect_json(out/check.json 12 input vertices)
+expect_json(out/check.json "[]" defects)
 expect_json(out/check.json 0 input self_intersections)
 expect_exit(0 check hole.off)
 expect_match("${stdout}" "boundary_edges +3\n")
@@ -83,6 +88,14 @@ expect_exit(0 check two_balls.off)
 expect_match("${stdout}" "components +2\n")
 expect_exit(0 check ball.mesh)
 expect_exit(1 check truncated.off)
+foreach(input defect message IN ZIP_LISTS dirty_inputs defects defect_messages)
+  string(REGEX MATCH "^[a-z_]+" kind "${defect}")
+  string(REGEX REPLACE "^[a-z_]+ " " +" line "${defect}")
+  expect_exit(0 check ${input} --report out/check.json)
+  expect_match("${stdout}" "first_defect +[^\n]*${message}[^\n]*\ndefect ${kind}${line}")
+  expect_json(out/check.json ${kind} defects 0 kind)
+endforeach()
+expect_json(out/check.json 0 defects 0 examples 0 0)
 
 # ---- pose: every format in, every format out ---------------------------------------------------------------
 
@@ -100,6 +113,16 @@ endforeach()
 expect_same_bytes(out/off.off out/obj.off)
 expect_same_bytes(out/off.off out/ply.off)
 expect_same_faces(ball.off out/off.off)
+
+foreach(input IN LISTS dirty_inputs)
+  expect_exit(0 pose ${input} -o out/a.off --report out/report.json --components largest)
+  expect_complete_report(out/report.json)
+  expect_same_faces(${input} out/a.off)
+endforeach()
+foreach(components IN ITEMS largest each)
+  expect_exit(0 pose two_balls.off -o out/a.off --components ${components} --spacing 0.05)
+  expect_same_faces(two_balls.off out/a.off)
+endforeach()
 
 expect_exit(0 pose ball.mesh -o out/pose.mesh --target out/target.off --report out/report.json)
 expect_complete_report(out/report.json)
@@ -126,7 +149,12 @@ foreach(kind IN ITEMS heat exact)
   list(GET lines 23 line)
   expect_match("${line}" "^inf 0$")
 endforeach()
-expect_exit(0 geodesics hole.off --source 3 -o out/distances.txt)
+foreach(input IN ITEMS hole.off turned.off quad.off crossing.off)
+  expect_exit(0 geodesics ${input} --source 3 -o out/distances.txt)
+  file(STRINGS ${WORK}/out/distances.txt lines)
+  list(LENGTH lines length)
+  expect_match(${length} "^12$")
+endforeach()
 
 # ---- the sample: the time is accounted for, and the bytes do not depend on the threads -------------------------
 

@@ -1,5 +1,6 @@
 # Writes the input files of test_tool.cmake to WORK: a ball of 12 vertices and 20 faces in all formats, and
-# files that break one promise each. bad_inputs names the latter, messages says what the tool has to say of them.
+# files that break one promise each. bad_inputs names those that are refused, messages says what the tool has to say
+# of them; dirty_inputs names those that are repaired inside, defects and defect_messages what is wrong with them.
 
 # An icosahedron, stretched so that its axes differ.
 set(vertices "0 1 1.7" "0 -1 1.7" "0 1 -1.7" "0 -1 -1.7" "1.1 1.8 0" "-1.1 1.8 0" "1.1 -1.8 0" "-1.1 -1.8 0"
@@ -125,30 +126,49 @@ file(WRITE ${WORK}/index.mesh "MeshVersionFormatted 1\nDimension 3\nVertices 4\n
   "Tetrahedra 1\n1 2 3 5 0\nEnd\n")
 bad(index.mesh "cell 0 names vertex 5 (counted from 1), but there are 4")
 
-file(WRITE ${WORK}/quad.off "OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n")
-bad(quad.off "face 0 is not a triangle")
-file(WRITE ${WORK}/triangle.off "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")
-bad(triangle.off "the surface is not closed")
+file(WRITE ${WORK}/corners.off "OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n2 0 1\n")
+bad(corners.off "face 1 is not a polygon: its number of corners is 2")
+file(WRITE ${WORK}/corners.obj "v 0 0 0\nv 1 0 0\nf 1 2\n")
+bad(corners.obj "face 0 is not a polygon: its number of corners is 2")
+file(WRITE ${WORK}/line.off "OFF\n3 1 0\n0 0 0\n1 0 0\n2 0 0\n3 0 1 2\n")
+bad(line.off "all its faces are degenerate")
 file(WRITE ${WORK}/points.off "OFF\n2 0 0\n0 0 0\n1 0 0\n")
 bad(points.off "no face")
 
+# ---- files that are repaired inside ---------------------------------------------------------------------
+
+set(dirty_inputs "")
+set(defects "")
+set(defect_messages "")
+macro(dirty name defect message)
+  list(APPEND dirty_inputs ${name})
+  list(APPEND defects "${defect}")
+  list(APPEND defect_messages "${message}")
+endmacro()
+
 replace(bad_faces "${faces}" 7 "1 6 6")
 write_off(degenerate.off "${vertices}" "${bad_faces}")
-bad(degenerate.off "face 7 is degenerate")
+dirty(degenerate.off "degenerate_faces 1: face 7" "face 7 is degenerate")
 replace(bad_faces "${faces}" 7 "1 8 6")
 write_off(turned.off "${vertices}" "${bad_faces}")
-bad(turned.off "opposite orientation")
-write_off(edge.off "${vertices};0 0 9" "${faces};0 8 12")
-bad(edge.off "the edge from vertex 0 to vertex 8 belongs to 3 faces")
-write_off(isolated.off "${vertices};0 0 9" "${faces}")
-bad(isolated.off "vertex 12 belongs to no face")
-replace(bad_vertices "${vertices}" 0 "0 -1 -5")
+dirty(turned.off "inconsistent_orientation 3: edge 1 6, edge 1 8, edge 6 8" "opposite orientation")
+write_off(edge.off "${vertices};0 0 9.5" "${faces};0 8 12")
+dirty(edge.off "non_manifold_edges 1: edge 0 8" "the edge from vertex 0 to vertex 8 belongs to 3 faces")
+write_off(isolated.off "${vertices};0 0 9.5" "${faces}")
+dirty(isolated.off "isolated_vertices 1: vertex 12" "vertex 12 belongs to no face")
+replace(bad_vertices "${vertices}" 0 "0 -1 -2.2")
 write_off(crossing.off "${bad_vertices}" "${faces}")
-bad(crossing.off "the surface intersects itself")
+dirty(crossing.off "self_intersections [0-9]+: faces [0-9]+ [0-9]+, " "the surface intersects itself")
 set(bad_faces "${faces}")
 list(POP_BACK bad_faces)
 write_off(hole.off "${vertices}" "${bad_faces}")
-bad(hole.off "the surface is not closed: 3 boundary edges")
+dirty(hole.off "holes 1: edge [0-9]+ [0-9]+" "the surface is not closed: 3 boundary edges")
+
+join(vertex_lines "" ${vertices})
+join(face_lines "3 " ${faces})
+string(REPLACE "3 0 1 8\n3 0 8 4\n" "4 0 1 8 4\n" face_lines "${face_lines}")
+file(WRITE ${WORK}/quad.off "OFF\n12 19 0\n${vertex_lines}${face_lines}")
+dirty(quad.off "polygons 1: face 0" "")
 
 set(both_vertices "${vertices}")
 set(both_faces "${faces}")

@@ -14,7 +14,9 @@ nothing of its triangles.
 The registrar keeps references to what these functions return: it must stay where it is, and
 unchanged, as long as the registrar lives.
 
+\cgalHasModel `CGAL::Canonical_pose_3::Lattice_body_3`
 \cgalHasModel `CGAL::Canonical_pose_3::Conforming_body_3`
+\cgalHasModel `CGAL::Canonical_pose_3::Embedded_body_3`
 
 \sa `CGAL::Canonical_pose_3::Tetrahedral_arap_registrar_3`
 */

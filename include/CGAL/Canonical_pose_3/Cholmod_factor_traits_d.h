@@ -25,6 +25,7 @@
 
 #include <cholmod.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <memory>
@@ -42,8 +43,8 @@ Available where CHOLMOD is; the CMake target of the package says so by the macro
 `CGAL_CANONICAL_POSE_3_USE_CHOLMOD`. It prints nothing. Copies share one factorization.
 
 Its results do not depend on the number of threads: inside its functions, OpenBLAS is held to one
-thread and set back afterwards, and the columns of a block are solved independently of one another
-(in parallel, if `CGAL_LINKED_WITH_TBB` is defined). Solving from several threads at once is safe.
+thread and set back afterwards, and the columns of a block are solved one or three at a time, without
+an effect on one another (in parallel, if `CGAL_LINKED_WITH_TBB` is defined). Solving from several threads at once is safe.
 
 \cgalModels `SparseLinearAlgebraWithBlockFactorTraits_d`
 
@@ -99,8 +100,8 @@ public:
     CGAL_precondition(m_factor != nullptr);
     const internal::Single_threaded_blas guard;
     solution.eigen_object().resize(right_hand_side.size());
-    return internal::Cholmod_workspace().solve(m_factor.get(), right_hand_side.data(),
-                                               solution.eigen_object().data());
+    return internal::Cholmod_workspace().solve(m_factor.get(), right_hand_side.eigen_object(),
+                                               solution.eigen_object());
   }
 
   /// solves for a block of right-hand sides, one per column. Each column of the solution has the
@@ -113,19 +114,25 @@ public:
     const internal::Single_threaded_blas guard;
     solutions.resize(right_hand_sides.rows(), right_hand_sides.cols());
     std::atomic<bool> solved(true);
-    const auto solve_columns = [&](Index first, Index last) {
+    // CHOLMOD's simplicial solves sum in the same order for one to three columns; others do not.
+    const Index width = m_factor->is_super ? 1 : 3;
+    const auto solve_groups = [&](Index first, Index last) {
       internal::Cholmod_workspace workspace;
-      for(Index k = first; k < last; ++k)
-        if(!workspace.solve(m_factor.get(), right_hand_sides.col(k).data(),
-                            solutions.col(k).data()))
+      for(Index k = first * width; k < (std::min)(last * width, solutions.cols()); k += width)
+      {
+        const Index columns = (std::min)(width, solutions.cols() - k);
+        if(!workspace.solve(m_factor.get(), right_hand_sides.middleCols(k, columns),
+                            solutions.middleCols(k, columns)))
           solved = false;
+      }
     };
+    const Index number_of_groups = (right_hand_sides.cols() + width - 1) / width;
 #ifdef CGAL_LINKED_WITH_TBB
     tbb::parallel_for(
-      tbb::blocked_range<Index>(0, right_hand_sides.cols()),
-      [&](const tbb::blocked_range<Index>& r) { solve_columns(r.begin(), r.end()); });
+      tbb::blocked_range<Index>(0, number_of_groups),
+      [&](const tbb::blocked_range<Index>& r) { solve_groups(r.begin(), r.end()); });
 #else
-    solve_columns(0, right_hand_sides.cols());
+    solve_groups(0, number_of_groups);
 #endif
     return solved;
   }

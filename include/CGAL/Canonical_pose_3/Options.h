@@ -29,7 +29,9 @@ namespace Canonical_pose_3 {
 
 What is there when the call begins is used, what is not is computed and left here. Rows are the
 vertices in the order of `vertices(tmesh)`; for a tetrahedral complex those of its boundary, in the
-order of `extract_boundary()`.
+order of `extract_boundary()`. Vertices that the surface carries along (those of no face, or of another
+component) have infinite distances, and their pose as target. With a pose for each of several
+components, there are no distances.
 */
 struct Intermediate_results
 {
@@ -39,6 +41,13 @@ struct Intermediate_results
   /// \f$ n \times 3 \f$, the target in its final place. One that is handed in is neither aligned
   /// nor reflected.
   std::optional<Point_matrix> target;
+
+  /// \f$ m \times 3 \f$, points near the surface, such as markers or the vertices of a finer version
+  /// of it, that are to follow it.
+  Point_matrix followers;
+
+  /// \f$ m \times 3 \f$, receives the pose of `followers`, see `Body_deformer_3`.
+  Point_matrix pose_of_followers;
 };
 
 /*!
@@ -65,6 +74,14 @@ struct Options
   /// model of `MdsKernel` of the target.
   enum class Kernel { CLASSICAL, GAUSSIAN, UNCENTERED_GAUSSIAN };
 
+  /// elastic body of a surface: `AUTOMATIC` is the lattice, see `Lattice_body_3`; the others need a
+  /// surface without defect.
+  enum class Body { AUTOMATIC, LATTICE, TETGEN, MESH_3 };
+
+  /// what to do with a surface of several connected components: refuse it; take the largest one,
+  /// which carries the others along; or bring each into its own pose.
+  enum class Components { REFUSE, LARGEST, EACH };
+
   /// linear solver: `AUTOMATIC` is CHOLMOD where the package was configured with it, else Eigen.
   enum class Solver { AUTOMATIC, EIGEN, CHOLMOD };
 
@@ -80,6 +97,15 @@ struct Options
 
   /// the kernel.
   Kernel kernel = Kernel::CLASSICAL;
+
+  /// the body of a surface; a complex is its own body.
+  Body body = Body::AUTOMATIC;
+
+  /// spacing of the lattice as a fraction of \f$ L \f$; 0: chosen from the thickness of the shape.
+  double lattice_spacing = 0;
+
+  /// components of a surface.
+  Components components = Components::REFUSE;
 
   /// the knobs of the registration.
   Registration_options registration;

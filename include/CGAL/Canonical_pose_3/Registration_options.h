@@ -39,12 +39,17 @@ struct Registration_options
 
   /// stops when \f$ |E_{k-1} - E_k| \le \f$ `energy_tolerance` \f$ \cdot \max(E_{k-1}, 10^{-15})
   /// \f$ and `move_tolerance` agrees; the floor, without unit as \f$ E \f$ is, stands for an energy
-  /// of 0 up to rounding.
+  /// of 0 up to rounding. With acceleration this must hold in two iterations in a row.
   double energy_tolerance = 1e-5;
 
-  /// stops when no surface vertex moved by more than `move_tolerance` \f$ \cdot L \f$ in the last
-  /// iteration and `energy_tolerance` agrees.
+  /// stops when no surface vertex moves by more than `move_tolerance` \f$ \cdot L \f$ in an
+  /// iteration without acceleration and `energy_tolerance` agrees.
   double move_tolerance = 5e-4;
+
+  /// number of earlier steps that correct a step by limited-memory BFGS
+  /// \cgalCite{cgal:canonical-lbk-qnm-17}, which takes about half the iterations; 0 for none. With
+  /// fairing or a Tikhonov term there is no correction. Not negative.
+  int acceleration_window = 5;
 
   /// number of fairing passes (Taubin \cgalCite{cgal:canonical-t-spafsd-95}: one step of \f$
   /// \lambda \f$ and one of \f$ \mu \f$, equal weights over the edges of the boundary of the body)
@@ -86,6 +91,7 @@ struct Registration_options
     require(number_of_iterations >= 0, "number_of_iterations", number_of_iterations, ">= 0");
     require(energy_tolerance >= 0, "energy_tolerance", energy_tolerance, ">= 0");
     require(move_tolerance >= 0, "move_tolerance", move_tolerance, ">= 0");
+    require(acceleration_window >= 0, "acceleration_window", acceleration_window, ">= 0");
     require(fairing_passes >= 0, "fairing_passes", fairing_passes, ">= 0");
   }
 

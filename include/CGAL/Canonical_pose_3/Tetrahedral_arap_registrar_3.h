@@ -14,14 +14,15 @@
 #include <CGAL/Canonical_pose_3/Registration_options.h>
 #include <CGAL/Canonical_pose_3/Registration_summary.h>
 #include <CGAL/Canonical_pose_3/internal/Arap_energy.h>
+#include <CGAL/Canonical_pose_3/internal/Quasi_newton_direction.h>
 #include <CGAL/Canonical_pose_3/internal/Registration_constraint_base.h>
 #include <CGAL/Canonical_pose_3/internal/Sparse_factor.h>
 #include <CGAL/Canonical_pose_3/internal/Taubin_fairing.h>
 #include <CGAL/Canonical_pose_3/internal/check_registration.h>
+#include <CGAL/Canonical_pose_3/internal/transposed_product.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <CGAL/Default.h>
-#include <CGAL/Deformation_Eigen_polar_closest_rotation_traits_3.h>
 #include <CGAL/Real_timer.h>
 #include <CGAL/assertions.h>
 
@@ -51,13 +52,16 @@ by local and global steps in turn \cgalCite{cgal:canonical-sa-asap-07},
 cell weights (each with sum 1), \f$ F_t \f$ is the deformation gradient of cell \f$ t \f$ and
 \f$ R_t \f$ the rotation closest to it, always of determinant 1. The global step has the matrix
 \f[ A = \ell^2 L^2 \sum_t w_t G_t^t G_t + (1 + \beta) B^t M B + A_{constraints}, \f]
-which is factored once. All lengths are divided by \f$ L \f$, hence neither units nor resolution
-matter. Without fairing the energy never rises. Iterations stop by the inequalities of
-`Registration_options`.
+which is factored once. The steps of earlier iterations correct those that it gives, by
+limited-memory BFGS \cgalCite{cgal:canonical-lbk-qnm-17}; where the corrected step does not lower the
+energy as it should, the plain one is taken. All lengths are divided by \f$ L \f$, hence neither
+units nor resolution matter. Without fairing the energy never rises. Iterations stop by the
+inequalities of `Registration_options`.
 
 \tparam ElasticBody a model of `ElasticBody_3`
-\tparam ClosestRotationTraits a model of CGAL's `DeformationClosestRotationTraits_3`,
-        by default `CGAL::Deformation_Eigen_polar_closest_rotation_traits_3`
+\tparam ClosestRotationTraits a model of CGAL's `DeformationClosestRotationTraits_3`. By default the
+        rotations are found in closed form, for eight cells at once, with 12 digits; by a singular
+        value decomposition where the form is ill-conditioned.
 \tparam FactorTraits a model of `SparseLinearAlgebraWithBlockFactorTraits_d`, by default
        `Default_factor_traits_d`
 
@@ -120,6 +124,8 @@ public:
     CGAL_precondition(target.rows() == m_weights.size());
     internal::check_finite(target);
     m_target = target / m_length_scale;
+    internal::transposed_product(m_body.embedding(), m_weights.asDiagonal() * m_target,
+                                 m_target_term);
   }
 
   /// factors the matrix unless that has been done for the present constraints.
@@ -131,7 +137,8 @@ public:
       revisions.push_back(constraint->matrix_revision());
     if(m_factor.is_factored() && revisions == m_factored_revisions)
       return;
-    m_factor.factor(assemble_matrix(), "the matrix of the registration");
+    m_matrix = assemble_matrix();
+    m_factor.factor(m_matrix, "the matrix of the registration");
     m_factored_revisions = revisions;
   }
 
@@ -170,6 +177,7 @@ public:
       v = body_points.rows() == 0 ? start() : Point_matrix(body_points / m_length_scale);
     });
     timed(summary, "local_steps", [&] { evaluate(v, summary); });
+    summary.energy_history.push_back(summary.energy);
     iterate(v, body_points.rows() > 0, summary);
     if(summary.is_usable())
       body_points = v * m_length_scale;
@@ -195,9 +203,6 @@ public:
   const Registration_options& options() const { return m_options; }
 
 private:
-  typedef
-    typename Default::Get<ClosestRotationTraits,
-                          Deformation_Eigen_polar_closest_rotation_traits_3>::type Rotation_traits;
   typedef internal::Sparse_factor<
     typename Default::Get<FactorTraits, Default_factor_traits_d>::type>
     Factor;
@@ -213,14 +218,7 @@ private:
 
   Eigen::SparseMatrix<double> assemble_matrix() const
   {
-    const Eigen::Index n = m_body.points().rows();
     std::vector<Eigen::Triplet<double>> entries;
-    entries.reserve(16 * m_body.cells().size());
-    m_arap.add_to_matrix(m_options.detail_length * m_options.detail_length, entries);
-    Eigen::SparseMatrix<double> matrix(n, n);
-    matrix.setFromTriplets(entries.begin(), entries.end());
-
-    entries.clear();
     for(Eigen::Index i = 0; i < m_weights.size(); ++i)
       entries.emplace_back(static_cast<int>(i), static_cast<int>(i),
                            (1 + m_options.tikhonov) * m_weights[i]);
@@ -229,14 +227,13 @@ private:
     Eigen::SparseMatrix<double> surface(m_weights.size(), m_weights.size());
     surface.setFromTriplets(entries.begin(), entries.end());
     const Eigen::SparseMatrix<double> surface_embedded = surface * m_body.embedding();
-    matrix += Eigen::SparseMatrix<double>(m_embedding_transposed * surface_embedded);
-    return matrix;
+    return m_arap.matrix(m_options.detail_length * m_options.detail_length)
+           + Eigen::SparseMatrix<double>(m_embedding_transposed * surface_embedded);
   }
 
   Point_matrix start() const
   {
-    const Point_matrix weighted = m_weights.asDiagonal() * m_target;
-    Point_matrix v = m_factor.solve((1 + m_options.tikhonov) * (m_embedding_transposed * weighted));
+    Point_matrix v = m_factor.solve((1 + m_options.tikhonov) * m_target_term);
     for(Eigen::Index i = 0; i < m_weights.size(); ++i)
       if(m_weights[i] > 0)
       {
@@ -248,17 +245,18 @@ private:
     return v;
   }
 
-  // Local step; stores the energies at v in the summary and returns the total one.
-  double evaluate(const Point_matrix& v, Registration_summary& summary)
+  // Local step: finds surface, rotations and energies at v.
+  void evaluate(const Point_matrix& v, Registration_summary& summary)
   {
-    const Point_matrix surface = m_body.embedding() * v;
+    internal::transposed_product(m_embedding_transposed, v, m_surface);
     const auto arap = m_arap.fit_rotations(v);
-    summary.energy_match = (surface - m_target).rowwise().squaredNorm().dot(m_weights);
+    summary.energy_match
+      = ((m_surface - m_target).array().square().colwise() * m_weights.array()).sum();
     summary.energy_arap = m_options.detail_length * m_options.detail_length * arap.energy;
     summary.energy_constraints = 0;
     if(!m_constraints.empty())
     {
-      const Point_matrix points = surface * m_length_scale;
+      const Point_matrix points = m_surface * m_length_scale;
       for(const auto& constraint : m_constraints)
         summary.energy_constraints
           += constraint->energy(points) / (m_length_scale * m_length_scale);
@@ -266,56 +264,105 @@ private:
     summary.energy = summary.energy_match + summary.energy_arap + summary.energy_constraints;
     summary.inverted = arap.inverted;
     summary.volume_ratio = arap.volume_ratio;
-    summary.energy_history.push_back(summary.energy);
-    return summary.energy;
   }
 
-  Point_matrix right_hand_side(const Point_matrix& v)
+  // The right-hand side for surface and rotations of the last local step.
+  const Point_matrix& right_hand_side()
   {
-    const Point_matrix surface = m_body.embedding() * v;
-    Point_matrix on_surface = m_weights.asDiagonal() * (m_target + m_options.tikhonov * surface);
-    if(!m_constraints.empty())
+    m_right_hand_side = m_target_term;
+    if(m_options.tikhonov > 0 || !m_constraints.empty())
     {
-      const Point_matrix points = surface * m_length_scale;
-      Point_matrix sum = Point_matrix::Zero(surface.rows(), 3);
+      const Point_matrix points = m_surface * m_length_scale;
+      Point_matrix sum = Point_matrix::Zero(points.rows(), 3), term;
       for(const auto& constraint : m_constraints)
         constraint->add_to_right_hand_side(points, sum);
-      on_surface += sum / m_length_scale;
+      internal::transposed_product(
+        m_body.embedding(),
+        m_options.tikhonov * (m_weights.asDiagonal() * m_surface) + sum / m_length_scale, term);
+      m_right_hand_side += term;
     }
-    Point_matrix result = m_embedding_transposed * on_surface;
-    m_arap.add_to_right_hand_side(m_options.detail_length * m_options.detail_length, result);
-    return result;
+    m_arap.add_to_right_hand_side(m_options.detail_length * m_options.detail_length,
+                                  m_right_hand_side);
+    return m_right_hand_side;
+  }
+
+  // Half the gradient of the energy at v, where the last local step was.
+  void half_gradient(const Point_matrix& v, Point_matrix& result)
+  {
+    internal::transposed_product(m_matrix, v, result); // which is symmetric
+    result -= right_hand_side();
+  }
+
+  // The largest way of a surface vertex when the body moves by `step`.
+  double largest_move(const Eigen::MatrixXd& step) const
+  {
+    Point_matrix moves;
+    internal::transposed_product(m_embedding_transposed, step, moves);
+    return std::sqrt(moves.rowwise().squaredNorm().maxCoeff());
   }
 
   void iterate(Point_matrix& v, const bool is_warm_start, Registration_summary& summary)
   {
-    double energy = summary.energy;
+    const bool is_accelerated = !m_fairing && m_options.tikhonov == 0;
+    internal::Quasi_newton_direction direction(is_accelerated ? m_options.acceleration_window : 0);
+    Eigen::MatrixXd step, solution;
+    Point_matrix next, gradient, previous_gradient;
+    const auto solve = [&](Eigen::MatrixXd& x) {
+      m_factor.solve(x, solution);
+      x.swap(solution);
+    };
+    const auto plain_move = [&] { // in the last iteration
+      if(!direction.has_memory())
+        return largest_move(step);
+      Eigen::MatrixXd plain_step = gradient;
+      timed(summary, "global_steps", [&] { solve(plain_step); });
+      return largest_move(plain_step);
+    };
+    bool is_small = false; // the last change of the energy
     summary.termination = Registration_summary::ITERATION_LIMIT;
-    while(summary.iterations < m_options.number_of_iterations && std::isfinite(energy))
+    while(summary.iterations < m_options.number_of_iterations && std::isfinite(summary.energy))
     {
       if(m_fairing && (is_warm_start || summary.iterations > 0))
         timed(summary, "local_steps", [&] {
           m_arap.fit_rotations((*m_fairing)(v, m_options.fairing_passes, m_options.fairing_lambda,
                                             m_options.fairing_mu));
         });
-      double move = 0;
       timed(summary, "global_steps", [&] {
-        Point_matrix next = m_factor.solve(right_hand_side(v));
-        move = std::sqrt(
-          (m_body.embedding() * Point_matrix(next - v)).rowwise().squaredNorm().maxCoeff());
-        v.swap(next);
+        half_gradient(v, gradient);
+        if(summary.iterations > 0)
+          direction.remember(-step, gradient - previous_gradient);
+        step = gradient;
+        direction.apply(step, solve);
+        next = v - step;
       });
+      const double previous = summary.energy;
+      timed(summary, "local_steps", [&] { evaluate(next, summary); });
+      if(direction.has_memory()
+         && !(summary.energy <= previous - 0.2 * gradient.cwiseProduct(step).sum()))
+      {
+        direction.forget();
+        timed(summary, "global_steps", [&] {
+          step = gradient;
+          solve(step);
+          next = v - step;
+        });
+        timed(summary, "local_steps", [&] { evaluate(next, summary); });
+      }
+      v.swap(next);
       ++summary.iterations;
-      const double previous = energy;
-      timed(summary, "local_steps", [&] { energy = evaluate(v, summary); });
-      if(std::abs(previous - energy) <= m_options.energy_tolerance * (std::max)(previous, 1e-15)
-         && move <= m_options.move_tolerance)
+      summary.energy_history.push_back(summary.energy);
+      const bool was_small = is_small;
+      is_small = std::abs(previous - summary.energy)
+                 <= m_options.energy_tolerance * (std::max)(previous, 1e-15);
+      if(is_small && (was_small || !direction.has_memory())
+         && plain_move() <= m_options.move_tolerance)
       {
         summary.termination = Registration_summary::CONVERGED;
         return;
       }
+      gradient.swap(previous_gradient);
     }
-    if(!std::isfinite(energy))
+    if(!std::isfinite(summary.energy))
       summary.termination = Registration_summary::NOT_FINITE;
   }
 
@@ -324,12 +371,14 @@ private:
   Registration_options m_options;
   Eigen::VectorXd m_weights;
   Eigen::SparseMatrix<double> m_embedding_transposed;
-  internal::Arap_energy<Rotation_traits> m_arap;
+  internal::Arap_energy<ClosestRotationTraits> m_arap;
   std::optional<internal::Taubin_fairing> m_fairing;
   std::vector<std::unique_ptr<internal::Registration_constraint_base>> m_constraints;
   std::vector<std::size_t> m_factored_revisions;
+  Eigen::SparseMatrix<double> m_matrix;
   Factor m_factor;
-  Point_matrix m_target;
+  Point_matrix m_target, m_target_term; // the target, and its term of the right-hand side
+  Point_matrix m_surface, m_right_hand_side;
 };
 
 } // namespace Canonical_pose_3

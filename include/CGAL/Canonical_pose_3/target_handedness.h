@@ -11,13 +11,13 @@
 #define CGAL_CANONICAL_POSE_3_TARGET_HANDEDNESS_H
 
 #include <CGAL/Canonical_pose_3/internal/Indexed_mesh.h>
+#include <CGAL/Canonical_pose_3/internal/Principal_axes.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 #include <CGAL/Canonical_pose_3/surface_measures.h>
 
 #include <CGAL/assertions.h>
 
 #include <Eigen/Dense>
-#include <Eigen/Eigenvalues>
 
 #include <array>
 #include <cmath>
@@ -51,17 +51,12 @@ inline double signed_volume(const Point_matrix& points,
 // reversing one or three changes the sign.
 inline double chirality(const Point_matrix& points, const Eigen::VectorXd& weights)
 {
-  const Eigen::VectorXd share = weights / weights.sum();
-  const Point_matrix centered = points.rowwise() - Eigen::RowVector3d(share.transpose() * points);
-  const Eigen::Matrix3d covariance = centered.transpose() * share.asDiagonal() * centered;
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance);
-  const Eigen::Vector3d variances = solver.eigenvalues();
-  if(!(variances[0] > 1e-10 * variances[2]))
+  const Principal_axes frame(points, weights);
+  if(!(frame.variances[2] > 1e-10 * frame.variances[0]))
     return 0;
-  const Eigen::Matrix3d axes = solver.eigenvectors().rowwise().reverse();
-  const Point_matrix along_axes = centered * axes;
-  const double moment = along_axes.rowwise().prod().dot(share);
-  return axes.determinant() * moment / variances.cwiseSqrt().prod();
+  const Point_matrix along_axes = (points.rowwise() - frame.centroid) * frame.axes;
+  const double moment = along_axes.rowwise().prod().dot(weights) / weights.sum();
+  return frame.axes.determinant() * moment / frame.variances.cwiseSqrt().prod();
 }
 
 } // namespace internal

@@ -17,8 +17,10 @@
 #include <Eigen/Dense>
 #include <Eigen/SparseCore>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -28,7 +30,10 @@ namespace Canonical_pose_3 {
 namespace internal {
 
 // The as-rigid-as-possible energy of the cells, sum_t w_t |F_t - R_t|^2, and what its local and
-// global steps need.
+// global steps need. Cells are computed with in packs. Each block of cells sums its own part of
+// sum_t w_t G_t^t R_t, in slots of its own, one per vertex that it touches; the parts are summed per
+// vertex. So the order of all sums is fixed.
+// `ClosestRotationTraits`: a model of `DeformationClosestRotationTraits_3`, or `Default`.
 template <typename ClosestRotationTraits>
 class Arap_energy
 {
@@ -43,62 +48,119 @@ public:
 
   Arap_energy(const Point_matrix& rest, const std::vector<std::array<int, 4>>& cells,
               const Eigen::VectorXd& weights)
-    : m_cells(cells), m_weights(weights), m_gradients(cells.size()),
-      m_rotations(cells.size(), Eigen::Matrix3d::Identity())
+    : m_number_of_cells(cells.size()), m_packs((cells.size() + pack_size - 1) / pack_size)
   {
-    for(std::size_t t = 0; t < cells.size(); ++t)
+    for(std::size_t i = 0; i < pack_size * m_packs.size(); ++i)
     {
+      const std::size_t t
+        = (std::min)(i, cells.size() - 1); // copies of weight 0 fill the last pack
+      Cell_pack& pack = m_packs[i / pack_size];
+      const int lane = static_cast<int>(i % pack_size);
       Eigen::Matrix3d edges; // columns: the edges from vertex 3
       for(int k = 0; k < 3; ++k)
         edges.col(k) = rest.row(cells[t][k]) - rest.row(cells[t][3]);
-      m_gradients[t].topRows<3>() = edges.inverse();
-      m_gradients[t].row(3) = -m_gradients[t].topRows<3>().colwise().sum();
-      if(!m_gradients[t].allFinite())
+      const Eigen::Matrix3d gradients = edges.inverse();
+      if(!gradients.allFinite())
         throw std::invalid_argument("cell " + std::to_string(t) + " has no volume");
+      for(int k = 0; k < 9; ++k)
+        pack.gradients[k / 3][k % 3][lane] = gradients(k / 3, k % 3);
+      pack.weights[lane] = i == t ? weights[static_cast<Eigen::Index>(t)] : 0;
+      for(int k = 0; k < 4; ++k)
+        pack.vertices[k][lane] = cells[t][k];
     }
+    assign_slots(static_cast<std::size_t>(rest.rows()));
   }
 
-  // Entries of sum_t w_t G_t^t G_t times `factor`.
-  void add_to_matrix(const double factor, std::vector<Eigen::Triplet<double>>& matrix) const
+  // Returns sum_t w_t G_t^t G_t times `factor`, columns in parallel.
+  Eigen::SparseMatrix<double> matrix(const double factor) const
   {
-    for(std::size_t t = 0; t < m_cells.size(); ++t)
-    {
-      const Eigen::Matrix4d block
-        = factor * m_weights[t] * m_gradients[t] * m_gradients[t].transpose();
-      for(int i = 0; i < 4; ++i)
-        for(int j = 0; j < 4; ++j)
-          matrix.emplace_back(m_cells[t][i], m_cells[t][j], block(i, j));
-    }
+    const std::size_t n = m_first_slot.size() - 1;
+    std::vector<std::size_t> first(n + 1, 0), corners(4 * m_number_of_cells); // corners per vertex
+    for_each_corner([&](std::size_t, const int v) { ++first[static_cast<std::size_t>(v) + 1]; });
+    std::partial_sum(first.begin(), first.end(), first.begin());
+    std::vector<std::size_t> next(first.begin(), first.end() - 1);
+    for_each_corner([&](const std::size_t corner, const int v) { corners[next[v]++] = corner; });
+
+    std::vector<std::vector<Eigen::Triplet<double>>> blocks(number_of_blocks(n));
+    for_each_block(n, [&](const std::size_t block, const std::size_t begin, const std::size_t end) {
+      std::vector<int> rows;
+      std::vector<double> column(n, 0);
+      std::vector<std::size_t> last_column(n, n);
+      for(std::size_t v = begin; v < end; ++v)
+      {
+        rows.clear();
+        for(std::size_t k = first[v]; k < first[v + 1]; ++k)
+        {
+          const Cell_pack& pack = m_packs[corners[k] / 4 / pack_size];
+          const int lane = static_cast<int>(corners[k] / 4 % pack_size);
+          const Eigen::Matrix<double, 4, 3> g = gradients(pack, lane);
+          const Eigen::Vector4d entries
+            = factor * pack.weights[lane] * (g * g.row(corners[k] % 4).transpose());
+          for(int i = 0; i < 4; ++i)
+          {
+            const int row = pack.vertices[i][lane];
+            if(last_column[row] != v)
+            {
+              last_column[row] = v;
+              column[row] = 0;
+              rows.push_back(row);
+            }
+            column[row] += entries[i];
+          }
+        }
+        std::sort(rows.begin(), rows.end());
+        for(const int row : rows)
+          blocks[block].emplace_back(row, static_cast<int>(v), column[row]);
+      }
+    });
+
+    Eigen::SparseMatrix<double> result(static_cast<Eigen::Index>(n), static_cast<Eigen::Index>(n));
+    std::size_t size = 0;
+    for(const auto& block : blocks)
+      size += block.size();
+    result.reserve(static_cast<Eigen::Index>(size));
+    Eigen::Index started = 0;
+    for(const auto& block : blocks)
+      for(const Eigen::Triplet<double>& entry : block)
+      {
+        for(; started <= entry.col(); ++started)
+          result.startVec(started);
+        result.insertBack(entry.row(), entry.col()) = entry.value();
+      }
+    result.finalize();
+    return result;
   }
 
   // Adds `factor` times sum_t w_t G_t^t R_t for the rotations of the last local step.
   void add_to_right_hand_side(const double factor, Point_matrix& right_hand_side) const
   {
-    for(std::size_t t = 0; t < m_cells.size(); ++t)
-    {
-      const Gradient rows = factor * m_weights[t] * m_gradients[t] * m_rotations[t].transpose();
-      for(int i = 0; i < 4; ++i)
-        right_hand_side.row(m_cells[t][i]) += rows.row(i);
-    }
+    for_each_block(static_cast<std::size_t>(right_hand_side.rows()),
+                   [&](std::size_t, const std::size_t begin, const std::size_t end) {
+                     for(std::size_t v = begin; v < end; ++v)
+                     {
+                       std::array<double, 3> sum = {0, 0, 0};
+                       for(std::size_t k = m_first_slot[v]; k < m_first_slot[v + 1]; ++k)
+                         for(int c = 0; c < 3; ++c)
+                           sum[c] += m_slots[m_slots_of_vertices[k]][c];
+                       for(int c = 0; c < 3; ++c)
+                         right_hand_side(static_cast<Eigen::Index>(v), c) += factor * sum[c];
+                     }
+                   });
   }
 
-  // The local step: stores the rotation closest to each gradient, and evaluates the energy with
+  // The local step: finds the rotation closest to each gradient, and evaluates the energy with
   // them.
   Evaluation fit_rotations(const Point_matrix& points)
   {
-    std::vector<Evaluation> blocks(number_of_blocks(m_cells.size()));
-    for_each_block(m_cells.size(),
-                   [&](const std::size_t block, const std::size_t begin, const std::size_t end) {
-                     for(std::size_t t = begin; t < end; ++t)
-                     {
-                       const Eigen::Matrix3d f = deformation_gradient(points, t);
-                       m_rotations[t] = closest_rotation<ClosestRotationTraits>(f);
-                       const double determinant = f.determinant();
-                       blocks[block].energy += m_weights[t] * (f - m_rotations[t]).squaredNorm();
-                       blocks[block].volume_ratio += m_weights[t] * determinant;
-                       blocks[block].inverted += determinant > 0 ? 0 : 1;
-                     }
-                   });
+    std::vector<Evaluation> blocks(number_of_blocks(m_number_of_cells));
+    for_each_block(m_number_of_cells, [&](const std::size_t block, const std::size_t begin,
+                                          const std::size_t end) {
+      std::fill(m_slots.begin() + m_first_slot_of_block[block],
+                m_slots.begin() + m_first_slot_of_block[block + 1], std::array<double, 3>{0, 0, 0});
+      for(std::size_t t = begin; t < end; t += pack_size)
+        fit_rotations(points, m_packs[t / pack_size],
+                      static_cast<int>((std::min)(end - t, std::size_t(pack_size))), blocks[block]);
+    });
     Evaluation sum;
     for(const Evaluation& e : blocks)
     {
@@ -110,21 +172,112 @@ public:
   }
 
 private:
-  typedef Eigen::Matrix<double, 4, 3>
-    Gradient; // row k: gradient of the barycentric coordinate of vertex k
+  static_assert(block_size % pack_size == 0, "a pack of cells lies in one block");
 
-  Eigen::Matrix3d deformation_gradient(const Point_matrix& points, const std::size_t t) const
+  struct Cell_pack
   {
-    Eigen::Matrix3d f = Eigen::Matrix3d::Zero();
-    for(int k = 0; k < 4; ++k)
-      f.noalias() += points.row(m_cells[t][k]).transpose() * m_gradients[t].row(k);
-    return f;
+    Matrix_3<Pack> gradients; // row k: gradient of the barycentric coordinate of vertex k
+    Pack weights;
+    std::array<std::array<int, pack_size>, 4> vertices;
+    std::array<std::array<int, pack_size>, 4> slots;
+  };
+
+  // Calls f(corner, vertex); corner k of cell t has the number 4 t + k.
+  template <typename Function>
+  void for_each_corner(const Function& f) const
+  {
+    for(std::size_t corner = 0; corner < 4 * m_number_of_cells; ++corner)
+      f(corner, m_packs[corner / 4 / pack_size].vertices[corner % 4][corner / 4 % pack_size]);
   }
 
-  const std::vector<std::array<int, 4>>& m_cells;
-  const Eigen::VectorXd& m_weights;
-  std::vector<Gradient> m_gradients;
-  std::vector<Eigen::Matrix3d> m_rotations;
+  // Row k: gradient of the barycentric coordinate of vertex k.
+  static Eigen::Matrix<double, 4, 3> gradients(const Cell_pack& pack, const int lane)
+  {
+    Eigen::Matrix<double, 4, 3> result;
+    for(int k = 0; k < 9; ++k)
+      result(k / 3, k % 3) = pack.gradients[k / 3][k % 3][lane];
+    result.row(3) = -result.topRows<3>().colwise().sum();
+    return result;
+  }
+
+  void assign_slots(const std::size_t number_of_vertices)
+  {
+    std::vector<int> vertices; // of the slots
+    std::vector<int> slot(number_of_vertices, -1);
+    m_first_slot.assign(number_of_vertices + 1, 0);
+    for(std::size_t p = 0; p < m_packs.size(); ++p)
+    {
+      if(p % (block_size / pack_size) == 0)
+        m_first_slot_of_block.push_back(vertices.size());
+      for(int k = 0; k < 4; ++k)
+        for(int lane = 0; lane < pack_size; ++lane)
+        {
+          const int v = m_packs[p].vertices[k][lane];
+          if(slot[v] < static_cast<int>(m_first_slot_of_block.back()))
+          {
+            slot[v] = static_cast<int>(vertices.size());
+            vertices.push_back(v);
+            ++m_first_slot[static_cast<std::size_t>(v) + 1];
+          }
+          m_packs[p].slots[k][lane] = slot[v];
+        }
+    }
+    m_first_slot_of_block.push_back(vertices.size());
+    m_slots.resize(vertices.size());
+    std::partial_sum(m_first_slot.begin(), m_first_slot.end(), m_first_slot.begin());
+    m_slots_of_vertices.resize(vertices.size());
+    std::vector<std::size_t> next(m_first_slot.begin(), m_first_slot.end() - 1);
+    for(std::size_t s = 0; s < vertices.size(); ++s)
+      m_slots_of_vertices[next[vertices[s]]++] = s;
+  }
+
+  void fit_rotations(const Point_matrix& points, const Cell_pack& cells, const int number_of_cells,
+                     Evaluation& sum)
+  {
+    Matrix_3<Pack> edges, f, r;
+    for(int c = 0; c < 3; ++c)
+      for(int k = 0; k < 3; ++k)
+        for(int lane = 0; lane < pack_size; ++lane)
+          edges[k][c][lane]
+            = points(cells.vertices[k][lane], c) - points(cells.vertices[3][lane], c);
+    for(int i = 0; i < 3; ++i)
+      for(int j = 0; j < 3; ++j)
+        f[i][j] = edges[0][i] * cells.gradients[0][j] + edges[1][i] * cells.gradients[1][j]
+                  + edges[2][i] * cells.gradients[2][j];
+    closest_rotations<ClosestRotationTraits>(f, r);
+
+    Pack difference = Pack::Zero();
+    for(int i = 0; i < 3; ++i)
+      for(int j = 0; j < 3; ++j)
+        difference += (f[i][j] - r[i][j]).square();
+    const Pack determinants = f[0][0] * (f[1][1] * f[2][2] - f[1][2] * f[2][1])
+                              + f[0][1] * (f[1][2] * f[2][0] - f[1][0] * f[2][2])
+                              + f[0][2] * (f[1][0] * f[2][1] - f[1][1] * f[2][0]);
+    sum.energy += (cells.weights * difference).sum();
+    sum.volume_ratio += (cells.weights * determinants).sum();
+    for(int lane = 0; lane < number_of_cells; ++lane)
+      sum.inverted += determinants[lane] > 0 ? 0 : 1;
+
+    for(int c = 0; c < 3; ++c)
+    {
+      std::array<Pack, 4> terms;
+      for(int k = 0; k < 3; ++k)
+        terms[k] = cells.weights
+                   * (r[c][0] * cells.gradients[k][0] + r[c][1] * cells.gradients[k][1]
+                      + r[c][2] * cells.gradients[k][2]);
+      terms[3] = -(terms[0] + terms[1] + terms[2]);
+      for(int k = 0; k < 4; ++k)
+        for(int lane = 0; lane < pack_size; ++lane)
+          m_slots[cells.slots[k][lane]][c] += terms[k][lane];
+    }
+  }
+
+  std::size_t m_number_of_cells;
+  std::vector<Cell_pack> m_packs;
+  std::vector<std::array<double, 3>> m_slots; // blocks one after the other
+  std::vector<std::size_t> m_first_slot_of_block;
+  std::vector<std::size_t> m_first_slot,
+    m_slots_of_vertices; // slots of v: from first to next first
 };
 
 } // namespace internal

@@ -10,22 +10,29 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_CANONICAL_POSE_PIPELINE_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_CANONICAL_POSE_PIPELINE_H
 
-#include <CGAL/Canonical_pose_3/Conforming_body_3.h>
+#include <CGAL/Canonical_pose_3/Body_deformer_3.h>
+#include <CGAL/Canonical_pose_3/Diagnosis_3.h>
 #include <CGAL/Canonical_pose_3/Exact_geodesics_3.h>
 #include <CGAL/Canonical_pose_3/Gaussian_kernel.h>
 #include <CGAL/Canonical_pose_3/Heat_geodesics_3.h>
 #include <CGAL/Canonical_pose_3/Landmark_mds_target_builder_3.h>
+#include <CGAL/Canonical_pose_3/Lattice_body_3.h>
 #include <CGAL/Canonical_pose_3/Options.h>
 #include <CGAL/Canonical_pose_3/Registration_summary.h>
+#include <CGAL/Canonical_pose_3/Repaired_surface_3.h>
 #include <CGAL/Canonical_pose_3/Squared_distance_kernel.h>
 #include <CGAL/Canonical_pose_3/Tetrahedral_arap_registrar_3.h>
 #include <CGAL/Canonical_pose_3/align_target.h>
-#include <CGAL/Canonical_pose_3/diagnose.h>
 #include <CGAL/Canonical_pose_3/farthest_point_landmarks.h>
+#include <CGAL/Canonical_pose_3/internal/Body_view.h>
 #include <CGAL/Canonical_pose_3/internal/Indexed_mesh.h>
 #include <CGAL/Canonical_pose_3/internal/flipped_faces.h>
 #include <CGAL/Canonical_pose_3/surface_measures.h>
 #include <CGAL/Canonical_pose_3/target_handedness.h>
+#include <CGAL/Canonical_pose_3/target_scale.h>
+#ifdef CGAL_CANONICAL_POSE_3_USE_MESH_3
+#include <CGAL/Canonical_pose_3/mesh_3_body.h>
+#endif
 #ifdef CGAL_CANONICAL_POSE_3_USE_TETGEN
 #include <CGAL/Canonical_pose_3/tetgen_body.h>
 #endif
@@ -38,6 +45,7 @@
 #include <cstddef>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -47,49 +55,51 @@ namespace CGAL {
 namespace Canonical_pose_3 {
 namespace internal {
 
-// The steps of canonical_pose_3() on arrays. `origins` tells the surface vertex of the body (the
-// row of its embedding) that each vertex of the surface mesh is.
+// The steps of canonical_pose_3() on a connected oriented 2-manifold.
 template <typename FactorTraits>
 class Canonical_pose_pipeline
 {
 public:
-  Canonical_pose_pipeline(const Point_matrix& points, const std::vector<Index_triangle>& triangles,
-                          const Options& options)
-    : m_points(points), m_triangles(triangles), m_options(options),
+  Canonical_pose_pipeline(const Repaired_surface_3& surface, const Options& options,
+                          const Diagnosis_3& diagnosis)
+    : m_points(surface.points), m_triangles(surface.triangles), m_caps(surface.caps),
+      m_options(options),
       m_results(options.intermediate_results != nullptr ? *options.intermediate_results
                                                         : m_own_results)
   {
     for(const char* stage : {"diagnosis", "geodesics", "target", "body", "factorization",
                              "local_steps", "global_steps"})
       m_summary.add_seconds(stage, 0);
+    m_summary.input = diagnosis;
   }
 
   // A surface, in a body that is made here.
   Registration_summary run(Point_matrix& pose)
   {
-#ifdef CGAL_CANONICAL_POSE_3_USE_TETGEN
+    if(m_options.body == Options::Body::TETGEN || m_options.body == Options::Body::MESH_3)
+      if(!m_summary.input.is_clean())
+        throw std::invalid_argument(m_summary.input.first_defect);
     prepare(m_points.rows());
-    std::vector<std::size_t> origins(static_cast<std::size_t>(m_points.rows()));
-    std::iota(origins.begin(), origins.end(), std::size_t(0));
-    m_summary.body.kind = "tetgen";
-    Real_timer timer;
-    timer.start();
-    const Conforming_body_3 body = tetgen_body_of_clean_surface(m_points, m_triangles);
-    m_summary.add_seconds("body", timer.time());
-    return deform(body, origins, pose);
-#else
-    CGAL_USE(pose);
-    throw std::runtime_error("a surface needs a body, but the program was built without TetGen");
-#endif
+    switch(m_options.body)
+    {
+    case Options::Body::TETGEN:
+      return run_in_tetgen_body(pose);
+    case Options::Body::MESH_3:
+      return run_in_mesh_3_body(pose);
+    default:
+      return run_in_lattice(pose);
+    }
   }
 
-  // The boundary of a body that is there.
-  Registration_summary run(const Conforming_body_3& body, const std::vector<std::size_t>& origins,
+  // The boundary of a body that is there. `origins` tells the surface vertex of the body (the row of
+  // its embedding) that each vertex of the surface is.
+  template <typename ElasticBody>
+  Registration_summary run(const ElasticBody& body, const std::vector<std::size_t>& origins,
                            Point_matrix& pose)
   {
     prepare(body.embedding().rows());
     m_summary.body.kind = "complex";
-    return deform(body, origins, pose);
+    return deform(Body_view(body), origins, pose);
   }
 
 private:
@@ -102,6 +112,71 @@ private:
     m_summary.add_seconds(stage, timer.time());
   }
 
+  template <typename MakeBody>
+  Registration_summary run_in(const char* kind, const MakeBody& make_body, Point_matrix& pose)
+  {
+    m_summary.body.kind = kind;
+    Real_timer timer;
+    timer.start();
+    const auto body = make_body();
+    m_summary.add_seconds("body", timer.time());
+    std::vector<std::size_t> origins(static_cast<std::size_t>(m_points.rows()));
+    std::iota(origins.begin(), origins.end(), std::size_t(0));
+    return deform(Body_view(body), origins, pose);
+  }
+
+  Registration_summary run_in_lattice(Point_matrix& pose)
+  {
+    return run_in(
+      "lattice",
+      [&] {
+        return Lattice_body_3(m_points, m_triangles, m_results.landmark_fields->distances,
+                              m_options.lattice_spacing, m_caps);
+      },
+      pose);
+  }
+
+  Registration_summary run_in_tetgen_body(Point_matrix& pose)
+  {
+#ifdef CGAL_CANONICAL_POSE_3_USE_TETGEN
+    std::optional<Conforming_body_3> body;
+    timed("body", [&] {
+      try
+      {
+        body = tetgen_body_of_clean_surface(m_points, m_triangles);
+      }
+      catch(const std::runtime_error& error)
+      {
+        m_summary.warnings.push_back(error.what() + std::string("; the lattice took its place"));
+      }
+    });
+    return body ? run_in(
+             "tetgen", [&] { return std::move(*body); }, pose)
+                : run_in_lattice(pose);
+#else
+    CGAL_USE(pose);
+    throw std::runtime_error("the program was built without TetGen");
+#endif
+  }
+
+  Registration_summary run_in_mesh_3_body(Point_matrix& pose)
+  {
+#ifdef CGAL_CANONICAL_POSE_3_USE_MESH_3
+    return run_in(
+      "mesh_3",
+      [&] {
+        return m_options.lattice_spacing > 0
+                 ? mesh_3_body_of_clean_surface(m_points, m_triangles, m_length_scale,
+                                                m_options.lattice_spacing)
+                 : mesh_3_body_of_clean_surface(m_points, m_triangles, m_length_scale);
+      },
+      pose);
+#else
+    CGAL_USE(pose);
+    throw std::runtime_error("the program was built without bodies of Mesh_3");
+#endif
+  }
+
   // Options are checked before anything that takes time. A spring may name one of n vertices.
   void prepare(const Eigen::Index n)
   {
@@ -111,9 +186,6 @@ private:
       m_springs.insert(spring);
     if(m_options.number_of_landmarks == 0)
       throw std::invalid_argument("option number_of_landmarks is 0, but must be >= 1");
-    timed("diagnosis", [&] { m_summary.input = diagnose(m_points, m_triangles); });
-    if(!m_summary.input.is_clean())
-      throw std::invalid_argument(m_summary.input.first_defect);
     timed("geodesics", [&] { find_landmarks(); });
     m_length_scale = m_results.landmark_fields->distances.maxCoeff();
     m_summary.target.landmarks = m_results.landmark_fields->landmarks.size();
@@ -174,8 +246,12 @@ private:
       target = embed(Gaussian_kernel(false));
       break;
     }
-    m_summary.target.reflected = target_handedness(target, m_points, m_triangles, shares) < 0;
-    return align_target(target, m_points, shares, m_summary.target.reflected);
+    std::vector<Index_triangle> closed = m_triangles;
+    closed.insert(closed.end(), m_caps.begin(), m_caps.end());
+    m_summary.target.reflected = target_handedness(target, m_points, closed, shares) < 0;
+    m_summary.target.scale = target_scale(target, m_points, m_triangles);
+    return align_target(m_summary.target.scale * target, m_points, shares,
+                        m_summary.target.reflected);
   }
 
   template <typename Kernel>
@@ -196,8 +272,8 @@ private:
     return builder.targets();
   }
 
-  Registration_summary deform(const Conforming_body_3& body,
-                              const std::vector<std::size_t>& origins, Point_matrix& pose)
+  Registration_summary deform(const Body_view& body, const std::vector<std::size_t>& origins,
+                              Point_matrix& pose)
   {
     const Eigen::VectorXd shares = vertex_area_shares(m_points, m_triangles);
     timed("target", [&] { m_results.target = find_target(shares); });
@@ -214,7 +290,7 @@ private:
     }
     target = copies.cwiseMax(1).cwiseInverse().asDiagonal() * target;
 
-    Tetrahedral_arap_registrar_3<Conforming_body_3, CGAL::Default, FactorTraits> registrar(
+    Tetrahedral_arap_registrar_3<Body_view, CGAL::Default, FactorTraits> registrar(
       body, weights, m_length_scale, registration_options(body));
     if(!m_springs.springs().empty())
       registrar.add_constraint(m_springs);
@@ -225,11 +301,27 @@ private:
     {
       pose = body.embedding() * body_pose;
       timed("diagnosis", [&] { measure(body, origins, pose, body_pose); });
+      if(m_results.followers.rows() > 0)
+        timed("global_steps", [&] {
+          m_results.pose_of_followers
+            = Body_deformer_3<Body_view>(body, triangles_of(origins)).embedding(m_results.followers)
+              * body_pose;
+        });
     }
     return m_summary;
   }
 
-  Registration_options registration_options(const Conforming_body_3& body) const
+  // the triangles as rows of the embedding
+  std::vector<Index_triangle> triangles_of(const std::vector<std::size_t>& origins) const
+  {
+    std::vector<Index_triangle> triangles = m_triangles;
+    for(Index_triangle& t : triangles)
+      for(std::size_t& v : t)
+        v = origins[v];
+    return triangles;
+  }
+
+  Registration_options registration_options(const Body_view& body) const
   {
     Registration_options result = m_options.registration;
     if(m_options.paper_weights)
@@ -255,13 +347,10 @@ private:
     m_summary = std::move(registered);
   }
 
-  void measure(const Conforming_body_3& body, const std::vector<std::size_t>& origins,
+  void measure(const Body_view& body, const std::vector<std::size_t>& origins,
                const Point_matrix& pose, const Point_matrix& body_pose)
   {
-    std::vector<Index_triangle> triangles = m_triangles;
-    for(Index_triangle& t : triangles)
-      for(std::size_t& v : t)
-        v = origins[v];
+    const std::vector<Index_triangle> triangles = triangles_of(origins);
     const Point_matrix rest = body.embedding() * body.points();
     m_summary.median_edge_strain = median_edge_strain(rest, pose, triangles);
     m_summary.flipped_faces = flipped_faces(body, triangles, rest, pose, body_pose);
@@ -272,6 +361,7 @@ private:
 
   const Point_matrix& m_points;
   const std::vector<Index_triangle>& m_triangles;
+  const std::vector<Index_triangle>& m_caps;
   const Options& m_options;
   Intermediate_results m_own_results;
   Intermediate_results& m_results;

@@ -14,6 +14,7 @@
 
 #include <cholmod.h>
 
+#include <cstddef>
 #include <mutex>
 
 namespace CGAL {
@@ -87,7 +88,7 @@ private:
   cholmod_common m_common;
 };
 
-// One right-hand side after the other, with the memory of the first.
+// One block of right-hand sides after the other, with the memory of the first.
 class Cholmod_workspace
 {
 public:
@@ -100,21 +101,24 @@ public:
   Cholmod_workspace(const Cholmod_workspace&) = delete;
   Cholmod_workspace& operator=(const Cholmod_workspace&) = delete;
 
-  bool solve(cholmod_factor* factor, const double* right_hand_side, double* solution)
+  // The columns are solved for at once: CHOLMOD then reads the factor once.
+  bool solve(cholmod_factor* factor, const Eigen::Ref<const Eigen::MatrixXd>& right_hand_sides,
+             Eigen::Ref<Eigen::MatrixXd> solutions)
   {
     cholmod_dense b = {};
-    b.nrow = b.nzmax = b.d = factor->n;
-    b.ncol = 1;
-    b.x = const_cast<double*>(right_hand_side); // read only
+    b.nrow = factor->n;
+    b.ncol = static_cast<std::size_t>(right_hand_sides.cols());
+    b.d = static_cast<std::size_t>(right_hand_sides.outerStride());
+    b.nzmax = b.d * b.ncol;
+    b.x = const_cast<double*>(right_hand_sides.data()); // read only
     b.xtype = CHOLMOD_REAL;
     b.dtype = CHOLMOD_DOUBLE;
     if(!cholmod_solve2(CHOLMOD_A, factor, &b, nullptr, &m_solution, nullptr, &m_first, &m_second,
                        m_common.get()))
       return false;
-    const auto n = static_cast<Eigen::Index>(factor->n);
-    const Eigen::Map<const Eigen::VectorXd> x(static_cast<const double*>(m_solution->x), n);
-    Eigen::Map<Eigen::VectorXd>(solution, n) = x;
-    return x.allFinite();
+    solutions = Eigen::Map<const Eigen::MatrixXd>(static_cast<const double*>(m_solution->x),
+                                                  solutions.rows(), solutions.cols());
+    return solutions.allFinite();
   }
 
 private:

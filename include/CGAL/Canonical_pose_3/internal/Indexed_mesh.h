@@ -22,6 +22,7 @@
 #include <stdexcept>
 #include <string>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -33,25 +34,37 @@ typedef Exact_predicates_inexact_constructions_kernel Indexed_mesh_kernel;
 typedef Surface_mesh<Indexed_mesh_kernel::Point_3> Indexed_mesh;
 typedef std::array<std::size_t, 3> Index_triangle;
 
-// The triangles of a mesh as triples of rows. Each begins with its smallest row, so that the result
+// The faces of a mesh as sequences of rows. Each begins with its smallest row, so that the result
 // does not depend on the halfedge that a data structure keeps for a face.
 template <typename FaceGraph>
-std::vector<Index_triangle> index_triangles(const FaceGraph& tmesh)
+std::vector<std::vector<std::size_t>> index_polygons(const FaceGraph& mesh)
 {
   typedef typename boost::graph_traits<FaceGraph>::vertex_descriptor vertex_descriptor;
   std::unordered_map<vertex_descriptor, std::size_t> row;
-  for(const vertex_descriptor v : vertices(tmesh))
+  for(const vertex_descriptor v : vertices(mesh))
     row.emplace(v, row.size());
-  std::vector<Index_triangle> triangles;
-  for(const auto f : faces(tmesh))
+  std::vector<std::vector<std::size_t>> polygons;
+  for(const auto f : faces(mesh))
   {
     std::vector<std::size_t> corners;
-    for(const auto h : halfedges_around_face(halfedge(f, tmesh), tmesh))
-      corners.push_back(row[target(h, tmesh)]);
+    for(const auto h : halfedges_around_face(halfedge(f, mesh), mesh))
+      corners.push_back(row[target(h, mesh)]);
+    std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+    polygons.push_back(std::move(corners));
+  }
+  return polygons;
+}
+
+// The same for a mesh of triangles; throws std::invalid_argument if it is none.
+template <typename FaceGraph>
+std::vector<Index_triangle> index_triangles(const FaceGraph& tmesh)
+{
+  std::vector<Index_triangle> triangles;
+  for(const std::vector<std::size_t>& corners : index_polygons(tmesh))
+  {
     if(corners.size() != 3)
       throw std::invalid_argument("face " + std::to_string(triangles.size())
                                   + " is not a triangle");
-    std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
     triangles.push_back({corners[0], corners[1], corners[2]});
   }
   return triangles;

@@ -47,12 +47,20 @@ public:
   // has the same bytes whatever the other columns are.
   Eigen::MatrixXd solve(const Eigen::Ref<const Eigen::MatrixXd>& right_hand_sides) const
   {
+    Eigen::MatrixXd solutions;
+    solve(right_hand_sides, solutions);
+    return solutions;
+  }
+
+  // The same into `solutions`, which is allocated only if its size differs.
+  void solve(const Eigen::Ref<const Eigen::MatrixXd>& right_hand_sides,
+             Eigen::MatrixXd& solutions) const
+  {
     CGAL_precondition(is_factored());
     CGAL_precondition(right_hand_sides.rows() == m_size);
-    Eigen::MatrixXd solutions(right_hand_sides.rows(), right_hand_sides.cols());
+    solutions.resize(right_hand_sides.rows(), right_hand_sides.cols());
     if(!m_traits.linear_solver(right_hand_sides, solutions) || !solutions.allFinite())
       throw std::runtime_error("a solution for " + m_what + " is not finite (" + name() + ")");
-    return solutions;
   }
 
   bool is_factored() const { return m_size >= 0; }

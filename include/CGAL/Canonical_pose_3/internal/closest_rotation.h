@@ -10,21 +10,110 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_CLOSEST_ROTATION_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_CLOSEST_ROTATION_H
 
-#include <CGAL/Deformation_Eigen_polar_closest_rotation_traits_3.h>
+#include <CGAL/Default.h>
+#include <CGAL/Deformation_Eigen_closest_rotation_traits_3.h>
 
 #include <Eigen/Core>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <type_traits>
 
 namespace CGAL {
 namespace Canonical_pose_3 {
 namespace internal {
 
-// The rotation R (determinant +1) closest to m in the Frobenius norm, by a model of CGAL's
-// `DeformationClosestRotationTraits_3`. Those models return V U^t of their argument U S V^t, hence
-// the transposition.
-template <typename ClosestRotationTraits = Deformation_Eigen_polar_closest_rotation_traits_3>
-Eigen::Matrix3d closest_rotation(const Eigen::Matrix3d& m,
-                                 ClosestRotationTraits traits = ClosestRotationTraits())
+// Eight numbers that are computed with at once.
+using Pack = Eigen::Array<double, 8, 1>;
+constexpr int pack_size = 8;
+
+// `m[row][column]`; with packs, eight matrices.
+template <typename Real>
+using Matrix_3 = std::array<std::array<Real, 3>, 3>;
+
+// What the closed form below tells besides the rotation.
+template <typename Real>
+struct Rotation_root
 {
+  Real root;      // the largest trace(R^t F) over the rotations R
+  Real last_step; // of Newton's method
+  Real slope;     // a fourth of the product of the distances to the other roots
+};
+
+// The rotation R closest to F, in closed form but for one root of a quartic. Let s be the singular
+// values of F, one of them negative if the determinant is. The largest trace(R^t F) is the largest
+// root of
+//   p(x) = (x - s1 - s2 - s3) (x - s1 + s2 + s3) (x + s1 - s2 + s3) (x + s1 + s2 - s3)
+//        = x^4 - 2 |F|^2 x^2 - 8 det(F) x + |F|^4 - 4 |cof F|^2,
+// and R is its derivative with respect to F. Newton's method comes down to it from above, where p
+// is convex.
+template <typename Real>
+Rotation_root<Real> rotation_by_root(const Matrix_3<Real>& f, Matrix_3<Real>& r)
+{
+  using std::sqrt;
+  Matrix_3<Real> cofactors, square; // square: F^t F, from the diagonal on
+  for(int i = 0; i < 3; ++i)
+    for(int j = 0; j < 3; ++j)
+    {
+      const int i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
+      cofactors[i][j] = f[i1][j1] * f[i2][j2] - f[i1][j2] * f[i2][j1];
+      if(i <= j)
+        square[i][j] = f[0][i] * f[0][j] + f[1][i] * f[1][j] + f[2][i] * f[2][j];
+    }
+  const Real norm = square[0][0] + square[1][1] + square[2][2];
+  const Real determinant
+    = f[0][0] * cofactors[0][0] + f[0][1] * cofactors[0][1] + f[0][2] * cofactors[0][2];
+  Real cofactor_norm = cofactors[0][0] * cofactors[0][0];
+  for(int k = 1; k < 9; ++k)
+    cofactor_norm = cofactor_norm + cofactors[k / 3][k % 3] * cofactors[k / 3][k % 3];
+  const Real constant = norm * norm - 4 * cofactor_norm;
+
+  Rotation_root<Real> result;
+  Real& x = result.root;
+  x = sqrt(norm + 3.4641016151377546 * sqrt(cofactor_norm)); // 2 sqrt(3): not below the root
+  const auto is_moving = [&] {
+    if constexpr(std::is_arithmetic<Real>::value)
+      return result.last_step > 1e-8 * x;
+    else
+      return (result.last_step - 1e-8 * x).maxCoeff() > 0;
+  };
+  int iterations = 0;
+  do
+  {
+    const Real a = x * x - norm;
+    result.last_step
+      = (((a - norm) * x - 8 * determinant) * x + constant) / (4 * (a * x - 2 * determinant));
+    x = x - result.last_step;
+  } while(is_moving() && ++iterations < 16);
+  result.slope = (x * x - norm) * x - 2 * determinant;
+
+  const Real scale = 1 / result.slope;
+  const Real first = (x * x + norm) * scale, second = 2 * x * scale, third = 2 * scale;
+  for(int i = 0; i < 3; ++i)
+    for(int j = 0; j < 3; ++j)
+    {
+      const Real cube = f[i][0] * square[0][j]
+                        + f[i][1] * square[(std::min)(1, j)][(std::max)(1, j)]
+                        + f[i][2] * square[j][2];
+      r[i][j] = first * f[i][j] + second * cofactors[i][j] - third * cube;
+    }
+  return result;
+}
+
+// Whether the rotation is good to 1e-12. It is not where the root is nearly a double one, s2 + s3
+// small, or powers of it underflow or overflow.
+inline bool is_reliable(const double root, const double last_step, const double slope)
+{
+  return slope > 0.03 * root * root * root && last_step <= 1e-8 * root && root > 1e-70;
+}
+
+// By a model of CGAL's `DeformationClosestRotationTraits_3`. Those models return V U^t of their
+// argument U S V^t, hence the transposition.
+template <typename ClosestRotationTraits>
+Eigen::Matrix3d rotation_by_traits(const Eigen::Matrix3d& m)
+{
+  ClosestRotationTraits traits;
   typename ClosestRotationTraits::Matrix argument = traits.zero_matrix();
   typename ClosestRotationTraits::Matrix rotation = traits.zero_matrix();
   for(int i = 0; i < 3; ++i)
@@ -36,6 +125,55 @@ Eigen::Matrix3d closest_rotation(const Eigen::Matrix3d& m,
     for(int j = 0; j < 3; ++j)
       result(i, j) = rotation(i, j);
   return result;
+}
+
+// The rotation R (determinant +1) closest to m in the Frobenius norm: in closed form, and by a
+// singular value decomposition where that is not reliable; or by the traits. Some rotation if m is
+// not finite.
+template <typename ClosestRotationTraits = Default>
+Eigen::Matrix3d closest_rotation(const Eigen::Matrix3d& m)
+{
+  if(!m.allFinite())
+    return Eigen::Matrix3d::Identity();
+  if constexpr(std::is_same<ClosestRotationTraits, Default>::value)
+  {
+    Matrix_3<double> f, r;
+    for(int k = 0; k < 9; ++k)
+      f[k / 3][k % 3] = m(k / 3, k % 3);
+    const Rotation_root<double> q = rotation_by_root(f, r);
+    if(!is_reliable(q.root, q.last_step, q.slope))
+      return rotation_by_traits<Deformation_Eigen_closest_rotation_traits_3>(m);
+    Eigen::Matrix3d result;
+    for(int k = 0; k < 9; ++k)
+      result(k / 3, k % 3) = r[k / 3][k % 3];
+    return result;
+  }
+  else
+    return rotation_by_traits<ClosestRotationTraits>(m);
+}
+
+// The same for eight matrices.
+template <typename ClosestRotationTraits>
+void closest_rotations(const Matrix_3<Pack>& f, Matrix_3<Pack>& r)
+{
+  const auto one_by_one = [&](const int lane) {
+    Eigen::Matrix3d m;
+    for(int k = 0; k < 9; ++k)
+      m(k / 3, k % 3) = f[k / 3][k % 3][lane];
+    m = closest_rotation<ClosestRotationTraits>(m);
+    for(int k = 0; k < 9; ++k)
+      r[k / 3][k % 3][lane] = m(k / 3, k % 3);
+  };
+  if constexpr(std::is_same<ClosestRotationTraits, Default>::value)
+  {
+    const Rotation_root<Pack> q = rotation_by_root(f, r);
+    for(int lane = 0; lane < pack_size; ++lane)
+      if(!is_reliable(q.root[lane], q.last_step[lane], q.slope[lane]))
+        one_by_one(lane);
+  }
+  else
+    for(int lane = 0; lane < pack_size; ++lane)
+      one_by_one(lane);
 }
 
 } // namespace internal

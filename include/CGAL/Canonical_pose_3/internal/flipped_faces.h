@@ -12,6 +12,7 @@
 
 #include <CGAL/Canonical_pose_3/internal/Indexed_mesh.h>
 #include <CGAL/Canonical_pose_3/internal/closest_rotation.h>
+#include <CGAL/Canonical_pose_3/internal/for_each_block.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <Eigen/Dense>
@@ -19,55 +20,65 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <vector>
 
 namespace CGAL {
 namespace Canonical_pose_3 {
 namespace internal {
 
-// For each surface triangle the cell that has most of the body vertices on which its corners hang.
+// Finds the cell that has most of the body vertices on which the corners of a triangle hang, among those
+// around the vertex on which the first corner hangs most.
 template <typename ElasticBody>
-std::vector<std::size_t> cells_of_triangles(const ElasticBody& body,
-                                            const std::vector<Index_triangle>& triangles)
+class Cell_of_triangle
 {
-  std::vector<std::vector<std::size_t>> cells_of_vertex(
-    static_cast<std::size_t>(body.points().rows()));
-  for(std::size_t t = 0; t < body.cells().size(); ++t)
-    for(const int v : body.cells()[t])
-      cells_of_vertex[static_cast<std::size_t>(v)].push_back(t);
-  const Eigen::SparseMatrix<double, Eigen::RowMajor> embedding = body.embedding();
-  typedef Eigen::SparseMatrix<double, Eigen::RowMajor>::InnerIterator Entry;
-
-  std::vector<std::size_t> result;
-  std::vector<int> support;
-  for(const Index_triangle& triangle : triangles)
+public:
+  explicit Cell_of_triangle(const ElasticBody& body)
+    : m_cells(body.cells()), m_embedding(body.embedding()),
+      m_cells_of_vertex(static_cast<std::size_t>(body.points().rows()))
   {
-    support.clear();
-    for(const std::size_t v : triangle)
-      for(Entry entry(embedding, static_cast<Eigen::Index>(v)); entry; ++entry)
-        if(entry.value() != 0)
-          support.push_back(static_cast<int>(entry.col()));
-    std::size_t best = 0;
-    std::ptrdiff_t best_count = -1;
-    for(const int v : support)
-      for(const std::size_t t : cells_of_vertex[static_cast<std::size_t>(v)])
-      {
-        const auto& cell = body.cells()[t];
-        const std::ptrdiff_t count
-          = std::count_if(support.begin(), support.end(), [&](const int s) {
-              return std::find(cell.begin(), cell.end(), s) != cell.end();
-            });
-        if(count > best_count || (count == best_count && t < best))
-        {
-          best = t;
-          best_count = count;
-        }
-      }
-    result.push_back(best);
+    for(std::size_t t = 0; t < m_cells.size(); ++t)
+      for(const int v : m_cells[t])
+        m_cells_of_vertex[static_cast<std::size_t>(v)].push_back(t);
   }
-  return result;
-}
+
+  std::size_t operator()(const Index_triangle& triangle) const
+  {
+    const auto has = [&](const std::size_t t, const Eigen::Index v) {
+      return std::find(m_cells[t].begin(), m_cells[t].end(), static_cast<int>(v))
+             != m_cells[t].end();
+    };
+    Entry main(m_embedding, static_cast<Eigen::Index>(triangle[0]));
+    for(Entry entry = main; entry; ++entry)
+      if(std::abs(entry.value()) > std::abs(main.value()))
+        main = entry;
+    std::size_t best = 0;
+    int best_count = -1;
+    for(const std::size_t t : m_cells_of_vertex[static_cast<std::size_t>(main.col())])
+    {
+      int count = 0;
+      for(const std::size_t v : triangle)
+        for(Entry entry(m_embedding, static_cast<Eigen::Index>(v)); entry; ++entry)
+          count += entry.value() != 0 && has(t, entry.col()) ? 1 : 0;
+      if(count > best_count)
+      {
+        best = t;
+        best_count = count;
+      }
+    }
+    return best;
+  }
+
+private:
+  typedef Eigen::SparseMatrix<double, Eigen::RowMajor> Embedding;
+  typedef Embedding::InnerIterator Entry;
+
+  const std::vector<std::array<int, 4>>& m_cells;
+  Embedding m_embedding;
+  std::vector<std::vector<std::size_t>> m_cells_of_vertex;
+};
 
 // Number of surface faces whose normal turned by more than 90 degrees against the rotation of their
 // cell.
@@ -81,22 +92,25 @@ std::size_t flipped_faces(const ElasticBody& body, const std::vector<Index_trian
     const Eigen::Vector3d f = points.row(t[2]) - points.row(t[0]);
     return Eigen::Vector3d(e.cross(f));
   };
-  const std::vector<std::size_t> cells = cells_of_triangles(body, triangles);
-  std::size_t count = 0;
-  for(std::size_t f = 0; f < triangles.size(); ++f)
-  {
-    const auto& c = body.cells()[cells[f]];
-    Eigen::Matrix3d before, after;
-    for(int k = 0; k < 3; ++k)
-    {
-      before.col(k) = body.points().row(c[k]) - body.points().row(c[3]);
-      after.col(k) = body_pose.row(c[k]) - body_pose.row(c[3]);
-    }
-    const Eigen::Matrix3d rotation = closest_rotation<>(after * before.inverse());
-    if(!((rotation * normal(rest, triangles[f])).dot(normal(pose, triangles[f])) > 0))
-      ++count;
-  }
-  return count;
+  const Cell_of_triangle<ElasticBody> cell_of(body);
+  std::vector<std::size_t> counts(number_of_blocks(triangles.size()), 0);
+  for_each_block(
+    triangles.size(), [&](const std::size_t block, const std::size_t begin, const std::size_t end) {
+      for(std::size_t f = begin; f < end; ++f)
+      {
+        const auto& c = body.cells()[cell_of(triangles[f])];
+        Eigen::Matrix3d before, after;
+        for(int k = 0; k < 3; ++k)
+        {
+          before.col(k) = body.points().row(c[k]) - body.points().row(c[3]);
+          after.col(k) = body_pose.row(c[k]) - body_pose.row(c[3]);
+        }
+        const Eigen::Matrix3d rotation = closest_rotation<>(after * before.inverse());
+        if(!((rotation * normal(rest, triangles[f])).dot(normal(pose, triangles[f])) > 0))
+          ++counts[block];
+      }
+    });
+  return std::accumulate(counts.begin(), counts.end(), std::size_t(0));
 }
 
 } // namespace internal

@@ -1,0 +1,101 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_BENCHMARK_ARGUMENT_LIST_H
+#define CGAL_CANONICAL_POSE_3_BENCHMARK_ARGUMENT_LIST_H
+
+#include <CGAL/Canonical_pose_3/Options.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace Canonical_pose_benchmark {
+
+/// The words of a command line, from which options are taken one by one.
+class Argument_list
+{
+public:
+  Argument_list(const int argc, char** argv) : m_words(argv + 1, argv + argc) {}
+
+  /// Takes `name` and returns whether it was there.
+  bool take_flag(const std::string& name)
+  {
+    const auto found = std::find(m_words.begin(), m_words.end(), name);
+    if(found == m_words.end())
+      return false;
+    m_words.erase(found);
+    return true;
+  }
+
+  /// Takes `name` and the word after it, which is returned; `otherwise` if it is not there.
+  std::string take_text(const std::string& name, const std::string& otherwise = "")
+  {
+    const auto found = std::find(m_words.begin(), m_words.end(), name);
+    if(found == m_words.end())
+      return otherwise;
+    if(found + 1 == m_words.end())
+      throw std::invalid_argument(name + " needs a value");
+    const std::string value = found[1];
+    m_words.erase(found, found + 2);
+    return value;
+  }
+
+  /// Takes `name` and the number after it, which must not be negative.
+  double take_number(const std::string& name, const double otherwise)
+  {
+    const std::string text = take_text(name);
+    if(text.empty())
+      return otherwise;
+    std::size_t end = 0;
+    const double value
+      = text.find_first_not_of("0123456789.") == text.npos ? std::stod(text, &end) : 0;
+    if(end != text.size())
+      throw std::invalid_argument(name + " needs a number, not " + text);
+    return value;
+  }
+
+  /// Takes `name` and the word after it, one of `words`, and returns its place among them.
+  std::size_t take_choice(const std::string& name, const std::vector<std::string>& words)
+  {
+    const std::string text = take_text(name, words.front());
+    const auto found = std::find(words.begin(), words.end(), text);
+    if(found == words.end())
+      throw std::invalid_argument(name + " does not know " + text);
+    return static_cast<std::size_t>(found - words.begin());
+  }
+
+  /// Takes --body and --components.
+  void take(CGAL::Canonical_pose_3::Options& options)
+  {
+    using Options = CGAL::Canonical_pose_3::Options;
+    options.body
+      = static_cast<Options::Body>(take_choice("--body", {"auto", "lattice", "tetgen", "mesh"}));
+    options.components = static_cast<Options::Components>(
+      take_choice("--components", {"refuse", "largest", "each"}));
+  }
+
+  /// Returns the words that were not taken; none may look like an option.
+  const std::vector<std::string>& rest() const
+  {
+    for(const std::string& word : m_words)
+      if(word.compare(0, 2, "--") == 0)
+        throw std::invalid_argument("unknown option " + word);
+    return m_words;
+  }
+
+private:
+  std::vector<std::string> m_words;
+};
+
+} // namespace Canonical_pose_benchmark
+
+#endif // CGAL_CANONICAL_POSE_3_BENCHMARK_ARGUMENT_LIST_H

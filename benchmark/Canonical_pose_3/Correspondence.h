@@ -1,0 +1,128 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_BENCHMARK_CORRESPONDENCE_H
+#define CGAL_CANONICAL_POSE_3_BENCHMARK_CORRESPONDENCE_H
+
+#include "pose_difference.h"
+
+#include "Cgal_types.h" // of the tool
+#include "Mesh_file.h"
+
+#include <CGAL/Orthogonal_k_neighbor_search.h>
+#include <CGAL/Search_traits_3.h>
+#include <CGAL/Search_traits_adapter.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <cmath>
+#include <cstddef>
+#include <filesystem>
+#include <fstream>
+#include <numeric>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace Canonical_pose_benchmark {
+
+/// Tells which vertices of the meshes of one class correspond.
+class Correspondence
+{
+public:
+  using Path = std::filesystem::path;
+
+  /// `vertex_lists`: a file with one vertex per line (the first word; the rest of the line is left
+  /// out), which holds for all meshes, or a folder with such a file `<name>.vts` per mesh.
+  /// `references`: a folder with a mesh of the same name each, in the same place, that has the same
+  /// vertices throughout the class. Without both, vertices correspond by their numbers.
+  explicit Correspondence(const Path& vertex_lists = Path(), const Path& references = Path())
+    : m_vertex_lists(vertex_lists), m_references(references)
+  {}
+
+  /// Returns the vertices of the mesh in `file`, of these positions, that correspond to those of the
+  /// others.
+  std::vector<std::size_t> vertices(const Path& file, const Point_matrix& points) const
+  {
+    if(!m_vertex_lists.empty())
+      return listed(std::filesystem::is_directory(m_vertex_lists)
+                      ? m_vertex_lists / file.stem().concat(".vts")
+                      : m_vertex_lists,
+                    static_cast<std::size_t>(points.rows()));
+    if(!m_references.empty())
+      return nearest(
+        points, Canonical_pose_tool::matrix_of(Canonical_pose_tool::points_of(
+                  Canonical_pose_tool::read_mesh_file((m_references / file.filename()).string()))));
+    std::vector<std::size_t> all(static_cast<std::size_t>(points.rows()));
+    std::iota(all.begin(), all.end(), std::size_t(0));
+    return all;
+  }
+
+private:
+  static std::vector<std::size_t> listed(const Path& file, const std::size_t number_of_vertices)
+  {
+    std::ifstream in(file);
+    if(!in)
+      throw std::invalid_argument("cannot read " + file.string());
+    std::vector<std::size_t> result;
+    for(std::string line; std::getline(in, line);)
+    {
+      std::istringstream words(line);
+      std::size_t vertex;
+      if(!(words >> vertex))
+        continue;
+      if(vertex >= number_of_vertices)
+        throw std::invalid_argument(file.string() + " names vertex " + std::to_string(vertex)
+                                    + ", but there are " + std::to_string(number_of_vertices));
+      result.push_back(vertex);
+    }
+    return result;
+  }
+
+  // The vertex nearest to each of `references`.
+  static std::vector<std::size_t> nearest(const Point_matrix& points,
+                                          const Point_matrix& references)
+  {
+    using Kernel = CGAL::Simple_cartesian<double>;
+    using Point_map = CGAL::Pointer_property_map<Kernel::Point_3>::type;
+    using Traits
+      = CGAL::Search_traits_adapter<std::size_t, Point_map, CGAL::Search_traits_3<Kernel>>;
+    using Search = CGAL::Orthogonal_k_neighbor_search<Traits>;
+
+    std::vector<Kernel::Point_3> positions;
+    for(Eigen::Index i = 0; i < points.rows(); ++i)
+      positions.emplace_back(points(i, 0), points(i, 1), points(i, 2));
+    std::vector<std::size_t> numbers(positions.size());
+    std::iota(numbers.begin(), numbers.end(), std::size_t(0));
+    const Point_map point_map = CGAL::make_property_map(positions);
+    Search::Tree tree(numbers.begin(), numbers.end(), Search::Splitter(), Traits(point_map));
+    const Search::Distance distance(point_map);
+
+    std::vector<std::size_t> result;
+    double squared = 0;
+    for(Eigen::Index i = 0; i < references.rows(); ++i)
+    {
+      const Search search(tree,
+                          Kernel::Point_3(references(i, 0), references(i, 1), references(i, 2)), 1,
+                          0, true, distance);
+      result.push_back(search.begin()->first);
+      squared += search.begin()->second;
+    }
+    if(!(std::sqrt(squared / static_cast<double>(references.rows()))
+         < 0.05 * radius_of_gyration(points)))
+      throw std::invalid_argument("the mesh does not lie where its reference lies");
+    return result;
+  }
+
+  Path m_vertex_lists, m_references;
+};
+
+} // namespace Canonical_pose_benchmark
+
+#endif // CGAL_CANONICAL_POSE_3_BENCHMARK_CORRESPONDENCE_H

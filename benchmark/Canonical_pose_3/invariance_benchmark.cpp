@@ -1,0 +1,163 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+// Invariance: how much the canonical poses of one shape differ. The figure in its five named poses,
+// or the mesh files given, all of one shape.
+//
+// How to read: one line per mesh. `stress` tells how far the target is from the geodesic distances,
+// `energy` what the registration minimises, `inverted` the cells turned inside out, `strain` the
+// median of |log(edge length in the pose / in the input)|. The last line holds mean differences
+// over all pairs of meshes: root mean square distance of corresponding vertices after the best
+// rigid motion, without reflection, at unit radius of gyration. The more a pose forgets how the
+// shape was bent, the smaller its number against that of the input; the target's is what distances
+// alone give, without regard to detail.
+//
+// Usage: invariance_benchmark [options] [mesh files]
+//   --vertices N             of the figure, default 10000
+//   --vertex-lists FILE|DIR  corresponding vertices: the first word of each line, of one file for all
+//                            meshes or of DIR/<name>.vts for each
+//   --reference-directory DIR  corresponding vertices: those nearest to the vertices of the mesh of
+//                            the same name in DIR, where all meshes have the same vertices
+//   --body auto|lattice|tetgen|mesh   --components refuse|largest|each
+// Without both of the former, vertices correspond by their numbers.
+
+#include "Argument_list.h"
+#include "Correspondence.h"
+#include "pose_difference.h"
+#include "setting.h"
+
+#include "compute.h" // of the tool
+
+#include "../../examples/Canonical_pose_3/Articulated_figure.h"
+
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <iostream>
+#include <string>
+#include <vector>
+
+namespace CP = CGAL::Canonical_pose_3;
+namespace Tool = Canonical_pose_tool;
+using namespace Canonical_pose_benchmark;
+using Canonical_pose_examples::Articulated_figure;
+
+namespace {
+
+CP::Point_matrix rows(const CP::Point_matrix& points, const std::vector<std::size_t>& vertices)
+{
+  CP::Point_matrix result(static_cast<Eigen::Index>(vertices.size()), 3);
+  for(std::size_t i = 0; i < vertices.size(); ++i)
+    result.row(static_cast<Eigen::Index>(i)) = points.row(static_cast<Eigen::Index>(vertices[i]));
+  return result;
+}
+
+class Poses
+{
+public:
+  Poses(const CP::Options& options, const Correspondence& correspondence)
+    : m_options(options), m_correspondence(correspondence)
+  {}
+
+  void add(const std::string& name, const Tool::Mesh_file& mesh)
+  {
+    const CP::Point_matrix points = Tool::matrix_of(Tool::points_of(mesh));
+    const std::vector<std::size_t> vertices = m_correspondence.vertices(name, points);
+    CP::Intermediate_results intermediate;
+    m_options.intermediate_results = &intermediate;
+    CP::Point_matrix pose;
+    const CP::Registration_summary summary = Tool::compute_pose(mesh, m_options, pose);
+    std::printf("%-20s%9zu %-8s%9.4f%12.6f%9d%10s%9zu%9.4f%9.2f\n",
+                name.substr(name.find_last_of('/') + 1).c_str(), mesh.points.size(),
+                summary.body.kind.c_str(), summary.target.stress, summary.energy,
+                summary.iterations, summary.converged() ? "yes" : "no", summary.inverted,
+                summary.median_edge_strain, summary.total_seconds());
+    std::fflush(stdout);
+    m_inputs.push_back(rows(points, vertices));
+    m_targets.push_back(rows(*intermediate.target, vertices));
+    m_results.push_back(rows(pose, vertices));
+  }
+
+  std::size_t size() const { return m_results.size(); }
+
+  void print_differences() const
+  {
+    std::printf("mean difference of all pairs of %zu meshes: input %.4f, target %.4f, pose %.4f\n",
+                m_inputs.size(), mean_pose_difference(m_inputs), mean_pose_difference(m_targets),
+                mean_pose_difference(m_results));
+  }
+
+private:
+  CP::Options m_options;
+  Correspondence m_correspondence;
+  std::vector<CP::Point_matrix> m_inputs, m_targets, m_results;
+};
+
+void add_figure(const std::size_t number_of_vertices, Poses& poses)
+{
+  const Articulated_figure figure(number_of_vertices);
+  Tool::Mesh_file mesh;
+  for(const auto& t : figure.triangles())
+    mesh.faces.emplace_back(t.begin(), t.end());
+  for(const auto& pose : Articulated_figure::named_poses())
+  {
+    mesh.points = figure.points(pose.angles);
+    poses.add(pose.name, mesh);
+  }
+}
+
+bool add_files(const std::vector<std::string>& files, Poses& poses)
+{
+  bool all_done = true;
+  for(const std::string& file : files)
+    try
+    {
+      poses.add(file, Tool::read_mesh_file(file));
+    }
+    catch(const std::exception& e)
+    {
+      std::cerr << file << ": " << e.what() << '\n';
+      all_done = false;
+    }
+  return all_done;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  try
+  {
+    Argument_list arguments(argc, argv);
+    CP::Options options;
+    arguments.take(options);
+    const auto vertices = static_cast<std::size_t>(arguments.take_number("--vertices", 10000));
+    const std::string vertex_lists = arguments.take_text("--vertex-lists");
+    const std::string references = arguments.take_text("--reference-directory");
+    const std::vector<std::string> files = arguments.rest();
+
+    std::printf("%s\n%-20s%9s %-8s%9s%12s%9s%10s%9s%9s%9s\n", setting().c_str(), "mesh", "vertices",
+                "body", "stress", "energy", "iterat.", "converged", "inverted", "strain",
+                "seconds");
+    Poses poses(options, Correspondence(vertex_lists, references));
+    bool all_done = true;
+    if(files.empty())
+      add_figure(vertices, poses);
+    else
+      all_done = add_files(files, poses);
+    if(poses.size() > 1)
+      poses.print_differences();
+    return all_done ? EXIT_SUCCESS : EXIT_FAILURE;
+  }
+  catch(const std::exception& e)
+  {
+    std::cerr << "invariance_benchmark: " << e.what() << '\n';
+    return 2;
+  }
+}

@@ -1,0 +1,51 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+// The pose applied to points near the surface: markers on a coarse figure are the vertices of a finer
+// one.
+
+#include <CGAL/canonical_pose_3.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
+
+#include "Articulated_figure.h"
+
+#include <cstdlib>
+#include <iostream>
+
+namespace CP = CGAL::Canonical_pose_3;
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using Canonical_pose_examples::Articulated_figure;
+
+int main()
+{
+  const auto sitting = Articulated_figure::named_poses()[1].angles;
+  const Mesh coarse = Articulated_figure(2500).make_mesh<Mesh>(sitting);
+  const Articulated_figure fine_figure(10000);
+  const Mesh fine = fine_figure.make_mesh<Mesh>(sitting);
+
+  CP::Intermediate_results results;
+  results.followers = CP::point_matrix(fine);
+  CP::Options options;
+  options.intermediate_results = &results;
+  Mesh pose = coarse;
+  const auto summary = CGAL::canonical_pose_3(coarse, pose.points(), options);
+  std::cout << summary << '\n';
+  if(!summary.is_usable())
+    return EXIT_FAILURE;
+
+  Mesh fine_pose = fine;
+  CP::put_points(results.pose_of_followers, fine, fine_pose.points(), Kernel());
+  const double strain = CP::median_edge_strain(results.followers, results.pose_of_followers,
+                                               fine_figure.triangles());
+  std::cout << "median edge strain of the finer surface: " << strain << '\n';
+  return strain < 0.1 ? EXIT_SUCCESS : EXIT_FAILURE;
+}

@@ -1,0 +1,200 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_BODY_DEFORMER_3_H
+#define CGAL_CANONICAL_POSE_3_BODY_DEFORMER_3_H
+
+#include <CGAL/Canonical_pose_3/internal/Indexed_mesh.h>
+#include <CGAL/Canonical_pose_3/internal/for_each_block.h>
+#include <CGAL/Canonical_pose_3/point_matrix.h>
+
+#include <CGAL/AABB_face_graph_triangle_primitive.h>
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_tree.h>
+#include <CGAL/AABB_triangle_primitive.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <Eigen/Dense>
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+
+/*!
+\ingroup PkgCanonicalPose3Ref
+
+\brief applies the deformation of an elastic body to points near its surface, such as markers, a point
+cloud, or a finer version of the surface.
+
+A point hangs on the cell that contains it, of those around the nearest triangle of the surface; if
+none does, on the cell that it is nearest to in barycentric coordinates. So the points follow the part
+of the body that they lie on, however near another part may be.
+
+\tparam ElasticBody a model of `ElasticBody_3`
+
+\sa `Tetrahedral_arap_registrar_3`
+*/
+template <typename ElasticBody>
+class Body_deformer_3
+{
+public:
+  /*!
+  constructs a deformer.
+
+  \param body the body; it must outlive the deformer.
+  \param triangles the surface: triples of rows of `body.embedding()`, one at least.
+
+  <em>Complexity:</em> \f$ O(n \log n) \f$.
+  */
+  Body_deformer_3(const ElasticBody& body, const std::vector<std::array<std::size_t, 3>>& triangles)
+    : m_body(body), m_surface(body.embedding() * body.points()), m_embedding(body.embedding()),
+      m_cells_of_vertex(static_cast<std::size_t>(body.points().rows()))
+  {
+    CGAL_precondition(!triangles.empty());
+    for(std::size_t t = 0; t < body.cells().size(); ++t)
+      for(const int v : body.cells()[t])
+        m_cells_of_vertex[static_cast<std::size_t>(v)].push_back(t);
+    const auto point = [&](const std::size_t v) {
+      const Eigen::RowVector3d p = m_surface.row(static_cast<Eigen::Index>(v));
+      return Point(p[0], p[1], p[2]);
+    };
+    for(const auto& t : triangles)
+      m_triangles.push_back({Kernel::Triangle_3(point(t[0]), point(t[1]), point(t[2])), t});
+    m_tree.insert(m_triangles.begin(), m_triangles.end());
+    m_tree.build();
+  }
+
+  /*!
+  returns the matrix \f$ m \times N \f$ that says how points hang on the body: its product with the
+  body vertices in the pose is the pose of the points. The entries of a row sum to 1.
+
+  \param points \f$ m \times 3 \f$, at rest.
+
+  \throws std::invalid_argument if a coordinate is not finite.
+
+  <em>Complexity:</em> \f$ O(m \log n) \f$.
+  */
+  Eigen::SparseMatrix<double> embedding(const Point_matrix& points) const
+  {
+    internal::check_finite(points);
+    std::vector<Row> rows(static_cast<std::size_t>(points.rows()));
+    for(std::size_t i = 0; i < rows.size(); ++i)
+      rows[i] = embed(points.row(static_cast<Eigen::Index>(i)));
+    std::vector<Eigen::Triplet<double>> entries;
+    entries.reserve(4 * rows.size());
+    for(std::size_t i = 0; i < rows.size(); ++i)
+      for(int k = 0; k < 4; ++k)
+        if(rows[i].coordinates[k] != 0)
+          entries.emplace_back(static_cast<int>(i),
+                               m_body.cells()[rows[i].cell][static_cast<std::size_t>(k)],
+                               rows[i].coordinates[k]);
+    Eigen::SparseMatrix<double> result(points.rows(), m_body.points().rows());
+    result.setFromTriplets(entries.begin(), entries.end());
+    return result;
+  }
+
+private:
+  typedef Simple_cartesian<double> Kernel;
+  typedef Kernel::Point_3 Point;
+
+  struct Surface_triangle
+  {
+    Kernel::Triangle_3 triangle;
+    std::array<std::size_t, 3> vertices;
+  };
+
+  struct Triangle_primitive
+  {
+    typedef const Surface_triangle* Id;
+    typedef Kernel::Point_3 Point;
+    typedef Kernel::Triangle_3 Datum;
+
+    Triangle_primitive() = default;
+    explicit Triangle_primitive(
+      const typename std::vector<Surface_triangle>::const_iterator triangle)
+      : m_triangle(&*triangle)
+    {}
+    Id id() const { return m_triangle; }
+    const Datum& datum() const { return m_triangle->triangle; }
+    const Point& reference_point() const { return m_triangle->triangle.vertex(0); }
+
+    Id m_triangle = nullptr;
+  };
+  typedef AABB_tree<AABB_traits<Kernel, Triangle_primitive>> Tree;
+
+  struct Row
+  {
+    std::size_t cell;
+    Eigen::Vector4d coordinates;
+  };
+
+  Eigen::Vector4d barycentric_coordinates(const std::size_t cell,
+                                          const Eigen::RowVector3d& point) const
+  {
+    const std::array<int, 4>& c = m_body.cells()[cell];
+    Eigen::Matrix3d edges;
+    for(int k = 0; k < 3; ++k)
+      edges.col(k)
+        = (m_body.points().row(c[static_cast<std::size_t>(k)]) - m_body.points().row(c[3]))
+            .transpose();
+    Eigen::Vector4d result;
+    result.head<3>() = edges.partialPivLu().solve((point - m_body.points().row(c[3])).transpose());
+    result[3] = 1 - result.head<3>().sum();
+    return result;
+  }
+
+  Row embed(const Eigen::RowVector3d& point) const
+  {
+    const auto nearest
+      = m_tree.closest_point_and_primitive(Point(point[0], point[1], point[2])).second;
+    std::vector<std::size_t> cells;
+    for(const std::size_t v : nearest->vertices)
+      for(typename Embedding::InnerIterator entry(m_embedding, static_cast<Eigen::Index>(v)); entry;
+          ++entry)
+        if(entry.value() != 0)
+        {
+          const auto& around = m_cells_of_vertex[static_cast<std::size_t>(entry.col())];
+          cells.insert(cells.end(), around.begin(), around.end());
+        }
+    std::sort(cells.begin(), cells.end());
+    cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+    Row best{0, Eigen::Vector4d::Zero()};
+    double best_minimum = -std::numeric_limits<double>::infinity();
+    for(const std::size_t cell : cells)
+    {
+      const Eigen::Vector4d coordinates = barycentric_coordinates(cell, point);
+      if(coordinates.minCoeff() > best_minimum)
+      {
+        best_minimum = coordinates.minCoeff();
+        best = {cell, coordinates};
+      }
+    }
+    return best;
+  }
+
+  typedef Eigen::SparseMatrix<double, Eigen::RowMajor> Embedding;
+
+  const ElasticBody& m_body;
+  Point_matrix m_surface;
+  Embedding m_embedding;
+  std::vector<std::vector<std::size_t>> m_cells_of_vertex;
+  std::vector<Surface_triangle> m_triangles;
+  Tree m_tree;
+};
+
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_BODY_DEFORMER_3_H

@@ -1,0 +1,51 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_INTERNAL_GEODESIC_BOUNDS_H
+#define CGAL_CANONICAL_POSE_3_INTERNAL_GEODESIC_BOUNDS_H
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cstddef>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+namespace internal {
+
+// Lower bounds of the geodesic distance between vertices by the triangle inequality: the largest
+// difference of their distances to a landmark. The first landmarks, which are far apart, do for it.
+class Geodesic_bounds
+{
+public:
+  // `distances`: a row per vertex, a column per landmark; `unit`: bounds are returned in it.
+  Geodesic_bounds(const Eigen::MatrixXd& distances, const double unit)
+    : m_distances(
+      (distances.leftCols((std::min)(distances.cols(), NUMBER_OF_LANDMARKS)) / unit).cast<float>())
+  {}
+
+  double operator()(const std::size_t v, const std::size_t w) const
+  {
+    return (m_distances.row(static_cast<Eigen::Index>(v))
+            - m_distances.row(static_cast<Eigen::Index>(w)))
+      .cwiseAbs()
+      .maxCoeff();
+  }
+
+private:
+  static constexpr Eigen::Index NUMBER_OF_LANDMARKS = 32;
+
+  Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> m_distances;
+};
+
+} // namespace internal
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_INTERNAL_GEODESIC_BOUNDS_H

@@ -1,0 +1,218 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_INTERNAL_SURFACE_RAYS_H
+#define CGAL_CANONICAL_POSE_3_INTERNAL_SURFACE_RAYS_H
+
+#include <CGAL/Canonical_pose_3/internal/Indexed_mesh.h>
+#include <CGAL/Canonical_pose_3/internal/for_each_block.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+namespace internal {
+
+typedef Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor> Row_points;
+
+// Finds where rays meet triangles, by a uniform grid over them. (CGAL's tree takes longer to build
+// than all the rays that a body needs.)
+class Surface_rays
+{
+public:
+  struct Hit
+  {
+    double distance;
+    std::size_t face;
+    bool is_exit; // the ray runs along the normal of the face
+  };
+
+  Surface_rays(const Row_points& points, const std::vector<Index_triangle>& triangles)
+    : m_points(points), m_triangles(triangles)
+  {
+    choose_cells();
+    fill_cells();
+  }
+
+  // Calls visit(hit) in the order of distance for the hits beyond distance 0, except those on
+  // `own_face`, until it returns false. `direction` has length 1, `origin` lies among the triangles.
+  template <typename Visitor>
+  void trace(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction,
+             const std::size_t own_face, const Visitor& visit) const
+  {
+    std::array<int, 3> cell, step;
+    Eigen::Vector3d next, delta;
+    for(int k = 0; k < 3; ++k)
+    {
+      cell[k] = coordinate(origin[k], k);
+      step[k] = direction[k] > 0 ? 1 : -1;
+      const double border = m_low[k] + m_size * (cell[k] + (direction[k] > 0 ? 1 : 0));
+      const bool moves = direction[k] != 0;
+      next[k]
+        = moves ? (border - origin[k]) / direction[k] : std::numeric_limits<double>::infinity();
+      delta[k] = moves ? m_size / std::abs(direction[k]) : std::numeric_limits<double>::infinity();
+    }
+    std::vector<Hit> hits;
+    for(double begin = 0;;)
+    {
+      int axis;
+      const double end = next.minCoeff(&axis);
+      hits.clear();
+      const std::size_t c = index(cell);
+      for(std::size_t i = m_begin[c]; i < m_begin[c + 1]; ++i)
+        if(m_faces[i] != own_face)
+          intersect(origin, direction, m_faces[i], begin, end, hits);
+      std::sort(hits.begin(), hits.end(), [](const Hit& a, const Hit& b) {
+        return a.distance != b.distance ? a.distance < b.distance : a.face < b.face;
+      });
+      for(const Hit& hit : hits)
+        if(!visit(hit))
+          return;
+      cell[axis] += step[axis];
+      if(cell[axis] < 0 || cell[axis] >= m_cells[axis])
+        return;
+      next[axis] += delta[axis];
+      begin = (std::max)(begin, end);
+    }
+  }
+
+private:
+  static constexpr double TRIANGLE_SIZES_PER_CELL = 3;
+  static constexpr double CELLS_PER_TRIANGLE = 8;
+
+  void choose_cells()
+  {
+    const Eigen::Vector3d low = m_points.colwise().minCoeff(), high = m_points.colwise().maxCoeff();
+    const Eigen::Vector3d extent = high - low;
+    double area = 0;
+    for(const Index_triangle& t : m_triangles)
+      area += 0.5 * normal(t).norm();
+    const double count = static_cast<double>(m_triangles.size());
+    m_size = TRIANGLE_SIZES_PER_CELL * std::sqrt(area / count);
+    m_size = (std::max)(m_size, 1e-6 * extent.maxCoeff());
+    const auto cells = [&] { return ((extent / m_size).array().floor() + 1).prod(); };
+    while(cells() > CELLS_PER_TRIANGLE * count + 4096)
+      m_size *= 1.25;
+    m_low = low;
+    for(int k = 0; k < 3; ++k)
+      m_cells[k] = static_cast<int>(extent[k] / m_size) + 1;
+  }
+
+  void fill_cells()
+  {
+    const std::size_t n = static_cast<std::size_t>(m_cells[0])
+                          * static_cast<std::size_t>(m_cells[1])
+                          * static_cast<std::size_t>(m_cells[2]);
+    m_begin.assign(n + 1, 0);
+    for(const Index_triangle& t : m_triangles)
+      for_each_cell(t, [&](const std::size_t c) { ++m_begin[c + 1]; });
+    for(std::size_t c = 0; c < n; ++c)
+      m_begin[c + 1] += m_begin[c];
+    m_faces.resize(m_begin[n]);
+    std::vector<std::size_t> end(m_begin.begin(), m_begin.end() - 1);
+    for(std::size_t f = 0; f < m_triangles.size(); ++f)
+      for_each_cell(m_triangles[f], [&](const std::size_t c) { m_faces[end[c]++] = f; });
+  }
+
+  // Cells of the bounding box of a triangle that its plane comes near to.
+  template <typename Function>
+  void for_each_cell(const Index_triangle& t, const Function& f) const
+  {
+    const Eigen::Vector3d a = point(t[0]), b = point(t[1]), c = point(t[2]);
+    const Eigen::Vector3d n = normal(t).stableNormalized();
+    const double reach = (0.5 * n.cwiseAbs().sum() + 1e-6) * m_size;
+    std::array<int, 3> low, high, cell;
+    for(int k = 0; k < 3; ++k)
+    {
+      low[k] = coordinate((std::min)({a[k], b[k], c[k]}) - 1e-6 * m_size, k);
+      high[k] = coordinate((std::max)({a[k], b[k], c[k]}) + 1e-6 * m_size, k);
+    }
+    for(cell[0] = low[0]; cell[0] <= high[0]; ++cell[0])
+      for(cell[1] = low[1]; cell[1] <= high[1]; ++cell[1])
+        for(cell[2] = low[2]; cell[2] <= high[2]; ++cell[2])
+        {
+          const Eigen::Vector3d center
+            = m_low + m_size * (Eigen::Vector3d(cell[0], cell[1], cell[2]).array() + 0.5).matrix();
+          if(std::abs(n.dot(center - a)) <= reach)
+            f(index(cell));
+        }
+  }
+
+  // Moeller & Trumbore 1997, with some slack at the sides, so that no ray slips between two faces.
+  void intersect(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction,
+                 const std::size_t face, const double begin, const double end,
+                 std::vector<Hit>& hits) const
+  {
+    const Index_triangle& t = m_triangles[face];
+    const Eigen::Vector3d a = point(t[0]);
+    const Eigen::Vector3d e = point(t[1]) - a, f = point(t[2]) - a;
+    const Eigen::Vector3d p = direction.cross(f);
+    const double determinant = e.dot(p);
+    if(determinant == 0)
+      return;
+    const double inverse = 1 / determinant;
+    const Eigen::Vector3d from = origin - a;
+    const double u = from.dot(p) * inverse;
+    if(!(u >= -SLACK && u <= 1 + SLACK))
+      return;
+    const Eigen::Vector3d q = from.cross(e);
+    const double v = direction.dot(q) * inverse;
+    if(!(v >= -SLACK && u + v <= 1 + SLACK))
+      return;
+    const double distance = f.dot(q) * inverse;
+    if(distance > begin && distance <= end)
+      hits.push_back({distance, face, determinant < 0});
+  }
+
+  Eigen::Vector3d point(const std::size_t v) const
+  {
+    return m_points.row(static_cast<Eigen::Index>(v));
+  }
+
+  Eigen::Vector3d normal(const Index_triangle& t) const
+  {
+    return (point(t[1]) - point(t[0])).cross(point(t[2]) - point(t[0]));
+  }
+
+  int coordinate(const double x, const int axis) const
+  {
+    return (std::min)((std::max)(static_cast<int>((x - m_low[axis]) / m_size), 0),
+                      m_cells[axis] - 1);
+  }
+
+  std::size_t index(const std::array<int, 3>& cell) const
+  {
+    return (static_cast<std::size_t>(cell[0]) * static_cast<std::size_t>(m_cells[1])
+            + static_cast<std::size_t>(cell[1]))
+             * static_cast<std::size_t>(m_cells[2])
+           + static_cast<std::size_t>(cell[2]);
+  }
+
+  static constexpr double SLACK = 1e-9;
+
+  const Row_points& m_points;
+  const std::vector<Index_triangle>& m_triangles;
+  Eigen::Vector3d m_low;
+  double m_size = 0;
+  std::array<int, 3> m_cells;
+  std::vector<std::size_t> m_begin, m_faces; // the faces of cell c begin at m_begin[c]
+};
+
+} // namespace internal
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_INTERNAL_SURFACE_RAYS_H

@@ -1,0 +1,114 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_MESH_3_BODY_H
+#define CGAL_CANONICAL_POSE_3_MESH_3_BODY_H
+
+#include <CGAL/Canonical_pose_3/Embedded_body_3.h>
+#include <CGAL/Canonical_pose_3/diagnose.h>
+#include <CGAL/Canonical_pose_3/internal/Indexed_mesh.h>
+#include <CGAL/Canonical_pose_3/internal/Mesh_3_embedder.h>
+#include <CGAL/Canonical_pose_3/internal/mesh_3_complex.h>
+#include <CGAL/Canonical_pose_3/point_matrix.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+#include <vector>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+namespace internal {
+
+constexpr double MESH_3_CELL_SIZE = 1. / 60;
+
+// Precondition: the surface is clean.
+inline Embedded_body_3 mesh_3_body_of_clean_surface(Point_matrix points,
+                                                    const std::vector<Index_triangle>& triangles,
+                                                    const double length_scale,
+                                                    const double cell_size = MESH_3_CELL_SIZE)
+{
+  const int exponent = normalize(points); // so that squares of lengths neither vanish nor overflow
+  const double size = cell_size * std::ldexp(length_scale, -exponent);
+  const double extent = (points.colwise().maxCoeff() - points.colwise().minCoeff()).maxCoeff();
+  if(!(size >= extent / 1000) || !std::isfinite(size))
+    throw std::invalid_argument("the cells would be smaller than a thousandth of the surface, or "
+                                "their size is not finite");
+  const Mesh_3_complex complex = mesh_3_complex(points, triangles, size);
+  return Mesh_3_embedder(complex).body(points, exponent);
+}
+
+} // namespace internal
+
+/*!
+\ingroup PkgCanonicalPose3Ref
+
+\brief fills a clean closed surface with tetrahedra of nearly equal size by \cgal's Mesh_3, and
+hangs the surface in them.
+
+The number of cells does not depend on the number of faces, and the boundary of the cells is not the
+surface but close to it. A vertex of the surface is a combination of the vertices of the cell that
+contains it; if it is outside of all of them, of a cell nearby, of whose points it is an affine
+combination with small coefficients. Nothing is random: the same surface gives the same body.
+
+This header takes long to compile: `canonical_pose_3()` offers this body only to programs that link
+the target `Canonical_pose_3::mesh_3`.
+
+\param points \f$ n \times 3 \f$, positions.
+\param triangles triples of rows of `points`.
+\param length_scale \f$ L \f$, the length that `cell_size` refers to, in the unit of the points;
+       usually the largest geodesic distance.
+\param cell_size bound on the radius of the spheres around the cells, and on those around the faces
+       of their boundary, as a fraction of \f$ L \f$. The boundary is within a tenth of it.
+
+\throws std::invalid_argument if `diagnose()` finds a defect, the message names it and an element;
+        also if the cells would be smaller than a thousandth of the surface.
+\throws std::runtime_error if the surface is too thin for cells of this size: a part of it is lost,
+        or all of it.
+
+<em>Complexity:</em> that of `diagnose()` and of Mesh_3, close to linear in the number of cells (1 s
+for 26 000 vertices and cells of \f$ L/60 \f$).
+
+\sa `Embedded_body_3`
+\sa `tetgen_body()`
+*/
+inline Embedded_body_3 mesh_3_body(const Point_matrix& points,
+                                   const std::vector<std::array<std::size_t, 3>>& triangles,
+                                   const double length_scale,
+                                   const double cell_size = internal::MESH_3_CELL_SIZE)
+{
+  const Diagnosis_3 diagnosis = diagnose(points, triangles);
+  if(!diagnosis.is_clean())
+    throw std::invalid_argument(diagnosis.first_defect);
+  return internal::mesh_3_body_of_clean_surface(points, triangles, length_scale, cell_size);
+}
+
+/*!
+\ingroup PkgCanonicalPose3Ref
+
+\brief fills a triangle mesh.
+
+\tparam TriangleMesh a model of `FaceListGraph`
+\tparam VertexPointMap a model of `ReadablePropertyMap` with vertex descriptors as keys and points
+       of a kernel as values
+*/
+template <typename TriangleMesh, typename VertexPointMap>
+Embedded_body_3 mesh_3_body(const TriangleMesh& tmesh, VertexPointMap vertex_point_map,
+                            const double length_scale,
+                            const double cell_size = internal::MESH_3_CELL_SIZE)
+{
+  return mesh_3_body(point_matrix(tmesh, vertex_point_map), internal::index_triangles(tmesh),
+                     length_scale, cell_size);
+}
+
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_MESH_3_BODY_H

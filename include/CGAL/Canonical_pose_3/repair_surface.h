@@ -1,0 +1,156 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_REPAIR_SURFACE_H
+#define CGAL_CANONICAL_POSE_3_REPAIR_SURFACE_H
+
+#include <CGAL/Canonical_pose_3/Repaired_surface_3.h>
+#include <CGAL/Canonical_pose_3/internal/Component_orienter.h>
+#include <CGAL/Canonical_pose_3/internal/Manifold_builder.h>
+#include <CGAL/Canonical_pose_3/internal/Triangle_soup.h>
+#include <CGAL/Canonical_pose_3/point_matrix.h>
+
+#include <array>
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+namespace internal {
+
+template <typename Polygons>
+Repaired_surface_3 repair_soup(const Point_matrix& points, const Polygons& polygons)
+{
+  check_soup(points, polygons);
+  if(polygons.empty())
+    throw std::invalid_argument("the surface has no face");
+  Point_matrix normalized = points;
+  normalize(normalized);
+  Repaired_surface_3 result;
+  Manifold_builder builder(normalized, triangle_soup(normalized, polygons));
+  builder.run(result);
+  const std::size_t n = result.origins.size();
+  result.points.resize(static_cast<Eigen::Index>(n), 3);
+  Point_matrix normalized_copies(result.points.rows(), 3);
+  for(std::size_t v = 0; v < n; ++v)
+  {
+    const Eigen::Index row = static_cast<Eigen::Index>(v),
+                       origin = static_cast<Eigen::Index>(result.origins[v]);
+    result.points.row(row) = points.row(origin);
+    normalized_copies.row(row) = normalized.row(origin);
+  }
+  Component_orienter(normalized_copies, builder.twins(), result).run();
+  return result;
+}
+
+} // namespace internal
+
+/*!
+\ingroup PkgCanonicalPose3Ref
+
+\brief makes an oriented 2-manifold of any polygons, without moving or making a vertex.
+
+Polygons become triangles; faces that name fewer than three vertices, and all but one of those that
+name the same vertices, are dropped. Vertices at the same place on the boundary (those of an STL file)
+are sewn; closed surfaces that touch are left apart. Neighbours get the same orientation; where there
+is none (a Moebius strip), the surface is cut. Vertices where several fans of faces meet are split. Of
+an edge of more than two faces those become neighbours that belong to the same patch (connected by
+edges of two faces), then those of patches without boundary, then the others; so a fin on a
+closed surface becomes a component of its own. Holes get caps, and components are oriented outwards;
+flat sheets stay as they are. Faces without area are kept.
+
+A surface that needs no repair comes back as it is.
+
+\param points \f$ n \times 3 \f$, positions.
+\param polygons sequences of rows of `points`.
+
+\throws std::invalid_argument if a coordinate is not finite, a polygon names a row that does not
+       exist, or no face with an area is there; the message names the element.
+
+<em>Complexity:</em> \f$ O(n \log n) \f$.
+
+\sa `diagnose()`
+*/
+inline Repaired_surface_3 repair_surface(const Point_matrix& points,
+                                         const std::vector<std::vector<std::size_t>>& polygons)
+{
+  return internal::repair_soup(points, polygons);
+}
+
+/*!
+\ingroup PkgCanonicalPose3Ref
+
+\brief makes an oriented 2-manifold of any triangles, without moving or making a vertex.
+*/
+inline Repaired_surface_3 repair_surface(const Point_matrix& points,
+                                         const std::vector<std::array<std::size_t, 3>>& triangles)
+{
+  return internal::repair_soup(points, triangles);
+}
+
+/*!
+\ingroup PkgCanonicalPose3Ref
+
+\brief returns one component of a surface, with the vertices and caps that belong to it.
+
+\param surface the surface.
+\param component number of the component, from 0 by decreasing area.
+
+\throws std::invalid_argument if there is no such component.
+*/
+inline Repaired_surface_3 component_of_surface(const Repaired_surface_3& surface,
+                                               const std::size_t component)
+{
+  if(component >= surface.number_of_components)
+    throw std::invalid_argument("there is no component " + std::to_string(component)
+                                + ": the surface has "
+                                + std::to_string(surface.number_of_components));
+  Repaired_surface_3 result;
+  result.representatives = surface.representatives;
+  std::vector<bool> is_used(surface.origins.size(), false);
+  for(std::size_t t = 0; t < surface.triangles.size(); ++t)
+    if(surface.component_of_triangle[t] == component)
+    {
+      result.triangles.push_back(surface.triangles[t]);
+      result.face_of_triangle.push_back(surface.face_of_triangle[t]);
+      for(const std::size_t v : surface.triangles[t])
+        is_used[v] = true;
+    }
+  for(const auto& cap : surface.caps)
+    if(is_used[cap[0]])
+      result.caps.push_back(cap);
+  result.component_of_triangle.assign(result.triangles.size(), 0);
+  result.number_of_components = 1;
+
+  std::vector<std::size_t> number(is_used.size());
+  for(std::size_t v = 0; v < is_used.size(); ++v)
+    if(is_used[v])
+    {
+      number[v] = result.origins.size();
+      result.origins.push_back(surface.origins[v]);
+    }
+  result.points.resize(static_cast<Eigen::Index>(result.origins.size()), 3);
+  for(std::size_t v = 0; v < is_used.size(); ++v)
+    if(is_used[v])
+      result.points.row(static_cast<Eigen::Index>(number[v]))
+        = surface.points.row(static_cast<Eigen::Index>(v));
+  for(auto* const triangles : {&result.triangles, &result.caps})
+    for(auto& t : *triangles)
+      for(std::size_t& v : t)
+        v = number[v];
+  return result;
+}
+
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_REPAIR_SURFACE_H

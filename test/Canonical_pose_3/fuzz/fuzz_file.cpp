@@ -1,0 +1,80 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+// The tool's readers, then what is done with a mesh at first. The first byte chooses the format, the
+// others are the file.
+
+#include "Cgal_types.h"
+#include "checks.h"
+#include "readers.h"
+
+#include <CGAL/Canonical_pose_3/complex_body.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <sstream>
+#include <string>
+
+using namespace Canonical_pose_tool;
+namespace CPF = Canonical_pose_fuzz;
+
+namespace {
+
+struct Reader
+{
+  Format format;
+  void (*read)(const std::string&, Mesh_file&);
+};
+
+const std::array<Reader, 5> READERS = {{{Format::OFF, read_off},
+                                        {Format::OBJ, read_obj},
+                                        {Format::PLY, read_ply},
+                                        {Format::STL, read_stl},
+                                        {Format::MEDIT, read_medit}}};
+
+// What is written is what is read again; STL has no order of vertices.
+void check_writer(const Reader& reader, const Mesh_file& mesh)
+{
+  if(!CPF::is_accepted([&] { check_format_holds(reader.format, mesh); }))
+    return;
+  std::ostringstream out;
+  write_mesh(out, reader.format, mesh);
+  if(reader.format == Format::STL)
+    return;
+  Mesh_file again;
+  CPF::require(CPF::is_accepted([&] { reader.read(out.str(), again); }), "what is written is read");
+  CPF::require(again.points == mesh.points && again.faces == mesh.faces && again.cells == mesh.cells
+                 && again.point_references == mesh.point_references
+                 && again.cell_references == mesh.cell_references,
+               "what is written is what is read again");
+}
+
+} // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, const std::size_t size)
+{
+  if(size == 0)
+    return 0;
+  const Reader& reader = READERS[data[0] % READERS.size()];
+  const std::string bytes(data + 1, data + size);
+  if(bytes.find_first_not_of(" \t\r\n") == std::string::npos)
+    return 0; // refused before a reader sees it
+  Mesh_file mesh;
+  if(!CPF::is_accepted([&] { reader.read(bytes, mesh); }))
+    return 0;
+  check_writer(reader, mesh);
+  if(mesh.is_tetrahedral)
+    CPF::is_accepted([&] {
+      CGAL::Canonical_pose_3::complex_body(tetrahedra_of(mesh));
+      mesh = boundary_of(mesh);
+    });
+  CPF::check_surface(matrix_of(points_of(mesh)), mesh.faces);
+  return 0;
+}

@@ -1,0 +1,163 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#include <CGAL/Canonical_pose_3/internal/closest_rotation.h>
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+
+#include <cmath>
+#include <limits>
+#include <random>
+#include <vector>
+
+namespace CPI = CGAL::Canonical_pose_3::internal;
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+namespace {
+
+// By a singular value decomposition in extended precision.
+Matrix3d reference(const Matrix3d& m)
+{
+  using Matrix = Eigen::Matrix<long double, 3, 3>;
+  const Eigen::JacobiSVD<Matrix> svd(m.cast<long double>(),
+                                     Eigen::ComputeFullU | Eigen::ComputeFullV);
+  Matrix u = svd.matrixU();
+  if((u * svd.matrixV().transpose()).determinant() < 0)
+    u.col(2) *= -1;
+  return (u * svd.matrixV().transpose()).cast<double>();
+}
+
+class Random_matrices
+{
+public:
+  Matrix3d matrix()
+  {
+    return Matrix3d::NullaryExpr([&] { return m_normal(m_generator); });
+  }
+  Matrix3d with_singular_values(const Vector3d& s)
+  {
+    return reference(matrix()) * s.asDiagonal() * reference(matrix()).transpose();
+  }
+
+private:
+  std::mt19937 m_generator{7};
+  std::normal_distribution<double> m_normal;
+};
+
+// Eight matrices at once.
+std::vector<Matrix3d> rotations_of_pack(const std::vector<Matrix3d>& matrices)
+{
+  CPI::Matrix_3<CPI::Pack> f, r;
+  for(int k = 0; k < 9 * CPI::pack_size; ++k)
+    f[k % 9 / 3][k % 3][k / 9] = matrices[k / 9](k % 9 / 3, k % 3);
+  CPI::closest_rotations<CGAL::Default>(f, r);
+  std::vector<Matrix3d> result(CPI::pack_size);
+  for(int k = 0; k < 9 * CPI::pack_size; ++k)
+    result[k / 9](k % 9 / 3, k % 3) = r[k % 9 / 3][k % 3][k / 9];
+  return result;
+}
+
+bool is_rotation(const Matrix3d& r)
+{
+  return (r.transpose() * r - Matrix3d::Identity()).norm() < 1e-12 && r.determinant() > 0;
+}
+
+} // namespace
+
+// Where the closest rotation is unique by a margin, that is, the sum of the two smaller singular
+// values (with sign) is not small, the closed form has twelve digits: near rotations, stretched,
+// reflected, flat, and in any unit.
+TEST(Closest_rotation, is_that_of_the_singular_value_decomposition)
+{
+  Random_matrices random;
+  for(int run = 0; run < 2000; ++run)
+  {
+    std::vector<Matrix3d> matrices = {
+      reference(random.matrix()) + 0.1 * random.matrix(),
+      random.with_singular_values(Vector3d(1, 1, 1)),
+      random.with_singular_values(Vector3d(1, 1, -0.9)),
+      random.with_singular_values(Vector3d(1, 0.7, -0.6)),
+      random.with_singular_values(Vector3d(1, 0.3, 0)),
+      random.with_singular_values(Vector3d(100, 5, 1e-6)),
+      1e-30 * random.with_singular_values(Vector3d(3, 2, 1)),
+      1e30 * random.with_singular_values(Vector3d(3, 2, -1)),
+    };
+    const std::vector<Matrix3d> rotations = rotations_of_pack(matrices);
+    for(int lane = 0; lane < CPI::pack_size; ++lane)
+    {
+      const Matrix3d expected = reference(matrices[lane]);
+      EXPECT_LT((rotations[lane] - expected).norm(), 1e-12) << run << ' ' << lane;
+      EXPECT_LT((CPI::closest_rotation(matrices[lane]) - expected).norm(), 1e-12) << lane;
+    }
+  }
+}
+
+// Where it is not unique, what is found is a rotation, and no rotation is closer: trace(R^t F) is the
+// sum of the singular values, the smallest one with the sign of the determinant.
+TEST(Closest_rotation, is_a_closest_one_where_it_is_not_unique)
+{
+  Random_matrices random;
+  const std::vector<Vector3d> values = {{0, 0, 0},
+                                        {1, 0, 0},
+                                        {1, 1e-9, 0},
+                                        {1, 1, -1},
+                                        {1, 0.5, -0.5},
+                                        {1, 0.5, -0.499999},
+                                        {1e-200, 1e-200, 1e-200},
+                                        {1e200, 1e200, -1e200}};
+  for(int run = 0; run < 200; ++run)
+  {
+    std::vector<Matrix3d> matrices;
+    for(const Vector3d& s : values)
+      matrices.push_back(random.with_singular_values(s));
+    const std::vector<Matrix3d> rotations = rotations_of_pack(matrices);
+    for(int lane = 0; lane < CPI::pack_size; ++lane)
+      for(const Matrix3d& r : {rotations[lane], CPI::closest_rotation(matrices[lane])})
+      {
+        EXPECT_TRUE(is_rotation(r)) << lane;
+        const double trace = (r.transpose() * matrices[lane]).trace();
+        EXPECT_NEAR(trace, values[lane].sum(), 1e-12 * values[lane].cwiseAbs().sum()) << lane;
+      }
+  }
+}
+
+// Numbers that are not finite neither hang nor spoil the lanes beside them.
+TEST(Closest_rotation, of_what_is_not_finite_is_a_rotation)
+{
+  Random_matrices random;
+  std::vector<Matrix3d> matrices;
+  for(int lane = 0; lane < CPI::pack_size; ++lane)
+    matrices.push_back(random.with_singular_values(Vector3d(3, 2, 1)));
+  matrices[1](0, 2) = std::numeric_limits<double>::quiet_NaN();
+  matrices[4](1, 1) = std::numeric_limits<double>::infinity();
+  const std::vector<Matrix3d> rotations = rotations_of_pack(matrices);
+  for(int lane = 0; lane < CPI::pack_size; ++lane)
+  {
+    EXPECT_TRUE(is_rotation(rotations[lane])) << lane;
+    if(matrices[lane].allFinite())
+    {
+      EXPECT_LT((rotations[lane] - reference(matrices[lane])).norm(), 1e-12) << lane;
+    }
+  }
+}
+
+// A model of CGAL's concept can be given instead.
+TEST(Closest_rotation, by_traits)
+{
+  typedef CGAL::Deformation_Eigen_closest_rotation_traits_3 Traits;
+  Random_matrices random;
+  for(int run = 0; run < 100; ++run)
+  {
+    const Matrix3d m = random.matrix();
+    EXPECT_LT((CPI::closest_rotation<Traits>(m) - reference(m)).norm(), 1e-10);
+  }
+}

@@ -1,0 +1,74 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#include "diagnosed.h"
+
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/boost/graph/generators.h>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace CP = CGAL::Canonical_pose_3;
+using namespace Canonical_pose_test;
+
+TEST(Diagnosis, what_throws)
+{
+  Polygon_soup soup = ball();
+  soup.polygons[7][1] = 12;
+  EXPECT_THROW_WITH(diagnosis(soup), std::invalid_argument,
+                    "face 7 names vertex 12, but there are 12");
+  soup = ball();
+  soup.points[3][2] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW_WITH(diagnosis(soup), std::invalid_argument,
+                    "vertex 3 has a coordinate that is not finite");
+}
+
+// All pairs of 1500 faces intersect, more than a million; the search ends at its bound.
+TEST(Diagnosis, search_for_intersections_is_bounded)
+{
+  Polygon_soup soup;
+  for(std::size_t i = 0; i < 1500; ++i)
+  {
+    const double u = pi * double(i) / 1500;
+    soup.points.push_back({{std::cos(u), std::sin(u), -1.}});
+    soup.points.push_back({{-std::cos(u), -std::sin(u), -1.}});
+    soup.points.push_back({{0., 0., 1. + double(i)}});
+    soup.polygons.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+  }
+  EXPECT_EQ(diagnosis(soup).self_intersections,
+            std::size_t(CP::Diagnosis_3::MAXIMUM_NUMBER_OF_SELF_INTERSECTIONS));
+}
+
+TEST(Diagnosis, counts_do_not_depend_on_labels_and_scale)
+{
+  for(const Polygon_soup& soup : {quad_cube(), unsewn(ball()), pinched_balls(), ball_with_fin(),
+                                  cubes_with_a_common_edge(), moebius_strip(20)})
+  {
+    EXPECT_EQ(defects(soup), defects(relabelled(soup)));
+    for(const double scale : {1e150, 1e-150})
+    {
+      Polygon_soup scaled = soup;
+      for(auto& p : scaled.points)
+        p = {{scale * p[0], scale * p[1], scale * p[2]}};
+      EXPECT_EQ(defects(soup), defects(scaled));
+    }
+  }
+}
+
+TEST(Diagnosis, polygon_mesh)
+{
+  typedef CGAL::Simple_cartesian<double>::Point_3 Point;
+  CGAL::Polyhedron_3<CGAL::Simple_cartesian<double>> cube;
+  CGAL::make_hexahedron(Point(0, 0, 0), Point(1, 0, 0), Point(1, 1, 0), Point(0, 1, 0),
+                        Point(0, 1, 1), Point(0, 0, 1), Point(1, 0, 1), Point(1, 1, 1), cube);
+  EXPECT_EQ(CP::diagnose(cube, get(CGAL::vertex_point, cube)).polygons, 6u);
+}

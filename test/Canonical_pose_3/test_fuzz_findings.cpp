@@ -1,0 +1,66 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#include <CGAL/canonical_pose_3.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "matchers.h"
+#include "shapes.h"
+
+// What the fuzzers found, one test each.
+
+using Canonical_pose_test::Triangle_soup;
+using CGAL::Canonical_pose_3::Options;
+
+namespace {
+
+typedef CGAL::Exact_predicates_inexact_constructions_kernel::Point_3 Point_3;
+
+// The pose is there and finite.
+void expect_pose(const Triangle_soup& soup, const Options& options)
+{
+  std::vector<Point_3> points, pose;
+  for(const auto& p : soup.points)
+    points.emplace_back(p[0], p[1], p[2]);
+  EXPECT_TRUE(CGAL::canonical_pose_3(points, soup.triangles, pose, options).is_usable());
+  ASSERT_EQ(pose.size(), points.size());
+  for(const Point_3& p : pose)
+    EXPECT_TRUE(CGAL::is_finite(p.x()) && CGAL::is_finite(p.y()) && CGAL::is_finite(p.z()));
+}
+
+} // namespace
+
+// Chords that end on the cap of a hole have no vertex at their end: one out of range was used.
+TEST(Fuzz_findings, icosahedron_with_a_hole_and_a_reversed_face)
+{
+  Triangle_soup soup = Canonical_pose_test::icosphere_soup(0, 1);
+  soup.triangles.erase(soup.triangles.begin() + 14);
+  std::swap(soup.triangles[13][0], soup.triangles[13][1]);
+  Options options;
+  options.number_of_landmarks = 6;
+  options.components = Options::Components::EACH;
+  options.registration.number_of_iterations = 2;
+  expect_pose(soup, options);
+}
+
+// The surface was sampled for cubes of this size, by gigabytes, before the size was looked at.
+TEST(Fuzz_findings, spacing_far_too_small)
+{
+  Options options;
+  options.lattice_spacing = 1e-9;
+  EXPECT_THROW_WITH(expect_pose(Canonical_pose_test::icosphere_soup(0, 1), options),
+                    std::invalid_argument, "spacing");
+}
