@@ -17,7 +17,6 @@
 #include <CGAL/Canonical_pose_3/internal/Indexed_mesh.h>
 #include <CGAL/Canonical_pose_3/surface_measures.h>
 #include <CGAL/Canonical_pose_3/target_handedness.h>
-#include <CGAL/Canonical_pose_3/target_scale.h>
 
 #include "Body_trial.h"
 #include "Child_process.h"
@@ -43,10 +42,9 @@ inline std::string targets_here(const Point_matrix& points, const Triangles& tri
   CP::Landmark_mds_target_builder_3<> builder;
   builder.build(fields);
   const Eigen::VectorXd shares = CP::vertex_area_shares(points, triangles);
-  const Point_matrix scaled
-    = CP::target_scale(builder.targets(), points, triangles) * builder.targets();
+  const Point_matrix& embedded = builder.targets();
   const Point_matrix target = CP::align_target(
-    scaled, points, shares, CP::target_handedness(scaled, points, triangles, shares) < 0);
+    embedded, points, shares, CP::target_handedness(embedded, points, triangles, shares) < 0);
   std::string bytes(reinterpret_cast<const char*>(target.data()),
                     sizeof(double) * static_cast<std::size_t>(target.size()));
   return bytes.append(reinterpret_cast<const char*>(fields.distances.data()),

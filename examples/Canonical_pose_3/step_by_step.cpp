@@ -17,7 +17,6 @@
 #include <CGAL/Canonical_pose_3/farthest_point_landmarks.h>
 #include <CGAL/Canonical_pose_3/surface_measures.h>
 #include <CGAL/Canonical_pose_3/target_handedness.h>
-#include <CGAL/Canonical_pose_3/target_scale.h>
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -45,12 +44,11 @@ int main(int argc, char* argv[])
   CP::Landmark_mds_target_builder_3<> builder;
   builder.build(fields);
   std::cout << "stress of the target: " << builder.stress() << '\n';
-  // Its size and place: moved onto the input, mirrored if that is its handedness.
+  // Its place: moved onto the input, mirrored if that is its handedness.
   const auto points = CP::point_matrix(mesh);
   const auto shares = CP::vertex_area_shares(mesh, mesh.points());
   const bool mirrored = CP::target_handedness(builder.targets(), mesh, mesh.points()) < 0;
-  const double scale = CP::target_scale(builder.targets(), mesh, mesh.points());
-  const auto target = CP::align_target(scale * builder.targets(), points, shares, mirrored);
+  const auto target = CP::align_target(builder.targets(), points, shares, mirrored);
   // Tetrahedra inside, and the registration.
   const CP::Lattice_body_3 body(mesh, mesh.points(), fields.distances);
   CP::Tetrahedral_arap_registrar_3 registrar(body, shares, builder.length_scale());

@@ -16,7 +16,6 @@
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 #include <CGAL/Canonical_pose_3/surface_measures.h>
 #include <CGAL/Canonical_pose_3/target_handedness.h>
-#include <CGAL/Canonical_pose_3/target_scale.h>
 
 #include <CGAL/assertions.h>
 
@@ -102,7 +101,7 @@ public:
                             : suitable_spacing(chords_from_cubes(LARGEST_SPACING), triangles, caps);
     while(is_too_small(m_spacing, triangles))
       m_spacing *= 1.25;
-    const std::vector<internal::Chord> chords = chords_from_cubes(m_spacing / 1.5);
+    const std::vector<internal::Chord> chords = chords_from_cubes(m_spacing / 2);
     const internal::Lattice_pieces pieces(m_surface, triangles, chords, m_spacing);
     const internal::Lattice_copies copies(m_surface, triangles, pieces, bounds);
     make_cells(pieces, copies);

@@ -52,15 +52,15 @@ struct Registration_summary
     /// the six leading eigenvalues (fewer if there are fewer landmarks).
     std::vector<double> eigenvalues;
     double max_geodesic = 0; ///< \f$ L \f$, the largest distance to a landmark.
-    double scale = 1;        ///< see `target_scale()`.
+    double scale = 1;        ///< factor by which the target was made smaller, for a compact shape.
     bool reflected = false;  ///< whether the mirrored target was taken.
   };
 
   /// what the surface hangs on.
   struct Body
   {
-    std::string kind;           ///< `"lattice"`, `"tetgen"`, `"mesh_3"`, or `"complex"` if handed in.
-    std::size_t vertices = 0;   ///< number of body vertices.
+    std::string kind;         ///< `"lattice"`, `"tetgen"`, `"mesh_3"`, or `"complex"` if handed in.
+    std::size_t vertices = 0; ///< number of body vertices.
     std::size_t tetrahedra = 0; ///< number of cells.
   };
 

@@ -25,6 +25,26 @@
 namespace CGAL {
 namespace Canonical_pose_3 {
 
+namespace internal {
+
+// Twice the area of triangles, by the square of `unit`.
+inline double twice_area(const Point_matrix& points,
+                         const std::vector<std::array<std::size_t, 3>>& triangles,
+                         const double unit)
+{
+  double sum = 0;
+  for(const auto& t : triangles)
+  {
+    const auto corner
+      = [&](const std::size_t k) { return points.row(static_cast<Eigen::Index>(t[k])); };
+    const Eigen::Vector3d a = (corner(1) - corner(0)) / unit, b = (corner(2) - corner(0)) / unit;
+    sum += a.cross(b).norm();
+  }
+  return sum;
+}
+
+} // namespace internal
+
 /*!
 \ingroup PkgCanonicalPose3Ref
 

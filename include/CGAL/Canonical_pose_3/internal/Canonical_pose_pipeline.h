@@ -29,7 +29,6 @@
 #include <CGAL/Canonical_pose_3/internal/flipped_faces.h>
 #include <CGAL/Canonical_pose_3/surface_measures.h>
 #include <CGAL/Canonical_pose_3/target_handedness.h>
-#include <CGAL/Canonical_pose_3/target_scale.h>
 #ifdef CGAL_CANONICAL_POSE_3_USE_MESH_3
 #include <CGAL/Canonical_pose_3/mesh_3_body.h>
 #endif
@@ -103,6 +102,8 @@ public:
   }
 
 private:
+  static constexpr double TOLERATED_VOLUME_RATIO = 1.15;
+
   template <typename Function>
   void timed(const char* stage, const Function& f)
   {
@@ -249,9 +250,7 @@ private:
     std::vector<Index_triangle> closed = m_triangles;
     closed.insert(closed.end(), m_caps.begin(), m_caps.end());
     m_summary.target.reflected = target_handedness(target, m_points, closed, shares) < 0;
-    m_summary.target.scale = target_scale(target, m_points, m_triangles);
-    return align_target(m_summary.target.scale * target, m_points, shares,
-                        m_summary.target.reflected);
+    return align_target(target, m_points, shares, m_summary.target.reflected);
   }
 
   template <typename Kernel>
@@ -277,26 +276,36 @@ private:
   {
     const Eigen::VectorXd shares = vertex_area_shares(m_points, m_triangles);
     timed("target", [&] { m_results.target = find_target(shares); });
+    const bool is_size_free = m_summary.target.kernel != "given" && !m_options.paper_weights;
 
     // Copies of a vertex of the body share its target.
     const Eigen::Index n = body.embedding().rows();
     Eigen::VectorXd weights = Eigen::VectorXd::Zero(n), copies = Eigen::VectorXd::Zero(n);
-    Point_matrix target = Point_matrix::Zero(n, 3);
     for(std::size_t i = 0; i < origins.size(); ++i)
     {
       weights[origins[i]] += m_options.paper_weights ? 1 : shares[i];
       copies[origins[i]] += 1;
-      target.row(origins[i]) += m_results.target->row(i);
     }
-    target = copies.cwiseMax(1).cwiseInverse().asDiagonal() * target;
+    const auto target_of_body = [&] {
+      Point_matrix target = Point_matrix::Zero(n, 3);
+      for(std::size_t i = 0; i < origins.size(); ++i)
+        target.row(origins[i]) += m_results.target->row(i);
+      return Point_matrix(copies.cwiseMax(1).cwiseInverse().asDiagonal() * target);
+    };
 
     Tetrahedral_arap_registrar_3<Body_view, CGAL::Default, FactorTraits> registrar(
       body, weights, m_length_scale, registration_options(body));
     if(!m_springs.springs().empty())
       registrar.add_constraint(m_springs);
-    registrar.set_target(target);
+    registrar.set_target(target_of_body());
     Point_matrix body_pose;
     take(registrar.register_to_target(body_pose));
+    if(is_size_free && m_summary.is_usable() && m_summary.volume_ratio > TOLERATED_VOLUME_RATIO)
+    {
+      shrink_target(shares);
+      registrar.set_target(target_of_body());
+      take(registrar.register_to_target(body_pose));
+    }
     if(m_summary.is_usable())
     {
       pose = body.embedding() * body_pose;
@@ -309,6 +318,17 @@ private:
         });
     }
     return m_summary;
+  }
+
+  // Geodesics lead around a compact body, so that its target is too large: a ball becomes a larger ball.
+  // The exponent brings the volume of most shapes below 1.2 times that at rest: it grows about as the
+  // 1.5th power of the scale.
+  void shrink_target(const Eigen::VectorXd& shares)
+  {
+    m_summary.target.scale = std::pow(TOLERATED_VOLUME_RATIO / m_summary.volume_ratio, 0.65);
+    const Eigen::RowVector3d centroid = shares.transpose() * *m_results.target;
+    m_results.target = Point_matrix(
+      (m_summary.target.scale * (m_results.target->rowwise() - centroid)).rowwise() + centroid);
   }
 
   // the triangles as rows of the embedding
@@ -340,6 +360,7 @@ private:
     for(const Registration_summary::Stage& stage : registered.stages)
       m_summary.add_seconds(stage.first, stage.second);
     registered.stages = m_summary.stages;
+    registered.iterations += m_summary.iterations;
     registered.body.kind = m_summary.body.kind;
     registered.input = m_summary.input;
     registered.target = m_summary.target;

@@ -31,7 +31,7 @@ public:
   Taubin_fairing(const Point_matrix& rest, const std::vector<std::array<int, 4>>& cells)
   {
     std::vector<Eigen::Triplet<double>> entries;
-    for(const Index_triangle& t : boundary_triangles(rest, cells))
+    for(const Index_triangle& t : boundary_triangles(rest, cells, true))
       for(int k = 0; k < 3; ++k)
         for(int other = 1; other < 3; ++other)
           entries.emplace_back(static_cast<int>(t[k]), static_cast<int>(t[(k + other) % 3]), 1.);

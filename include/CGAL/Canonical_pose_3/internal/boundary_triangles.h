@@ -29,9 +29,11 @@ namespace CGAL {
 namespace Canonical_pose_3 {
 namespace internal {
 
-// The faces that belong to one cell only, oriented outwards, in the order of the cells.
+// The faces that belong to one cell only, oriented outwards, in the order of the cells. Faces of more than
+// two are an error unless they are allowed.
 inline std::vector<Index_triangle> boundary_triangles(const Point_matrix& points,
-                                                      const std::vector<std::array<int, 4>>& cells)
+                                                      const std::vector<std::array<int, 4>>& cells,
+                                                      const bool are_branches_allowed = false)
 {
   static const int outward[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
   std::vector<std::pair<std::array<int, 3>, std::size_t>> faces;
@@ -52,7 +54,7 @@ inline std::vector<Index_triangle> boundary_triangles(const Point_matrix& points
     std::size_t j = i + 1;
     while(j < faces.size() && faces[j].first == faces[i].first)
       ++j;
-    if(j - i > 2)
+    if(j - i > 2 && !are_branches_allowed)
       throw std::invalid_argument("more than two cells, cell " + std::to_string(faces[i].second / 4)
                                   + " among them, share a face");
     if(j - i == 1)

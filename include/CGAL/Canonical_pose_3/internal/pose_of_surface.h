@@ -180,6 +180,8 @@ private:
     if(m_results.landmark_fields && !is_one_of_several)
     {
       const Landmark_fields_3& fields = *m_results.landmark_fields;
+      if(fields.distances.cols() == 0)
+        throw std::invalid_argument("the distances handed in have no column");
       check_rows(fields.distances.rows(), "the distances handed in have ");
       results.landmark_fields = fields;
       results.landmark_fields->distances.resize(surface.points.rows(), fields.distances.cols());

@@ -112,7 +112,7 @@ inline std::vector<Surface_sample> sample_surface(const Row_points& points,
     int axis;
     if(!(normal.cwiseAbs().maxCoeff(&axis) > 0))
       continue;
-    for_each_sample(points, t, side, [&](const Eigen::Vector3d& p) {
+    for_each_sample(points, t, 0.6 * side, [&](const Eigen::Vector3d& p) {
       const Eigen::Vector3d in_cubes = p / side;
       const Eigen::Vector3d cube = in_cubes.array().floor();
       ranked.emplace_back(
