@@ -49,7 +49,7 @@ foreach(input IN LISTS bad_inputs)
   expect_refusal("${message}" pose ${input} -o out/a.${format} --target out/b.off --report out/c.json)
 endforeach()
 
-expect_refusal("2 connected components" pose edge.off -o out/a.off) # the fin is one
+expect_refusal("falls into 2 components" pose edge.off -o out/a.off) # the fin is one
 expect_refusal("No such file" pose missing.off -o out/a.off)
 expect_refusal("directory" pose folder.off -o out/a.off)
 expect_refusal("extension" pose ball.txt -o out/a.off)
