@@ -19,6 +19,7 @@
 #include <CGAL/Canonical_pose_3/repair_surface.h>
 #include <CGAL/canonical_pose_3.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <stdexcept>
 #include <string>
@@ -61,25 +62,6 @@ inline Registration_summary compute_pose(const Mesh_file& input, const Options& 
   return summary;
 }
 
-// For each vertex of a surface its first copy in the repaired one. Throws std::invalid_argument if
-// there is none.
-inline std::vector<std::size_t>
-first_copies(const CGAL::Canonical_pose_3::Repaired_surface_3& repaired)
-{
-  const std::size_t none = repaired.origins.size();
-  std::vector<std::size_t> first(repaired.representatives.size(), none), result;
-  for(std::size_t copy = none; copy-- > 0;)
-    first[repaired.origins[copy]] = copy;
-  for(const std::size_t v : repaired.representatives)
-  {
-    if(first[v] == none)
-      throw std::invalid_argument("vertex " + std::to_string(result.size())
-                                  + " belongs to no face: there are no distances from or to it");
-    result.push_back(first[v]);
-  }
-  return result;
-}
-
 // One row per vertex, one column per source.
 inline Eigen::MatrixXd compute_distances(const Mesh_file& input,
                                          const std::vector<std::size_t>& source_rows,
@@ -93,7 +75,11 @@ inline Eigen::MatrixXd compute_distances(const Mesh_file& input,
                                   + ", but there are " + std::to_string(input.points.size()));
   const auto repaired
     = CGAL::Canonical_pose_3::repair_surface(matrix_of(points_of(input)), input.faces);
-  const std::vector<std::size_t> copies = first_copies(repaired);
+  const std::vector<std::size_t> copies = CGAL::Canonical_pose_3::internal::first_copies(repaired);
+  const auto none = std::find(copies.begin(), copies.end(), repaired.origins.size());
+  if(none != copies.end())
+    throw std::invalid_argument("vertex " + std::to_string(none - copies.begin())
+                                + " belongs to no face: there are no distances from or to it");
   const Surface surface
     = CGAL::Canonical_pose_3::internal::indexed_mesh(repaired.points, repaired.triangles);
   std::vector<Surface::Vertex_index> sources;

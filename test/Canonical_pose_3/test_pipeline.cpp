@@ -105,6 +105,16 @@ TEST(Pipeline, bent_bar_becomes_straight)
   EXPECT_NEAR(largest_distance(pose), 8., 0.4);
 }
 
+// Geodesics on a ball are up to pi / 2 times as long as the straight ways, so that a target at their scale
+// has more than twice the volume; it is the body that has to keep its own.
+TEST(Pipeline, ball_keeps_its_volume)
+{
+  const Outcome outcome = canonical_pose(Canonical_pose_test::icosphere<Mesh>(4, 1.));
+  EXPECT_TRUE(outcome.summary.converged());
+  EXPECT_LT(outcome.summary.target.scale, 1);
+  EXPECT_NEAR(outcome.summary.volume_ratio, 1, 0.25);
+}
+
 // What was computed on the way can be handed in again, and then gives the same pose, without being
 // computed anew.
 TEST(Pipeline, intermediate_results_are_used_again)

@@ -10,15 +10,19 @@
 #ifndef CGAL_CANONICAL_POSE_3_BODY_DEFORMER_3_H
 #define CGAL_CANONICAL_POSE_3_BODY_DEFORMER_3_H
 
-#include <CGAL/Canonical_pose_3/internal/Indexed_mesh.h>
-#include <CGAL/Canonical_pose_3/internal/for_each_block.h>
+#include <CGAL/Canonical_pose_3/internal/body_cells.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
-#include <CGAL/AABB_face_graph_triangle_primitive.h>
-#include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
-#include <CGAL/AABB_triangle_primitive.h>
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/assertions.h>
+#include <CGAL/version.h>
+
+#if CGAL_VERSION_NR >= 1060000000
+#include <CGAL/AABB_traits_3.h>
+#else
+#include <CGAL/AABB_traits.h>
+#endif
 
 #include <Eigen/Dense>
 #include <Eigen/SparseCore>
@@ -60,12 +64,10 @@ public:
   */
   Body_deformer_3(const ElasticBody& body, const std::vector<std::array<std::size_t, 3>>& triangles)
     : m_body(body), m_surface(body.embedding() * body.points()), m_embedding(body.embedding()),
-      m_cells_of_vertex(static_cast<std::size_t>(body.points().rows()))
+      m_cells_of_vertex(
+        internal::cells_of_vertices(static_cast<std::size_t>(body.points().rows()), body.cells()))
   {
     CGAL_precondition(!triangles.empty());
-    for(std::size_t t = 0; t < body.cells().size(); ++t)
-      for(const int v : body.cells()[t])
-        m_cells_of_vertex[static_cast<std::size_t>(v)].push_back(t);
     const auto point = [&](const std::size_t v) {
       const Eigen::RowVector3d p = m_surface.row(static_cast<Eigen::Index>(v));
       return Point(p[0], p[1], p[2]);
@@ -132,7 +134,11 @@ private:
 
     Id m_triangle = nullptr;
   };
+#if CGAL_VERSION_NR >= 1060000000
+  typedef AABB_tree<AABB_traits_3<Kernel, Triangle_primitive>> Tree;
+#else
   typedef AABB_tree<AABB_traits<Kernel, Triangle_primitive>> Tree;
+#endif
 
   struct Row
   {
@@ -140,19 +146,12 @@ private:
     Eigen::Vector4d coordinates;
   };
 
-  Eigen::Vector4d barycentric_coordinates(const std::size_t cell,
-                                          const Eigen::RowVector3d& point) const
+  Eigen::Vector4d coordinates_in(const std::size_t cell, const Eigen::RowVector3d& point) const
   {
-    const std::array<int, 4>& c = m_body.cells()[cell];
-    Eigen::Matrix3d edges;
-    for(int k = 0; k < 3; ++k)
-      edges.col(k)
-        = (m_body.points().row(c[static_cast<std::size_t>(k)]) - m_body.points().row(c[3]))
-            .transpose();
-    Eigen::Vector4d result;
-    result.head<3>() = edges.partialPivLu().solve((point - m_body.points().row(c[3])).transpose());
-    result[3] = 1 - result.head<3>().sum();
-    return result;
+    std::array<Eigen::Vector3d, 4> corners;
+    for(std::size_t k = 0; k < 4; ++k)
+      corners[k] = m_body.points().row(m_body.cells()[cell][k]);
+    return internal::barycentric_coordinates(corners, point);
   }
 
   Row embed(const Eigen::RowVector3d& point) const
@@ -174,7 +173,7 @@ private:
     double best_minimum = -std::numeric_limits<double>::infinity();
     for(const std::size_t cell : cells)
     {
-      const Eigen::Vector4d coordinates = barycentric_coordinates(cell, point);
+      const Eigen::Vector4d coordinates = coordinates_in(cell, point);
       if(coordinates.minCoeff() > best_minimum)
       {
         best_minimum = coordinates.minCoeff();

@@ -103,7 +103,7 @@ public:
       m_spacing *= 1.25;
     const std::vector<internal::Chord> chords = chords_from_cubes(m_spacing / 2);
     const internal::Lattice_pieces pieces(m_surface, triangles, chords, m_spacing);
-    const internal::Lattice_copies copies(m_surface, triangles, pieces, bounds);
+    const internal::Lattice_copies copies(triangles, pieces, bounds);
     make_cells(pieces, copies);
     weigh_cells(pieces, copies, triangles);
     embed(pieces, copies, triangles);
@@ -190,10 +190,12 @@ private:
       std::nth_element(lengths.begin(), tenth, lengths.end());
       thin = *tenth;
     }
-    std::vector<std::array<std::size_t, 3>> closed = triangles;
-    closed.insert(closed.end(), caps.begin(), caps.end());
-    const double volume = std::abs(internal::signed_volume(m_surface, closed)) / 6;
-    const double area = internal::twice_area(m_surface, triangles, 1) / 2;
+    const double volume = std::abs(internal::signed_volume(m_surface, triangles)
+                                   + internal::signed_volume(m_surface, caps))
+                          / 6;
+    double area = 0;
+    for(const auto& t : triangles)
+      area += internal::twice_area(m_surface, t) / 2;
     double result = (std::max)((std::min)(thin / 2, LARGEST_SPACING), SMALLEST_SPACING);
     while(volume / (result * result * result) + area / (result * result) > WANTED_CUBES)
       result *= 1.05;

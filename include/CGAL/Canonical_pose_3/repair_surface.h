@@ -52,6 +52,18 @@ Repaired_surface_3 repair_soup(const Point_matrix& points, const Polygons& polyg
   return result;
 }
 
+// The first copy of each row of the input; the number of vertices of the surface where there is none.
+inline std::vector<std::size_t> first_copies(const Repaired_surface_3& surface)
+{
+  const std::size_t none = surface.origins.size();
+  std::vector<std::size_t> first(surface.representatives.size(), none), result;
+  for(std::size_t copy = none; copy-- > 0;)
+    first[surface.origins[copy]] = copy;
+  for(const std::size_t v : surface.representatives)
+    result.push_back(first[v]);
+  return result;
+}
+
 } // namespace internal
 
 /*!

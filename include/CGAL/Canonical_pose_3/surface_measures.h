@@ -27,20 +27,14 @@ namespace Canonical_pose_3 {
 
 namespace internal {
 
-// Twice the area of triangles, by the square of `unit`.
-inline double twice_area(const Point_matrix& points,
-                         const std::vector<std::array<std::size_t, 3>>& triangles,
-                         const double unit)
+// Twice the area of a triangle.
+template <typename Points>
+double twice_area(const Points& points, const std::array<std::size_t, 3>& t)
 {
-  double sum = 0;
-  for(const auto& t : triangles)
-  {
-    const auto corner
-      = [&](const std::size_t k) { return points.row(static_cast<Eigen::Index>(t[k])); };
-    const Eigen::Vector3d a = (corner(1) - corner(0)) / unit, b = (corner(2) - corner(0)) / unit;
-    sum += a.cross(b).norm();
-  }
-  return sum;
+  const auto corner = [&](const std::size_t k) -> Eigen::Vector3d {
+    return points.row(static_cast<Eigen::Index>(t[k]));
+  };
+  return (corner(1) - corner(0)).cross(corner(2) - corner(0)).norm();
 }
 
 } // namespace internal

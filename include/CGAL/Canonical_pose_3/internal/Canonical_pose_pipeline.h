@@ -113,14 +113,11 @@ private:
     m_summary.add_seconds(stage, timer.time());
   }
 
-  template <typename MakeBody>
-  Registration_summary run_in(const char* kind, const MakeBody& make_body, Point_matrix& pose)
+  // A body each of whose surface vertices is a vertex of the surface.
+  template <typename ElasticBody>
+  Registration_summary deform_in(const char* kind, const ElasticBody& body, Point_matrix& pose)
   {
     m_summary.body.kind = kind;
-    Real_timer timer;
-    timer.start();
-    const auto body = make_body();
-    m_summary.add_seconds("body", timer.time());
     std::vector<std::size_t> origins(static_cast<std::size_t>(m_points.rows()));
     std::iota(origins.begin(), origins.end(), std::size_t(0));
     return deform(Body_view(body), origins, pose);
@@ -128,13 +125,12 @@ private:
 
   Registration_summary run_in_lattice(Point_matrix& pose)
   {
-    return run_in(
-      "lattice",
-      [&] {
-        return Lattice_body_3(m_points, m_triangles, m_results.landmark_fields->distances,
-                              m_options.lattice_spacing, m_caps);
-      },
-      pose);
+    std::optional<Lattice_body_3> body;
+    timed("body", [&] {
+      body.emplace(m_points, m_triangles, m_results.landmark_fields->distances,
+                   m_options.lattice_spacing, m_caps);
+    });
+    return deform_in("lattice", *body, pose);
   }
 
   Registration_summary run_in_tetgen_body(Point_matrix& pose)
@@ -151,9 +147,7 @@ private:
         m_summary.warnings.push_back(error.what() + std::string("; the lattice took its place"));
       }
     });
-    return body ? run_in(
-             "tetgen", [&] { return std::move(*body); }, pose)
-                : run_in_lattice(pose);
+    return body ? deform_in("tetgen", *body, pose) : run_in_lattice(pose);
 #else
     CGAL_USE(pose);
     throw std::runtime_error("the program was built without TetGen");
@@ -163,15 +157,14 @@ private:
   Registration_summary run_in_mesh_3_body(Point_matrix& pose)
   {
 #ifdef CGAL_CANONICAL_POSE_3_USE_MESH_3
-    return run_in(
-      "mesh_3",
-      [&] {
-        return m_options.lattice_spacing > 0
-                 ? mesh_3_body_of_clean_surface(m_points, m_triangles, m_length_scale,
-                                                m_options.lattice_spacing)
-                 : mesh_3_body_of_clean_surface(m_points, m_triangles, m_length_scale);
-      },
-      pose);
+    std::optional<Embedded_body_3> body;
+    timed("body", [&] {
+      body = m_options.lattice_spacing > 0
+               ? mesh_3_body_of_clean_surface(m_points, m_triangles, m_length_scale,
+                                              m_options.lattice_spacing)
+               : mesh_3_body_of_clean_surface(m_points, m_triangles, m_length_scale);
+    });
+    return deform_in("mesh_3", *body, pose);
 #else
     CGAL_USE(pose);
     throw std::runtime_error("the program was built without bodies of Mesh_3");

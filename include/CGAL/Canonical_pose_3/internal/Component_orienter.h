@@ -15,6 +15,7 @@
 #include <CGAL/Canonical_pose_3/internal/Loop_triangulation.h>
 #include <CGAL/Canonical_pose_3/internal/Manifold_builder.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
+#include <CGAL/Canonical_pose_3/surface_measures.h>
 
 #include <Eigen/Geometry>
 
@@ -56,11 +57,6 @@ private:
 
   std::size_t vertex(const std::size_t c) const { return m_surface.triangles[c / 3][c % 3]; }
 
-  double double_area(const Index_triangle& t) const
-  {
-    return (point(t[1]) - point(t[0])).cross(point(t[2]) - point(t[0])).norm();
-  }
-
   void find_components()
   {
     std::vector<std::size_t>& component = m_surface.component_of_triangle;
@@ -78,7 +74,7 @@ private:
       for(std::size_t done = 0; done < triangles.size(); ++done)
       {
         const std::size_t t = triangles[done];
-        std::get<0>(rank) -= double_area(m_surface.triangles[t]);
+        std::get<0>(rank) -= twice_area(m_points, m_surface.triangles[t]);
         for(std::size_t side = 3 * t; side < 3 * t + 3; ++side)
         {
           std::get<1>(rank) = (std::min)(std::get<1>(rank), vertex(side));

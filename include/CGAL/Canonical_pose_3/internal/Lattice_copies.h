@@ -34,9 +34,9 @@ namespace internal {
 class Lattice_copies
 {
 public:
-  Lattice_copies(const Row_points& points, const std::vector<Index_triangle>& triangles,
-                 const Lattice_pieces& pieces, const Geodesic_bounds& bounds)
-    : m_points(points), m_triangles(triangles), m_pieces(pieces), m_bounds(bounds)
+  Lattice_copies(const std::vector<Index_triangle>& triangles, const Lattice_pieces& pieces,
+                 const Geodesic_bounds& bounds)
+    : m_triangles(triangles), m_pieces(pieces), m_bounds(bounds)
   {
     make_copies();
     number_nodes();
@@ -325,7 +325,6 @@ private:
         m_held.push_back(i);
   }
 
-  const Row_points& m_points;
   const std::vector<Index_triangle>& m_triangles;
   const Lattice_pieces& m_pieces;
   const Geodesic_bounds& m_bounds;

@@ -11,6 +11,7 @@
 #define CGAL_CANONICAL_POSE_3_INTERNAL_MESH_3_EMBEDDER_H
 
 #include <CGAL/Canonical_pose_3/Embedded_body_3.h>
+#include <CGAL/Canonical_pose_3/internal/body_cells.h>
 #include <CGAL/Canonical_pose_3/internal/mesh_3_complex.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
@@ -101,14 +102,12 @@ private:
 
   static Place place_in(const Cell_handle cell, const Eigen::Vector3d& point)
   {
-    const Eigen::Vector3d origin = position(cell->vertex(0));
-    Eigen::Matrix3d edges;
-    for(int k = 0; k < 3; ++k)
-      edges.col(k) = position(cell->vertex(k + 1)) - origin;
-    const Eigen::Vector3d x = edges.partialPivLu().solve(point - origin);
     Place place;
     place.cell = cell;
-    place.coordinates << 1 - x.sum(), x;
+    place.coordinates
+      = barycentric_coordinates({position(cell->vertex(0)), position(cell->vertex(1)),
+                                 position(cell->vertex(2)), position(cell->vertex(3))},
+                                point);
     place.excess = (std::max)(0., -place.coordinates.minCoeff());
     return place;
   }

@@ -10,15 +10,14 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_CHECK_REGISTRATION_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_CHECK_REGISTRATION_H
 
+#include <CGAL/Canonical_pose_3/internal/Disjoint_sets.h>
+
 #include <CGAL/assertions.h>
 
 #include <Eigen/SparseCore>
 
-#include <boost/pending/disjoint_sets.hpp>
-
 #include <cmath>
 #include <cstddef>
-#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -40,21 +39,19 @@ template <typename ElasticBody>
 void check_that_components_are_held(const ElasticBody& body, const Eigen::VectorXd& weights)
 {
   const std::size_t n = static_cast<std::size_t>(body.points().rows());
-  std::vector<std::size_t> rank(n, 0), parent(n);
-  std::iota(parent.begin(), parent.end(), std::size_t(0));
-  boost::disjoint_sets<std::size_t*, std::size_t*> sets(rank.data(), parent.data());
+  Disjoint_sets sets(n);
   for(const auto& cell : body.cells())
     for(int k = 1; k < 4; ++k)
-      sets.union_set(static_cast<std::size_t>(cell[0]), static_cast<std::size_t>(cell[k]));
+      sets.unite(static_cast<std::size_t>(cell[0]), static_cast<std::size_t>(cell[k]));
 
   std::vector<bool> held(n, false);
   const Eigen::SparseMatrix<double>& embedding = body.embedding();
   for(Eigen::Index v = 0; v < embedding.outerSize(); ++v)
     for(Eigen::SparseMatrix<double>::InnerIterator it(embedding, v); it; ++it)
       if(it.value() != 0 && weights[it.row()] > 0)
-        held[sets.find_set(static_cast<std::size_t>(v))] = true;
+        held[sets.representative(static_cast<std::size_t>(v))] = true;
   for(std::size_t v = 0; v < n; ++v)
-    if(!held[sets.find_set(v)])
+    if(!held[sets.representative(v)])
       throw std::invalid_argument("the component of the body with vertex " + std::to_string(v)
                                   + " carries no surface vertex of positive weight");
 }

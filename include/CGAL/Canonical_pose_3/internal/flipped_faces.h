@@ -11,6 +11,7 @@
 #define CGAL_CANONICAL_POSE_3_INTERNAL_FLIPPED_FACES_H
 
 #include <CGAL/Canonical_pose_3/internal/Indexed_mesh.h>
+#include <CGAL/Canonical_pose_3/internal/body_cells.h>
 #include <CGAL/Canonical_pose_3/internal/closest_rotation.h>
 #include <CGAL/Canonical_pose_3/internal/for_each_block.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
@@ -37,12 +38,9 @@ class Cell_of_triangle
 public:
   explicit Cell_of_triangle(const ElasticBody& body)
     : m_cells(body.cells()), m_embedding(body.embedding()),
-      m_cells_of_vertex(static_cast<std::size_t>(body.points().rows()))
-  {
-    for(std::size_t t = 0; t < m_cells.size(); ++t)
-      for(const int v : m_cells[t])
-        m_cells_of_vertex[static_cast<std::size_t>(v)].push_back(t);
-  }
+      m_cells_of_vertex(
+        cells_of_vertices(static_cast<std::size_t>(body.points().rows()), body.cells()))
+  {}
 
   std::size_t operator()(const Index_triangle& triangle) const
   {

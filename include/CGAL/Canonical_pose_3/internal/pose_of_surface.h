@@ -17,6 +17,7 @@
 #include <CGAL/Canonical_pose_3/internal/Disjoint_sets.h>
 #include <CGAL/Canonical_pose_3/internal/with_solver.h>
 #include <CGAL/Canonical_pose_3/repair_surface.h>
+#include <CGAL/Canonical_pose_3/surface_measures.h>
 
 #include <CGAL/Real_timer.h>
 
@@ -85,11 +86,12 @@ private:
     std::vector<double> areas(n, 0.);
     Disjoint_sets groups(n);
     std::vector<std::size_t> component_of_row(static_cast<std::size_t>(m_points.rows()), n);
-    const double unit = m_points.cwiseAbs().maxCoeff();
+    Point_matrix points = surface.points;
+    normalize(points);
     for(std::size_t t = 0; t < surface.triangles.size(); ++t)
     {
       const std::size_t component = surface.component_of_triangle[t];
-      areas[component] += twice_area(surface, t, unit);
+      areas[component] += twice_area(points, surface.triangles[t]);
       for(const std::size_t v : surface.triangles[t])
       {
         std::size_t& other = component_of_row[surface.origins[v]];
@@ -127,15 +129,6 @@ private:
     return result;
   }
 
-  static double twice_area(const Repaired_surface_3& surface, const std::size_t triangle,
-                           const double unit)
-  {
-    const auto corner = [&](const std::size_t k) -> Eigen::Vector3d {
-      return surface.points.row(static_cast<Eigen::Index>(surface.triangles[triangle][k])) / unit;
-    };
-    return (corner(1) - corner(0)).cross(corner(2) - corner(0)).norm();
-  }
-
   Registration_summary run_component(const Repaired_surface_3& surface,
                                      const Diagnosis_3& diagnosis, const bool is_largest,
                                      const bool is_one_of_several)
@@ -144,7 +137,7 @@ private:
     std::vector<std::size_t> carried;
     if(is_largest)
       for(std::size_t v = 0; v < m_is_posed.size(); ++v)
-        if(!m_is_posed[v] && copies[surface.representatives[v]] == surface.origins.size())
+        if(!m_is_posed[v] && copies[v] == surface.origins.size())
           carried.push_back(v);
 
     Options options = m_options;
@@ -157,20 +150,10 @@ private:
     Registration_summary summary = pipeline.run(pose);
     if(summary.is_usable())
     {
-      take_pose(surface, pose, results, carried);
-      hand_out(surface, results, carried, is_one_of_several);
+      take_pose(surface, copies, pose, results, carried);
+      hand_out(surface, copies, results, carried, is_one_of_several);
     }
     return summary;
-  }
-
-  // The first copy of each row of the input in the surface; the number of vertices if there is none.
-  std::vector<std::size_t> first_copies(const Repaired_surface_3& surface) const
-  {
-    std::vector<std::size_t> result(static_cast<std::size_t>(m_points.rows()),
-                                    surface.origins.size());
-    for(std::size_t i = surface.origins.size(); i-- > 0;)
-      result[surface.origins[i]] = i;
-    return result;
   }
 
   void hand_in(const Repaired_surface_3& surface, const std::vector<std::size_t>& carried,
@@ -233,7 +216,7 @@ private:
         if(*end >= copies.size())
           throw std::invalid_argument(name + " names vertex " + std::to_string(*end)
                                       + ", but there are " + std::to_string(copies.size()));
-        const std::size_t copy = copies[surface.representatives[*end]];
+        const std::size_t copy = copies[*end];
         if(copy == surface.origins.size() && !is_one_of_several)
           throw std::invalid_argument(name + " names vertex " + std::to_string(*end)
                                       + ", which is not on the surface");
@@ -247,13 +230,13 @@ private:
   }
 
   // Copies of a vertex may have come apart a little: it lies in their middle.
-  void take_pose(const Repaired_surface_3& surface, const Point_matrix& pose,
-                 const Intermediate_results& results, const std::vector<std::size_t>& carried)
+  void take_pose(const Repaired_surface_3& surface, const std::vector<std::size_t>& copies,
+                 const Point_matrix& pose, const Intermediate_results& results,
+                 const std::vector<std::size_t>& carried)
   {
     const Point_matrix of_rows = mean_over_copies(surface, pose);
-    const std::vector<std::size_t> copies = first_copies(surface);
     for(std::size_t v = 0; v < m_is_posed.size(); ++v)
-      if(copies[surface.representatives[v]] < surface.origins.size())
+      if(copies[v] < surface.origins.size())
       {
         m_pose.row(static_cast<Eigen::Index>(v))
           = of_rows.row(static_cast<Eigen::Index>(surface.representatives[v]));
@@ -277,18 +260,19 @@ private:
   }
 
   // Rows of vertices that are not on the surface: no distance, and the pose as target.
-  void hand_out(const Repaired_surface_3& surface, Intermediate_results& results,
-                const std::vector<std::size_t>& carried, const bool is_one_of_several)
+  void hand_out(const Repaired_surface_3& surface, const std::vector<std::size_t>& copies,
+                Intermediate_results& results, const std::vector<std::size_t>& carried,
+                const bool is_one_of_several)
   {
-    const std::vector<std::size_t> copies = first_copies(surface);
     if(!m_results.target)
       m_results.target = m_points;
     const Point_matrix targets = mean_over_copies(surface, *results.target);
     for(Eigen::Index v = 0; v < m_points.rows(); ++v)
     {
-      const std::size_t row = surface.representatives[static_cast<std::size_t>(v)];
+      const std::size_t row = static_cast<std::size_t>(v);
       if(copies[row] < surface.origins.size())
-        m_results.target->row(v) = targets.row(static_cast<Eigen::Index>(row));
+        m_results.target->row(v)
+          = targets.row(static_cast<Eigen::Index>(surface.representatives[row]));
     }
     for(const std::size_t v : carried)
       m_results.target->row(static_cast<Eigen::Index>(v))
@@ -306,7 +290,7 @@ private:
                                                      std::numeric_limits<double>::infinity());
     for(Eigen::Index v = 0; v < m_points.rows(); ++v)
     {
-      const std::size_t copy = copies[surface.representatives[static_cast<std::size_t>(v)]];
+      const std::size_t copy = copies[static_cast<std::size_t>(v)];
       if(copy < surface.origins.size())
         m_results.landmark_fields->distances.row(v)
           = fields.distances.row(static_cast<Eigen::Index>(copy));
