@@ -143,7 +143,7 @@ private:
   static constexpr double SMALLEST_SPACING = 1. / 120, LARGEST_SPACING = 1. / 60;
   static constexpr double LARGEST_NUMBER_OF_SAMPLES = 5e6;
   static constexpr double LARGEST_NUMBER_OF_CUBES = 2e7; // in the box around the surface
-  static constexpr double WANTED_CUBES = 14000;
+  static constexpr double WANTED_CUBES = 7000;
 
   static void check(const Eigen::MatrixXd& distances, const double spacing)
   {

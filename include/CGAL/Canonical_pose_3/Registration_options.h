@@ -35,7 +35,7 @@ struct Registration_options
   double tikhonov = 0;
 
   /// cap on the number of iterations. Not negative.
-  int number_of_iterations = 200;
+  int number_of_iterations = 500;
 
   /// stops when \f$ |E_{k-1} - E_k| \le \f$ `energy_tolerance` \f$ \cdot \max(E_{k-1}, 10^{-15})
   /// \f$ and `move_tolerance` agrees; the floor, without unit as \f$ E \f$ is, stands for an energy
