@@ -107,7 +107,7 @@ Ours run_ours(const Mesh& mesh, const int runs, const CP::Options::Body body)
     const CP::Heat_geodesics_3<Mesh> geodesics(mesh);
     set_up.push_back(timer.time());
     const Mesh::Vertex_index first(Mesh::size_type(ours.results.landmark_fields->landmarks[0]));
-    fields.push_back(seconds([&] { CP::farthest_point_landmarks(geodesics, 80, first); }));
+    fields.push_back(seconds([&] { CP::front_landmarks(geodesics, 80, first); }));
   }
   for(std::size_t s = 0; s < stages.size(); ++s)
     ours.summary.stages[s].second = median(stages[s]);

@@ -90,6 +90,25 @@ TEST(Exact_geodesics, metric_in_any_unit)
     EXPECT_EQ(matrix(std::ldexp(1., exponent)), d * std::ldexp(1., exponent));
 }
 
+// The distance from several sources is the smallest of their distances, whichever is computed: on a
+// surface of two components, with a lonely vertex among the sources.
+TEST(Exact_geodesics, distance_to_nearest)
+{
+  Mesh mesh = icosphere<Mesh>(2, 1.);
+  CGAL::copy_face_graph(torus<Mesh>(16, 8, 2., 0.7), mesh);
+  const auto lonely = mesh.add_vertex(Kernel::Point_3(9, 9, 9));
+  const Exact exact(mesh);
+  const std::vector<Mesh::Vertex_index> sources
+    = {vertex(mesh, 3), vertex(mesh, 100), lonely, vertex(mesh, 3), vertex(mesh, 160)};
+  const Eigen::VectorXd d = exact.distance_to_nearest(sources);
+  const Eigen::VectorXd smallest = exact.distances(sources).rowwise().minCoeff();
+  EXPECT_LT((d - smallest).head(162).cwiseAbs().maxCoeff(), 1e-13);
+  EXPECT_TRUE((d.segment(162, 128).array() == INF).all());
+  EXPECT_EQ(d[290], 0.);
+  EXPECT_EQ(d[3], 0.);
+  EXPECT_EQ(exact.distance_to_nearest(std::vector<Mesh::Vertex_index>()).minCoeff(), INF);
+}
+
 // The coordinates of all these meshes are the same numbers, which float holds exactly. The copy's
 // own numbers depend on the order of the halfedges, and its roundings with it.
 TEST(Exact_geodesics, any_mesh_kernel_and_map)

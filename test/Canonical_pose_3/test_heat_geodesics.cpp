@@ -21,6 +21,10 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+#include <utility>
+#include <vector>
+
 using namespace Canonical_pose_test;
 using Heat = CGAL::Canonical_pose_3::Heat_geodesics_3<Mesh>;
 using Exact = CGAL::Canonical_pose_3::Exact_geodesics_3<Mesh>;
@@ -150,6 +154,50 @@ TEST(Heat_geodesics, batch_is_single_queries)
   EXPECT_EQ(Heat(mesh).distances(sources), batch);
 #endif
   EXPECT_EQ(heat.distances(std::vector<Mesh::Vertex_index>()).cols(), 0);
+}
+
+// The distance from several sources is the smallest of their distances, by definition and so to the
+// last bit. The reference is the plane, where it is Euclidean.
+TEST(Heat_geodesics, distance_to_nearest)
+{
+  const Triangle_soup soup = plane_grid_soup(40, 40, 1., 1.);
+  const Mesh mesh = to_mesh<Mesh>(soup);
+  const Heat heat(mesh);
+  std::vector<Mesh::Vertex_index> sources;
+  Eigen::VectorXd straight = straight_distances(soup.points, 5);
+  for(std::size_t i : {5u, 410u, 830u, 1200u, 1680u, 777u, 60u, 1333u, 900u, 901u, 5u})
+  {
+    sources.push_back(vertex(mesh, i));
+    straight = straight.cwiseMin(straight_distances(soup.points, i));
+  }
+  const Eigen::VectorXd d = heat.distance_to_nearest(sources);
+  EXPECT_EQ(d, Eigen::VectorXd(heat.distances(sources).rowwise().minCoeff()));
+  EXPECT_LT(mean_relative_error(d, straight), 0.05); // many vertices are only a few edges away
+  for(Mesh::Vertex_index source : sources)
+    EXPECT_EQ(d[static_cast<Eigen::Index>(source.idx())], 0.);
+  EXPECT_EQ(heat.distance_to_nearest(std::vector<Mesh::Vertex_index>{sources[1]}),
+            heat.distances(sources[1]));
+  EXPECT_EQ(heat.distance_to_nearest(std::vector<Mesh::Vertex_index>()).minCoeff(),
+            std::numeric_limits<double>::infinity());
+#ifdef CGAL_LINKED_WITH_TBB
+  const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+  EXPECT_EQ(heat.distance_to_nearest(sources), d);
+#endif
+}
+
+// In flat convex pieces the distance is Euclidean, also where the heat would underflow with the mean
+// edge length: across 850 edges, and along 2000.
+TEST(Heat_geodesics, fine_and_long_pieces_of_the_plane)
+{
+  for(const auto& [columns, rows] : {std::make_pair(600, 600), std::make_pair(2000, 6)})
+  {
+    const Triangle_soup soup
+      = plane_grid_soup(std::size_t(columns), std::size_t(rows), double(columns), double(rows));
+    const Mesh mesh = to_mesh<Mesh>(soup);
+    const Eigen::VectorXd d = Heat(mesh).distances(vertex(mesh, 0));
+    EXPECT_LT(mean_relative_error(d, straight_distances(soup.points, 0)), HEAT_TOLERANCE)
+      << columns;
+  }
 }
 
 // The coordinates of all these meshes are the same numbers, which float holds exactly.

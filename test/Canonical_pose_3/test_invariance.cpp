@@ -178,7 +178,7 @@ TEST(Invariance, whole_pipeline)
   const Permutation old_row = shuffled(std::size_t(points.rows()));
   EXPECT_LT(rms(surface_pose(permuted(points, old_row), renamed(triangles, old_row))
                 - permuted(pose, old_row)),
-            3e-3 * size);
+            4e-3 * size);
 
   // All lengths are divided by powers of two or by other lengths, so that these scale exactly.
   EXPECT_LT(rms(surface_pose(64 * points, triangles) / 64 - pose), 1e-12 * size);

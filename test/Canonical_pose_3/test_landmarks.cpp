@@ -8,12 +8,15 @@
 //
 // Author(s) : The Canonical_pose_3 authors
 
+#include <CGAL/Canonical_pose_3/Heat_geodesics_3.h>
 #include <CGAL/Canonical_pose_3/align_target.h>
 #include <CGAL/Canonical_pose_3/farthest_point_landmarks.h>
+#include <CGAL/Canonical_pose_3/front_landmarks.h>
 #include <CGAL/Canonical_pose_3/target_handedness.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/copy_face_graph.h>
 
 #include <gtest/gtest.h>
 
@@ -48,9 +51,18 @@ struct Straight_distances
     const CP::Point_matrix points = CP::point_matrix(mesh);
     return (points.rowwise() - points.row(static_cast<Eigen::Index>(index(v)))).rowwise().norm();
   }
+  Eigen::MatrixXd distances(const std::vector<vertex_descriptor>& sources) const
+  {
+    ++number_of_batches;
+    Eigen::MatrixXd result(static_cast<Eigen::Index>(mesh.number_of_vertices()),
+                           static_cast<Eigen::Index>(sources.size()));
+    for(std::size_t k = 0; k < sources.size(); ++k)
+      result.col(static_cast<Eigen::Index>(k)) = distances(sources[k]);
+    return result;
+  }
 
   const Mesh& mesh;
-  mutable int number_of_fields = 0;
+  mutable int number_of_fields = 0, number_of_batches = 0;
 };
 
 } // namespace
@@ -85,6 +97,73 @@ TEST(Farthest_point_landmarks, more_than_there_are_vertices)
   EXPECT_EQ(fields.covering_radius, 0.);
   EXPECT_THROW(CP::farthest_point_landmarks(Straight_distances{mesh}, 0, Mesh::Vertex_index(0)),
                CGAL::Precondition_exception);
+}
+
+// On a sphere the distances along the surface grow with those through space, so that the fronts
+// should find landmarks like those of farthest point sampling; their own distances err by some
+// percent of an edge. The fields, and the radius, are those of the model, asked for once.
+TEST(Front_landmarks, cover_as_farthest_points_do)
+{
+  const Mesh mesh = Canonical_pose_test::icosphere<Mesh>(4, 1.);
+  const Straight_distances geodesics{mesh};
+  std::vector<Mesh::Vertex_index> landmarks;
+  for(const std::size_t l : {1u, 25u, 80u})
+  {
+    landmarks.clear();
+    const int batches = geodesics.number_of_batches;
+    const auto fields
+      = CP::front_landmarks(geodesics, l, Mesh::Vertex_index(3), std::back_inserter(landmarks));
+    EXPECT_EQ(geodesics.number_of_batches, batches + 1);
+    ASSERT_EQ(fields.landmarks.size(), l);
+    EXPECT_EQ(landmarks.front(), Mesh::Vertex_index(3));
+    EXPECT_EQ(fields.distances, geodesics.distances(landmarks));
+    EXPECT_EQ(fields.covering_radius, fields.distances.rowwise().minCoeff().maxCoeff());
+    EXPECT_LE(
+      fields.covering_radius,
+      1.1 * CP::farthest_point_landmarks(geodesics, l, Mesh::Vertex_index(3)).covering_radius);
+  }
+}
+
+// Each landmark is as far from those before it as any vertex is, in the distances of the fronts; on a
+// long strip these are exact, since the straight line to each vertex stays inside and crosses the
+// sides of triangles in order. Halving is then the only choice.
+TEST(Front_landmarks, halve_a_strip)
+{
+  const Mesh mesh = Canonical_pose_test::strip<Mesh>(64, 1);
+  const auto fields = CP::front_landmarks(Straight_distances{mesh}, 5, Mesh::Vertex_index(0));
+  const auto x
+    = [&](std::size_t i) { return mesh.point(Mesh::Vertex_index(Mesh::size_type(i))).x(); };
+  ASSERT_EQ(fields.landmarks.size(), 5u);
+  EXPECT_EQ(x(fields.landmarks[0]), 0.);
+  EXPECT_EQ(x(fields.landmarks[1]), 64.);
+  EXPECT_NEAR(x(fields.landmarks[2]), 32., 1.);
+  EXPECT_NEAR(std::abs(x(fields.landmarks[3]) - 32.), 16., 1.);
+  EXPECT_NEAR(std::abs(x(fields.landmarks[4]) - 32.), 16., 1.);
+}
+
+TEST(Front_landmarks, more_than_there_are_vertices)
+{
+  const Mesh mesh = Canonical_pose_test::icosphere<Mesh>(0, 1.);
+  const auto fields = CP::front_landmarks(Straight_distances{mesh}, 80, Mesh::Vertex_index(0));
+  EXPECT_EQ(std::set<std::size_t>(fields.landmarks.begin(), fields.landmarks.end()).size(), 12u);
+  EXPECT_EQ(fields.distances.cols(), 12);
+  EXPECT_EQ(fields.covering_radius, 0.);
+  EXPECT_THROW(CP::front_landmarks(Straight_distances{mesh}, 0, Mesh::Vertex_index(0)),
+               CGAL::Precondition_exception);
+}
+
+// What no landmark reaches is farthest: each component has one, and so has a lonely vertex.
+TEST(Front_landmarks, reach_every_component)
+{
+  Mesh mesh = Canonical_pose_test::icosphere<Mesh>(2, 1.);
+  const auto lonely = mesh.add_vertex(Kernel::Point_3(9, 9, 9));
+  CGAL::copy_face_graph(Canonical_pose_test::icosphere<Mesh>(1, 0.01), mesh);
+  std::vector<Mesh::Vertex_index> landmarks;
+  const auto fields = CP::front_landmarks(CP::Heat_geodesics_3<Mesh>(mesh), 3,
+                                          Mesh::Vertex_index(5), std::back_inserter(landmarks));
+  EXPECT_EQ(landmarks, (std::vector<Mesh::Vertex_index>{Mesh::Vertex_index(5), lonely,
+                                                        Mesh::Vertex_index(lonely.idx() + 1)}));
+  EXPECT_TRUE(std::isfinite(fields.covering_radius));
 }
 
 // A rigid motion is undone exactly but for rounding, a reflection only when it is allowed; the size

@@ -12,8 +12,10 @@ are never NaN.
 
 \cgalHasModel `CGAL::Canonical_pose_3::Heat_geodesics_3`
 \cgalHasModel `CGAL::Canonical_pose_3::Exact_geodesics_3`
+\cgalHasModel `CGAL::Canonical_pose_3::Biharmonic_distances_3`
 
 \sa `CGAL::Canonical_pose_3::farthest_point_landmarks()`
+\sa `CGAL::Canonical_pose_3::front_landmarks()`
 */
 class GeodesicDistances_3
 {

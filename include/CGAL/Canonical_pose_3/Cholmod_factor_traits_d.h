@@ -11,6 +11,7 @@
 #define CGAL_CANONICAL_POSE_3_CHOLMOD_FACTOR_TRAITS_D_H
 
 #include <CGAL/Canonical_pose_3/Eigen_factor_traits_d.h>
+#include <CGAL/Canonical_pose_3/internal/Cholmod_factor.h>
 #include <CGAL/Canonical_pose_3/internal/Cholmod_workspace.h>
 #include <CGAL/Eigen_sparse_matrix.h>
 #include <CGAL/Eigen_vector.h>
@@ -28,7 +29,6 @@
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
-#include <memory>
 
 namespace CGAL {
 namespace Canonical_pose_3 {
@@ -78,10 +78,10 @@ public:
     internal::Cholmod_common common;
     Eigen::SparseMatrix<double> compressed = matrix.eigen_object();
     compressed.makeCompressed();
-    cholmod_sparse view = lower_triangle(compressed);
-    Factor_pointer result(cholmod_analyze(&view, common.get()), free_factor);
+    cholmod_sparse view = internal::lower_triangle(compressed);
+    const auto result = internal::own_cholmod_factor(cholmod_analyze(&view, common.get()));
     if(result == nullptr || !cholmod_factorize(&view, result.get(), common.get())
-       || result->minor < result->n || !has_positive_pivots(*result, compressed.diagonal()))
+       || result->minor < result->n || !internal::has_positive_pivots(*result, compressed.diagonal()))
       return false;
     m_factor = result;
     return true;
@@ -143,62 +143,7 @@ public:
   /// @}
 
 private:
-  using Factor_pointer = std::shared_ptr<cholmod_factor>;
-
-  static void free_factor(cholmod_factor* factor)
-  {
-    internal::Cholmod_common common;
-    cholmod_free_factor(&factor, common.get());
-  }
-
-  static cholmod_sparse lower_triangle(Eigen::SparseMatrix<double>& matrix)
-  {
-    cholmod_sparse view = {};
-    view.nrow = static_cast<std::size_t>(matrix.rows());
-    view.ncol = static_cast<std::size_t>(matrix.cols());
-    view.nzmax = static_cast<std::size_t>(matrix.nonZeros());
-    view.p = matrix.outerIndexPtr();
-    view.i = matrix.innerIndexPtr();
-    view.x = matrix.valuePtr();
-    view.stype = -1;
-    view.itype = CHOLMOD_INT;
-    view.xtype = CHOLMOD_REAL;
-    view.dtype = CHOLMOD_DOUBLE;
-    view.sorted = 1;
-    view.packed = 1;
-    return view;
-  }
-
-  static bool has_positive_pivots(const cholmod_factor& factor, const Eigen::VectorXd& diagonal)
-  {
-    const auto* const values = static_cast<const double*>(factor.x);
-    const auto* const order = static_cast<const int*>(factor.Perm);
-    const auto is_positive
-      = [&](int j, double pivot) { return internal::is_positive_pivot(pivot, diagonal[order[j]]); };
-    if(!factor.is_super)
-    {
-      const auto* const starts = static_cast<const int*>(factor.p);
-      for(int j = 0; j < static_cast<int>(factor.n); ++j)
-        if(!is_positive(j, values[starts[j]]))
-          return false;
-      return true;
-    }
-    // LL' in dense blocks by columns: block s holds the columns super[s] .. super[s+1]-1
-    const auto* const super = static_cast<const int*>(factor.super);
-    const auto* const rows = static_cast<const int*>(factor.pi);
-    const auto* const blocks = static_cast<const int*>(factor.px);
-    for(std::size_t s = 0; s < factor.nsuper; ++s)
-      for(int j = super[s]; j < super[s + 1]; ++j)
-      {
-        const int in_block = j - super[s];
-        const double root = values[blocks[s] + in_block * (rows[s + 1] - rows[s]) + in_block];
-        if(!(root > 0) || !is_positive(j, root * root))
-          return false;
-      }
-    return true;
-  }
-
-  Factor_pointer m_factor;
+  internal::Cholmod_factor_pointer m_factor;
 };
 
 } // namespace Canonical_pose_3

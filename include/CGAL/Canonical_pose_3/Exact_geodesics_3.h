@@ -161,24 +161,7 @@ public:
   */
   Eigen::VectorXd distances(vertex_descriptor source) const
   {
-    const auto n = static_cast<Eigen::Index>(m_copied.size());
-    Eigen::VectorXd result
-      = Eigen::VectorXd::Constant(n, (std::numeric_limits<double>::infinity)());
-    const auto row = static_cast<Eigen::Index>(index(source));
-    if(!is_isolated(row))
-    {
-      Shortest_path paths(m_copy);
-      paths.add_source_point(copied(row));
-      for(Eigen::Index i = 0; i < n; ++i)
-        if(!is_isolated(i))
-        {
-          const double distance = paths.shortest_distance_to_source_points(copied(i)).first;
-          if(distance >= 0) // negative: not reachable
-            result[i] = std::ldexp(distance, m_exponent);
-        }
-    }
-    result[row] = 0;
-    return result;
+    return distance_to_nearest(std::vector<vertex_descriptor>(1, source));
   }
 
   /*!
@@ -198,6 +181,41 @@ public:
                            static_cast<Eigen::Index>(all.size()));
     for(std::size_t k = 0; k < all.size(); ++k)
       result.col(static_cast<Eigen::Index>(k)) = distances(all[k]);
+    return result;
+  }
+
+  /*!
+  returns the lengths of the shortest paths from the nearest of `sources` to all vertices.
+
+  \tparam VertexRange a range of vertex descriptors
+  \param sources the sources, which may repeat
+  \returns one number per vertex, as `distances()` does; `+infinity` everywhere if there is no source
+  \pre All of `sources` are vertices of the mesh.
+
+  <em>Complexity:</em> \f$ O(n^2 \log n) \f$ at worst, for all sources together.
+  */
+  template <class VertexRange>
+  Eigen::VectorXd distance_to_nearest(const VertexRange& sources) const
+  {
+    const auto n = static_cast<Eigen::Index>(m_copied.size());
+    Eigen::VectorXd result
+      = Eigen::VectorXd::Constant(n, (std::numeric_limits<double>::infinity)());
+    Shortest_path paths(m_copy);
+    for(vertex_descriptor source : sources)
+    {
+      const auto row = static_cast<Eigen::Index>(index(source));
+      if(result[row] != 0 && !is_isolated(row))
+        paths.add_source_point(copied(row));
+      result[row] = 0;
+    }
+    if(paths.number_of_source_points() > 0)
+      for(Eigen::Index i = 0; i < n; ++i)
+        if(result[i] != 0 && !is_isolated(i))
+        {
+          const double distance = paths.shortest_distance_to_source_points(copied(i)).first;
+          if(distance >= 0) // negative: not reachable
+            result[i] = std::ldexp(distance, m_exponent);
+        }
     return result;
   }
 

@@ -41,13 +41,22 @@ flipped on edge lengths alone, so that the surface and its vertices stay, and lo
 harm \cgalCite{cgal:canonical-fsbs-aicid-07}. Nearly degenerate faces are made up for by adding one
 tiny number, at most 1e-10 times the mean edge length, to all edges of their component
 \cgalCite{cgal:canonical-sc-lntm-20}. Both linear systems are factored by the constructor; a query
-is two back substitutions and one pass over the faces.
+is two substitutions and one pass over the faces. Sources are worked on eight at a time: eighty of
+them in one call take about a fifth of the time of eighty calls on one thread, less on several.
 
 The distance is an approximation: its error goes to 0 with the edge length, and its mean is usually
 1 to 5 percent. It is not exactly symmetric, and not exactly a metric. Use `Exact_geodesics_3` where
 this matters and time does not. What flips cannot mend is a surface whose *vertices* lie much denser
 in one direction than in the other: from about 15 to 1 on, the steps of the heat no longer reach
-across the gaps, and distances come out far too short. Remesh such a surface.
+across the gaps, and distances come out far too short. Remesh such a surface. (A longer time step
+would mend it, but nothing that we measured tells these surfaces from uneven ones on which a longer
+step makes distances worse.)
+
+<em>Boundary.</em> No heat leaves through it (Neumann). The average with the solution that is 0 on
+the boundary, which would cost a third factorization, was no better: on a square of \f$ 100^2 \f$
+cells, over five sources from the centre to a corner, the mean errors are 0.73 percent without and
+0.98 percent with the average; on half of an icosphere of 5 levels 0.61 and 0.82 percent. Only on
+very coarse patches (\f$ 20^2 \f$ cells: 2.6 and 1.9 percent) it is the other way round.
 
 <em>Time step.</em> The square of \f$ h \f$, the mean edge length of the connected component after
 the flips, or 1/300 of the longest of the shortest paths along edges from the first vertex of the
@@ -75,6 +84,7 @@ same order.
 
 \sa `CGAL::Canonical_pose_3::Exact_geodesics_3`
 \sa `CGAL::Canonical_pose_3::farthest_point_landmarks()`
+\sa `CGAL::Canonical_pose_3::front_landmarks()`
 */
 template <class TriangleMesh, class VertexPointMap = Default, class Traits = Default,
           class FactorTraits = Default>
@@ -166,7 +176,7 @@ public:
   */
   Eigen::VectorXd distances(vertex_descriptor source) const
   {
-    return m_solver.distances({static_cast<Eigen::Index>(index(source))});
+    return m_solver.distance_to_nearest({static_cast<Eigen::Index>(index(source))});
   }
 
   /*!
@@ -184,10 +194,28 @@ public:
   template <class VertexRange>
   Eigen::MatrixXd distances(const VertexRange& sources) const
   {
-    std::vector<Eigen::Index> rows;
-    for(vertex_descriptor v : sources)
-      rows.push_back(static_cast<Eigen::Index>(index(v)));
-    return m_solver.distances(rows);
+    return m_solver.distances(rows(sources));
+  }
+
+  /*!
+  returns the distances from the nearest of `sources` to all vertices: the smallest of the distances
+  from each of them.
+
+  Heat that flows from all sources at once would cost no more than one source, but the potential then
+  differs from source to source: in a square of \f$ 60^2 \f$ cells with 20 sources, the mean error is
+  at least 6.6 percent, and 2.9 percent for the smallest of the distances.
+
+  \tparam VertexRange a range of vertex descriptors
+  \param sources the sources, which may repeat
+  \returns one number per vertex, as `distances()` does; `+infinity` everywhere if there is no source
+  \pre All of `sources` are vertices of the mesh.
+
+  <em>Complexity:</em> \f$ O(n \log n) \f$ per source, in memory for a few fields.
+  */
+  template <class VertexRange>
+  Eigen::VectorXd distance_to_nearest(const VertexRange& sources) const
+  {
+    return m_solver.distance_to_nearest(rows(sources));
   }
 
   /*!
@@ -207,7 +235,23 @@ public:
 
   /// @}
 
+  /// \cond SKIP_IN_MANUAL
+  const internal::Intrinsic_triangulation& intrinsic_triangulation() const
+  {
+    return m_solver.triangulation();
+  }
+  /// \endcond
+
 private:
+  template <class VertexRange>
+  std::vector<Eigen::Index> rows(const VertexRange& sources) const
+  {
+    std::vector<Eigen::Index> result;
+    for(vertex_descriptor v : sources)
+      result.push_back(static_cast<Eigen::Index>(index(v)));
+    return result;
+  }
+
   const TriangleMesh* m_tmesh;
   Row_map m_rows;
   internal::Heat_solver<Solver_traits> m_solver;

@@ -86,6 +86,7 @@ if the mesh has fewer vertices, or if all of its vertices are at distance 0 of t
 
 <em>Complexity:</em> one distance field per landmark.
 
+\sa `front_landmarks()`
 \sa `Landmark_mds_target_builder_3`
 */
 template <typename GeodesicDistances, typename VertexOutputIterator = Emptyset_iterator>

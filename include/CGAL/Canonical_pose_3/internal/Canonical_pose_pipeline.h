@@ -24,6 +24,7 @@
 #include <CGAL/Canonical_pose_3/Tetrahedral_arap_registrar_3.h>
 #include <CGAL/Canonical_pose_3/align_target.h>
 #include <CGAL/Canonical_pose_3/farthest_point_landmarks.h>
+#include <CGAL/Canonical_pose_3/front_landmarks.h>
 #include <CGAL/Canonical_pose_3/internal/Body_view.h>
 #include <CGAL/Canonical_pose_3/internal/Indexed_mesh.h>
 #include <CGAL/Canonical_pose_3/internal/flipped_faces.h>
@@ -202,14 +203,14 @@ private:
       first = static_cast<std::size_t>(
         Random(m_options.random_seed).get_int(0, static_cast<int>(m_points.rows())));
     const Indexed_mesh::Vertex_index vertex(static_cast<Indexed_mesh::size_type>(first));
-    const auto find = [&](const auto& geodesics) {
-      m_results.landmark_fields
-        = farthest_point_landmarks(geodesics, m_options.number_of_landmarks, vertex);
-    };
+    // exact distances take longer than all the rest, and a batch saves nothing
     if(m_options.geodesics == Options::Geodesics::EXACT)
-      find(Exact_geodesics_3<Indexed_mesh>(mesh));
+      m_results.landmark_fields = farthest_point_landmarks(
+        Exact_geodesics_3<Indexed_mesh>(mesh), m_options.number_of_landmarks, vertex);
     else
-      find(Heat_geodesics_3<Indexed_mesh, CGAL::Default, CGAL::Default, FactorTraits>(mesh));
+      m_results.landmark_fields = front_landmarks(
+        Heat_geodesics_3<Indexed_mesh, CGAL::Default, CGAL::Default, FactorTraits>(mesh),
+        m_options.number_of_landmarks, vertex);
   }
 
   void check_rows(const Eigen::Index rows, const std::string& what) const

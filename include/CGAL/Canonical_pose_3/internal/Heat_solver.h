@@ -10,26 +10,33 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_HEAT_SOLVER_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_HEAT_SOLVER_H
 
+#include <CGAL/Canonical_pose_3/internal/Delaunay_surface.h>
+#include <CGAL/Canonical_pose_3/internal/Gradient_field.h>
 #include <CGAL/Canonical_pose_3/internal/Intrinsic_triangulation.h>
-#include <CGAL/Canonical_pose_3/internal/Sparse_factor.h>
+#include <CGAL/Canonical_pose_3/internal/Lane_factor.h>
 #include <CGAL/Canonical_pose_3/internal/cotangent_operators.h>
+#include <CGAL/Canonical_pose_3/internal/heat_lengths.h>
+#include <CGAL/Canonical_pose_3/internal/in_parallel.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <Eigen/Core>
-#include <Eigen/Geometry>
 #include <Eigen/SparseCore>
 
 #ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 #endif
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <limits>
-#include <queue>
+#include <mutex>
+#include <numeric>
 #include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -37,182 +44,103 @@ namespace CGAL {
 namespace Canonical_pose_3 {
 namespace internal {
 
-// Throws when no face has an area. A face counts as flat when rounding alone explains its height.
-inline void check_some_area(const Face_corners& corners, const Point_matrix& points)
-{
-  if(corners.origins.empty())
-    throw std::invalid_argument("the mesh is empty: it has no face");
-  for(std::size_t h = 0; h < corners.origins.size(); h += 3)
-  {
-    const Eigen::Vector3d a = points.row(corners.origins[h]);
-    const Eigen::Vector3d side = points.row(corners.origins[h + 1]).transpose() - a;
-    const Eigen::Vector3d other = points.row(corners.origins[h + 2]).transpose() - a;
-    const double longest
-      = (std::max)({side.squaredNorm(), other.squaredNorm(), (side - other).squaredNorm()});
-    if(side.cross(other).norm() > 1e-13 * longest)
-      return;
-  }
-  throw std::invalid_argument("face 0 is degenerate, and so are all the others");
-}
-
-// The connected components of the vertices, numbered in the order of their first vertices.
-class Vertex_components
-{
-public:
-  explicit Vertex_components(const Intrinsic_triangulation& triangulation)
-    : m_component(triangulation.number_of_vertices())
-  {
-    std::vector<int> parent(m_component.size());
-    for(std::size_t i = 0; i < parent.size(); ++i)
-      parent[i] = static_cast<int>(i);
-    const auto root = [&parent](int i) {
-      for(auto k = static_cast<std::size_t>(i); parent[k] != i; k = static_cast<std::size_t>(i))
-        i = parent[k] = parent[static_cast<std::size_t>(parent[k])];
-      return i;
-    };
-    for(int h = 0; h < triangulation.number_of_halfedges(); ++h)
-    {
-      const int i = root(triangulation.origin(h)), j = root(triangulation.target(h));
-      parent[static_cast<std::size_t>((std::max)(i, j))] = (std::min)(i, j);
-    }
-    for(std::size_t i = 0; i < parent.size(); ++i)
-    {
-      const int r = root(static_cast<int>(i));
-      if(r == static_cast<int>(i))
-        m_first_vertices.push_back(r);
-      m_component[i]
-        = r == static_cast<int>(i) ? size() - 1 : m_component[static_cast<std::size_t>(r)];
-    }
-  }
-
-  int size() const { return static_cast<int>(m_first_vertices.size()); }
-  const std::vector<int>& of_vertices() const { return m_component; }
-  int operator[](Eigen::Index vertex) const
-  {
-    return m_component[static_cast<std::size_t>(vertex)];
-  }
-  const std::vector<int>& first_vertices() const { return m_first_vertices; }
-
-private:
-  std::vector<int> m_component;
-  std::vector<int> m_first_vertices;
-};
-
-// Length of the longest of the shortest paths along edges from the first vertex of each component.
-// No two vertices of the component are farther apart on the surface than twice this number.
-inline std::vector<double> edge_graph_radii(const Intrinsic_triangulation& triangulation,
-                                            const Vertex_components& components)
-{
-  const std::size_t n = triangulation.number_of_vertices();
-  std::vector<std::vector<std::pair<int, double>>> neighbors(n);
-  for(int h = 0; h < triangulation.number_of_halfedges(); ++h)
-    if(triangulation.is_edge_representative(h))
-    {
-      const int i = triangulation.origin(h), j = triangulation.target(h);
-      neighbors[static_cast<std::size_t>(i)].emplace_back(j, triangulation.length(h));
-      neighbors[static_cast<std::size_t>(j)].emplace_back(i, triangulation.length(h));
-    }
-  using Entry = std::pair<double, int>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
-  std::vector<double> distances(n, (std::numeric_limits<double>::infinity)());
-  for(int v : components.first_vertices())
-  {
-    distances[static_cast<std::size_t>(v)] = 0;
-    queue.emplace(0., v);
-  }
-  std::vector<double> radii(static_cast<std::size_t>(components.size()), 0.);
-  while(!queue.empty())
-  {
-    const auto [distance, v] = queue.top();
-    queue.pop();
-    if(distance > distances[static_cast<std::size_t>(v)])
-      continue;
-    radii[static_cast<std::size_t>(components[v])] = distance; // settled in increasing order
-    for(const auto& [w, length] : neighbors[static_cast<std::size_t>(v)])
-      if(distance + length < distances[static_cast<std::size_t>(w)])
-      {
-        distances[static_cast<std::size_t>(w)] = distance + length;
-        queue.emplace(distance + length, w);
-      }
-  }
-  return radii;
-}
-
 // The heat method on an intrinsic Delaunay triangulation: heat spreads for a short time from the
 // source, and the distance is the function whose gradient follows the directions of descent of the
 // heat.
 //
 // Both matrices are block diagonal over the components of the mesh, and each component has a time
-// step of its own, h^2. h is the mean edge length, but at least 1/300 of the radius of the edge
-// graph: the heat decays at most like exp(-d/h), which a double cannot hold beyond d/h = 708 or so,
-// and no two vertices are then farther apart than 600 h.
+// step of its own, see heat_lengths(). They have the same pattern, which is analysed once, and are
+// factored side by side. Sources come eight at a time, one per lane, and such blocks side by side.
 template <class FactorTraits>
 class Heat_solver
 {
 public:
-  Heat_solver(const Face_corners& corners, Point_matrix points)
-    : m_exponent(normalize(points)), m_triangulation(triangulation(corners, points)),
-      m_components(m_triangulation)
+  Heat_solver(const Face_corners& corners, const Point_matrix& points) : m_surface(corners, points)
   {
-    m_triangulation.mollify(m_components.of_vertices(), m_components.size());
-    m_triangulation.flip_to_delaunay();
-    m_field = Gradient_field(m_triangulation);
-    Eigen::SparseMatrix<double> laplacian = cotangent_laplacian(m_triangulation);
-    const Eigen::SparseMatrix<double> heat = heat_matrix(laplacian);
-    m_heat_diagonal = heat.diagonal();
-    m_heat.factor(heat, "the matrix of the heat equation");
-    pin(laplacian);
-    m_poisson.factor(laplacian, "the matrix of the Poisson equation");
+    const Eigen::SparseMatrix<double> laplacian = cotangent_laplacian(triangulation());
+    std::vector<double> lengths;
+    in_parallel([&] { check(m_heat.analyze(laplacian), "heat equation cannot be analysed"); },
+                [&] { lengths = heat_lengths(triangulation(), components()); });
+    m_poisson = m_heat;
+    m_places = m_heat.places();
+    in_parallel(
+      [&] {
+        const Eigen::SparseMatrix<double> heat = heat_matrix(laplacian, lengths);
+        m_heat_diagonal = heat.diagonal();
+        check(m_heat.factor(heat), "heat equation is not positive definite");
+      },
+      [&] {
+        m_field = Gradient_field(triangulation(), m_places);
+        check(m_poisson.factor(pinned(laplacian)), "Poisson equation is not positive definite");
+      });
   }
 
-  const Intrinsic_triangulation& intrinsic_triangulation() const { return m_triangulation; }
+  const Intrinsic_triangulation& triangulation() const { return m_surface.triangulation(); }
 
   // One column per source (a row of the points): n distances in the unit of the input.
   Eigen::MatrixXd distances(const std::vector<Eigen::Index>& sources) const
   {
-    const auto count = static_cast<Eigen::Index>(sources.size());
-    Eigen::MatrixXd result(m_heat_diagonal.size(), count);
-    for(Eigen::Index first = 0; first < count; first += BLOCK_WIDTH)
-    {
-      const Eigen::Index width = (std::min)(BLOCK_WIDTH, count - first);
-      result.middleCols(first, width) = block(sources.data() + first, width);
-    }
+    Eigen::MatrixXd result(m_heat_diagonal.size(), static_cast<Eigen::Index>(sources.size()));
+    for_each_block_of_fields(sources, [&](std::size_t first, std::size_t width, Lane_rows& rows) {
+      for(Eigen::Index i = 0; i < result.rows(); ++i)
+      {
+        const double* const row = lanes(rows, i);
+        for(std::size_t k = 0; k < width; ++k)
+          result(i, static_cast<Eigen::Index>(first + k)) = row[k];
+      }
+    });
+    return result;
+  }
+
+  // Distances from the nearest of the sources.
+  Eigen::VectorXd distance_to_nearest(const std::vector<Eigen::Index>& sources) const
+  {
+    Eigen::VectorXd result = Eigen::VectorXd::Constant(m_heat_diagonal.size(), INFINITE);
+    std::mutex mutex;
+    for_each_block_of_fields(sources, [&](std::size_t, std::size_t width, Lane_rows& rows) {
+      const std::lock_guard<std::mutex> lock(mutex);
+      for(Eigen::Index i = 0; i < result.size(); ++i)
+      {
+        const double* const row = lanes(rows, i);
+        result[i] = (std::min)(result[i], *std::min_element(row, row + width));
+      }
+    });
     return result;
   }
 
 private:
-  static constexpr Eigen::Index BLOCK_WIDTH = 16; // bounds the memory in use; changes no byte
+  static constexpr double INFINITE = (std::numeric_limits<double>::infinity)();
 
-  Intrinsic_triangulation triangulation(const Face_corners& corners, const Point_matrix& points)
+  struct Workspace
   {
-    check_some_area(corners, points);
-    std::vector<double> lengths = side_lengths(corners, points);
-    const int exponent = std::ilogb(
-      Eigen::Map<const Eigen::VectorXd>(lengths.data(), static_cast<Eigen::Index>(lengths.size()))
-        .mean());
-    for(double& length : lengths)
-      length = std::ldexp(length, -exponent);
-    m_exponent += exponent;
-    return {static_cast<std::size_t>(points.rows()), corners.origins, corners.twins,
-            std::move(lengths)};
+    Lane_rows heat, potential;
+  };
+
+  const Vertex_components& components() const { return m_surface.components(); }
+
+  static void check(bool is_factored, const char* what)
+  {
+    if(!is_factored)
+      throw std::runtime_error(std::string("the matrix of the ") + what + " ("
+                               + FactorTraits::name() + ")");
   }
 
   // M + diag(t) L: symmetric, since t is constant on a component, and positive definite. A vertex
   // without face, which has neither mass nor neighbors, gets a 1.
-  Eigen::SparseMatrix<double> heat_matrix(const Eigen::SparseMatrix<double>& laplacian) const
+  Eigen::SparseMatrix<double> heat_matrix(const Eigen::SparseMatrix<double>& laplacian,
+                                          const std::vector<double>& lengths) const
   {
-    const auto means
-      = m_triangulation.mean_edge_lengths(m_components.of_vertices(), m_components.size());
-    const auto radii = edge_graph_radii(m_triangulation, m_components);
-    const Eigen::VectorXd mass = lumped_mass(m_triangulation);
+    const Eigen::VectorXd mass = lumped_mass(triangulation());
     Eigen::SparseMatrix<double> matrix = laplacian;
     for(Eigen::Index i = 0; i < matrix.cols(); ++i)
     {
-      const auto c = static_cast<std::size_t>(m_components[i]);
-      const double h = (std::max)(means[c], radii[c] / 300);
+      const double h = lengths[static_cast<std::size_t>(components()[i])];
       for(Eigen::SparseMatrix<double>::InnerIterator it(matrix, i); it; ++it)
+      {
         it.valueRef() *= h * h;
-      matrix.coeffRef(i, i) += mass[i] > 0 ? mass[i] : 1.;
+        if(it.row() == i)
+          it.valueRef() += mass[i] > 0 ? mass[i] : 1.;
+      }
     }
     return matrix;
   }
@@ -220,57 +148,95 @@ private:
   // Adds a positive number to one diagonal entry per component. This makes the matrix definite and
   // leaves the solution alone: summed over the component, the equations say that the number times
   // the value there is the sum of the right-hand side, which is 0 for a divergence.
-  void pin(Eigen::SparseMatrix<double>& laplacian) const
+  Eigen::SparseMatrix<double> pinned(Eigen::SparseMatrix<double> laplacian) const
   {
-    for(int v : m_components.first_vertices())
+    for(int v : components().first_vertices())
     {
       double& entry = laplacian.coeffRef(v, v);
       entry += entry > 0 ? entry : 1.;
     }
+    return laplacian;
   }
 
-  Eigen::MatrixXd block(const Eigen::Index* sources, Eigen::Index width) const
+  double* lanes(Lane_rows& rows, Eigen::Index vertex) const
   {
-    Eigen::MatrixXd impulses = Eigen::MatrixXd::Zero(m_heat_diagonal.size(), width);
-    for(Eigen::Index k = 0; k < width; ++k)
-      impulses(sources[k], k) = m_heat_diagonal[sources[k]]; // heat of order 1 at the source
-    Eigen::MatrixXd columns = m_heat.solve(impulses);
-    for_each_column(width, [&](Eigen::Index k) {
-      columns.col(k) = m_field.divergence_of_unit_descent(columns.col(k));
-    });
-    columns = m_poisson.solve(columns);
-    for_each_column(width, [&](Eigen::Index k) { finish(sources[k], columns.col(k)); });
-    return columns;
+    return rows.data()
+           + NUMBER_OF_LANES * static_cast<std::size_t>(m_places[static_cast<std::size_t>(vertex)]);
   }
 
-  // From a potential to distances: 0 at the source, infinite on other components.
-  void finish(Eigen::Index source, Eigen::Ref<Eigen::VectorXd> column) const
-  {
-    const double offset = column[source];
-    for(Eigen::Index i = 0; i < column.size(); ++i)
-      column[i] = m_components[i] == m_components[source]
-                    ? std::ldexp((std::max)(column[i] - offset, 0.), m_exponent)
-                    : (std::numeric_limits<double>::infinity)();
-  }
-
+  // Calls f(first, width, rows) with the distances from sources first .. first + width - 1 in the
+  // first lanes of rows, in any order and from several threads at once.
   template <class Function>
-  static void for_each_column(Eigen::Index width, const Function& function)
+  void for_each_block_of_fields(const std::vector<Eigen::Index>& sources, const Function& f) const
   {
+    const std::size_t number_of_blocks = (sources.size() + NUMBER_OF_LANES - 1) / NUMBER_OF_LANES;
+    const auto call = [&](std::size_t block, Workspace& workspace) {
+      const std::size_t first = block * NUMBER_OF_LANES;
+      const std::size_t width = (std::min)(NUMBER_OF_LANES, sources.size() - first);
+      solve(sources.data() + first, width, workspace);
+      f(first, width, workspace.potential);
+    };
 #ifdef CGAL_LINKED_WITH_TBB
-    tbb::parallel_for(Eigen::Index(0), width, function);
+    tbb::enumerable_thread_specific<Workspace> workspaces;
+    tbb::parallel_for(std::size_t(0), number_of_blocks, [&](std::size_t block) {
+      // a solver that waits for tasks of its own must not begin another block in this workspace
+      tbb::this_task_arena::isolate([&] { call(block, workspaces.local()); });
+    });
 #else
-    for(Eigen::Index k = 0; k < width; ++k)
-      function(k);
+    Workspace workspace;
+    for(std::size_t block = 0; block < number_of_blocks; ++block)
+      call(block, workspace);
 #endif
   }
 
-  int m_exponent; // distances are multiplied by 2 to this power
-  Intrinsic_triangulation m_triangulation;
-  Vertex_components m_components;
-  Gradient_field m_field;
+  void solve(const Eigen::Index* sources, std::size_t width, Workspace& workspace) const
+  {
+    const std::size_t size = NUMBER_OF_LANES * m_places.size();
+    workspace.heat.assign(size, 0.);
+    workspace.potential.assign(size, 0.);
+    for(std::size_t k = 0; k < width; ++k) // heat of order 1 at the source
+      lanes(workspace.heat, sources[k])[k] = m_heat_diagonal[sources[k]];
+    m_heat.solve(workspace.heat, width);
+    m_field.divergence_of_unit_descent(workspace.heat, workspace.potential);
+    m_poisson.solve(workspace.potential, width);
+    finish(sources, width, workspace.potential);
+  }
+
+  // From potentials to distances: 0 at the source, infinite on other components.
+  void finish(const Eigen::Index* sources, std::size_t width, Lane_rows& rows) const
+  {
+    std::array<double, NUMBER_OF_LANES> offsets = {};
+    for(std::size_t k = 0; k < width; ++k)
+      offsets[k] = lanes(rows, sources[k])[k];
+    const int exponent = m_surface.exponent();
+    // two factors, since one may be out of range
+    const double first_factor = std::ldexp(1., exponent / 2);
+    const double second_factor = std::ldexp(1., exponent - exponent / 2);
+    std::array<double, NUMBER_OF_LANES> sums = {};
+    for(std::size_t i = 0; i < rows.size(); i += NUMBER_OF_LANES)
+      for(std::size_t k = 0; k < NUMBER_OF_LANES; ++k)
+      {
+        const double distance = (std::max)(rows[i + k] - offsets[k], 0.);
+        sums[k] += distance;
+        rows[i + k] = distance * first_factor * second_factor;
+      }
+    if(!std::isfinite(std::accumulate(sums.begin(), sums.end(), 0.)))
+      throw std::runtime_error(
+        std::string("a solution for the matrix of the Poisson equation is not finite (")
+        + FactorTraits::name() + ")");
+    if(components().size() > 1)
+      for(Eigen::Index i = 0; i < m_heat_diagonal.size(); ++i)
+        for(std::size_t k = 0; k < width; ++k)
+          if(components()[i] != components()[sources[k]])
+            lanes(rows, i)[k] = INFINITE;
+  }
+
+  Delaunay_surface m_surface;
   Eigen::VectorXd m_heat_diagonal;
-  Sparse_factor<FactorTraits> m_heat;
-  Sparse_factor<FactorTraits> m_poisson;
+  Lane_factor<FactorTraits> m_heat;
+  Lane_factor<FactorTraits> m_poisson;
+  std::vector<int> m_places; // of the vertices among the rows of the factors
+  Gradient_field m_field;
 };
 
 } // namespace internal

