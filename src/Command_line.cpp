@@ -90,7 +90,7 @@ void add_input(CLI::App& command, Arguments& arguments)
 
 void add_common(CLI::App& command, Arguments& arguments, Raw_arguments& raw)
 {
-  command.add_option("--geodesics", raw.geodesics, "distances: heat or exact")
+  command.add_option("--geodesics", raw.geodesics, "distances: heat, wavefront, exact")
     ->capture_default_str();
   command
     .add_option("--threads", arguments.options.number_of_threads,
@@ -189,7 +189,8 @@ void refuse_what_is_not_there_yet(const Raw_arguments& raw)
     if(condition)
       throw std::invalid_argument(option + ": not available yet");
   };
-  refuse_if(raw.geodesics != "heat" && raw.geodesics != "exact", "--geodesics " + raw.geodesics);
+  refuse_if(raw.geodesics != "heat" && raw.geodesics != "wavefront" && raw.geodesics != "exact",
+            "--geodesics " + raw.geodesics);
   refuse_if(raw.injective, "--injective");
 }
 
@@ -214,8 +215,9 @@ void take(const Raw_arguments& raw, const std::string& body, Options& options)
   options.components = components.at(raw.components);
   options.kernel = kernels.at(raw.kernel);
   options.solver = solvers.at(raw.solver);
-  if(raw.geodesics == "exact")
-    options.geodesics = Options::Geodesics::EXACT;
+  if(raw.geodesics != "heat")
+    options.geodesics
+      = raw.geodesics == "exact" ? Options::Geodesics::EXACT : Options::Geodesics::WAVEFRONT;
   if(!raw.paper_weights.empty())
   {
     const std::vector<double> weights = numbers("--paper-weights", raw.paper_weights, 2, 2);

@@ -16,6 +16,7 @@
 
 #include <CGAL/Canonical_pose_3/Exact_geodesics_3.h>
 #include <CGAL/Canonical_pose_3/Heat_geodesics_3.h>
+#include <CGAL/Canonical_pose_3/Wavefront_geodesics_3.h>
 #include <CGAL/Canonical_pose_3/repair_surface.h>
 #include <CGAL/canonical_pose_3.h>
 
@@ -90,6 +91,8 @@ inline Eigen::MatrixXd compute_distances(const Mesh_file& input,
         typedef std::decay_t<decltype(factor_traits)> Factor_traits;
         if(options.geodesics == Options::Geodesics::EXACT)
           return CGAL::Canonical_pose_3::Exact_geodesics_3<Surface>(surface).distances(sources);
+        if(options.geodesics == Options::Geodesics::WAVEFRONT)
+          return CGAL::Canonical_pose_3::Wavefront_geodesics_3<Surface>(surface).distances(sources);
         return CGAL::Canonical_pose_3::Heat_geodesics_3<Surface, CGAL::Default, CGAL::Default,
                                                         Factor_traits>(surface)
           .distances(sources);

@@ -139,7 +139,7 @@ expect_exit(0 pose ball.off -o out/a.off --paper-weights 100,10 --kernel gaussia
 
 # ---- geodesics ---------------------------------------------------------------------------------------------
 
-foreach(kind IN ITEMS heat exact)
+foreach(kind IN ITEMS heat wavefront exact)
   expect_exit(0 geodesics two_balls.off --source 0 --source 23 -o out/distances.txt --geodesics ${kind})
   file(STRINGS ${WORK}/out/distances.txt lines)
   list(LENGTH lines length)

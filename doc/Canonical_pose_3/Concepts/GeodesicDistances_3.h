@@ -11,6 +11,7 @@ are in the unit of the points. Between vertices that are not connected they are 
 are never NaN.
 
 \cgalHasModel `CGAL::Canonical_pose_3::Heat_geodesics_3`
+\cgalHasModel `CGAL::Canonical_pose_3::Wavefront_geodesics_3`
 \cgalHasModel `CGAL::Canonical_pose_3::Exact_geodesics_3`
 \cgalHasModel `CGAL::Canonical_pose_3::Biharmonic_distances_3`
 

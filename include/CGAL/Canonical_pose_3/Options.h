@@ -68,8 +68,9 @@ struct Paper_weights
 */
 struct Options
 {
-  /// model of `GeodesicDistances_3` to measure with.
-  enum class Geodesics { HEAT, EXACT };
+  /// model of `GeodesicDistances_3` to measure with: `Heat_geodesics_3`, `Wavefront_geodesics_3`,
+  /// `Exact_geodesics_3`.
+  enum class Geodesics { HEAT, WAVEFRONT, EXACT };
 
   /// model of `MdsKernel` of the target.
   enum class Kernel { CLASSICAL, GAUSSIAN, UNCENTERED_GAUSSIAN };

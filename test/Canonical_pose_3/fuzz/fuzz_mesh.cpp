@@ -42,7 +42,7 @@ Options read_options(Byte_source& bytes, const std::size_t number_of_points)
   options.body = Options::Body(bytes.below(4));
   options.components = Options::Components(bytes.below(3));
   options.kernel = Options::Kernel(bytes.below(3));
-  options.geodesics = Options::Geodesics(bytes.below(2));
+  options.geodesics = Options::Geodesics(bytes.below(3));
   options.solver = Options::Solver(bytes.below(3));
   options.number_of_landmarks = bytes.below(7);
   options.lattice_spacing = one_of<8>({{0.1, 0.1, 0.2, 0.2, 0.5, 0, 1e-9, -1}}, bytes);

@@ -22,6 +22,7 @@
 #include <CGAL/Canonical_pose_3/Repaired_surface_3.h>
 #include <CGAL/Canonical_pose_3/Squared_distance_kernel.h>
 #include <CGAL/Canonical_pose_3/Tetrahedral_arap_registrar_3.h>
+#include <CGAL/Canonical_pose_3/Wavefront_geodesics_3.h>
 #include <CGAL/Canonical_pose_3/align_target.h>
 #include <CGAL/Canonical_pose_3/farthest_point_landmarks.h>
 #include <CGAL/Canonical_pose_3/front_landmarks.h>
@@ -205,8 +206,11 @@ private:
     const Indexed_mesh::Vertex_index vertex(static_cast<Indexed_mesh::size_type>(first));
     // exact distances take longer than all the rest, and a batch saves nothing
     if(m_options.geodesics == Options::Geodesics::EXACT)
-      m_results.landmark_fields = farthest_point_landmarks(
-        Exact_geodesics_3<Indexed_mesh>(mesh), m_options.number_of_landmarks, vertex);
+      m_results.landmark_fields = farthest_point_landmarks(Exact_geodesics_3<Indexed_mesh>(mesh),
+                                                           m_options.number_of_landmarks, vertex);
+    else if(m_options.geodesics == Options::Geodesics::WAVEFRONT)
+      m_results.landmark_fields = front_landmarks(Wavefront_geodesics_3<Indexed_mesh>(mesh),
+                                                  m_options.number_of_landmarks, vertex);
     else
       m_results.landmark_fields = front_landmarks(
         Heat_geodesics_3<Indexed_mesh, CGAL::Default, CGAL::Default, FactorTraits>(mesh),
