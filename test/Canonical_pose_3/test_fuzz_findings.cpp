@@ -13,6 +13,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -63,4 +64,27 @@ TEST(Fuzz_findings, spacing_far_too_small)
   options.lattice_spacing = 1e-9;
   EXPECT_THROW_WITH(expect_pose(Canonical_pose_test::icosphere_soup(0, 1), options),
                     std::invalid_argument, "spacing");
+}
+
+// Vertices of no face are carried along by the nearest triangle: its plane was asked for where it had
+// none, and in coordinates whose squares overflow.
+TEST(Fuzz_findings, carried_by_a_flat_face_and_at_any_size)
+{
+  Options options;
+  options.number_of_landmarks = 6;
+  options.lattice_spacing = 0.1;
+  options.registration.number_of_iterations = 2;
+  for(const int exponent : {-700, 0, 700})
+  {
+    Triangle_soup soup = Canonical_pose_test::icosphere_soup(1, 1);
+    const auto [a, b, c] = soup.triangles[0];
+    for(std::size_t k = 0; k < 3; ++k)
+      soup.points[c][k] = (soup.points[a][k] + soup.points[b][k]) / 2;
+    soup.points.push_back({2 * soup.points[c][0], 2 * soup.points[c][1], 2 * soup.points[c][2]});
+    soup.points.push_back(soup.points[c]);
+    for(auto& p : soup.points)
+      for(double& x : p)
+        x = std::ldexp(x, exponent);
+    expect_pose(soup, options);
+  }
 }

@@ -12,10 +12,10 @@
 
 #include <CGAL/Canonical_pose_3/internal/body_cells.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
+#include <CGAL/Canonical_pose_3/surface_measures.h>
 
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Simple_cartesian.h>
-#include <CGAL/assertions.h>
 #include <CGAL/version.h>
 
 #if CGAL_VERSION_NR >= 1060000000
@@ -29,8 +29,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <limits>
+#include <stdexcept>
 #include <vector>
 
 namespace CGAL {
@@ -58,22 +60,34 @@ public:
   constructs a deformer.
 
   \param body the body; it must outlive the deformer.
-  \param triangles the surface: triples of rows of `body.embedding()`, one at least.
+  \param triangles the surface: triples of rows of `body.embedding()`. Flat ones are not looked at: a
+         point near one of these is as near to its neighbors.
+
+  \throws std::invalid_argument if no triangle has an area.
 
   <em>Complexity:</em> \f$ O(n \log n) \f$.
   */
   Body_deformer_3(const ElasticBody& body, const std::vector<std::array<std::size_t, 3>>& triangles)
-    : m_body(body), m_surface(body.embedding() * body.points()), m_embedding(body.embedding()),
+    : m_body(body), m_embedding(body.embedding()),
       m_cells_of_vertex(
         internal::cells_of_vertices(static_cast<std::size_t>(body.points().rows()), body.cells()))
   {
-    CGAL_precondition(!triangles.empty());
-    const auto point = [&](const std::size_t v) {
-      const Eigen::RowVector3d p = m_surface.row(static_cast<Eigen::Index>(v));
-      return Point(p[0], p[1], p[2]);
+    Point_matrix surface = body.embedding() * body.points();
+    m_exponent = internal::normalize(surface);
+    const auto row = [&](const std::size_t v) -> Eigen::RowVector3d {
+      return surface.row(static_cast<Eigen::Index>(v));
     };
     for(const auto& t : triangles)
-      m_triangles.push_back({Kernel::Triangle_3(point(t[0]), point(t[1]), point(t[2])), t});
+    {
+      const double longest
+        = (std::max)({(row(t[1]) - row(t[0])).squaredNorm(), (row(t[2]) - row(t[1])).squaredNorm(),
+                      (row(t[0]) - row(t[2])).squaredNorm()});
+      if(internal::twice_area(surface, t) > FLATNESS * longest)
+        m_triangles.push_back(
+          {Kernel::Triangle_3(point(row(t[0])), point(row(t[1])), point(row(t[2]))), t});
+    }
+    if(m_triangles.empty())
+      throw std::invalid_argument("no triangle of the surface has an area");
     m_tree.insert(m_triangles.begin(), m_triangles.end());
     m_tree.build();
   }
@@ -93,7 +107,7 @@ public:
     internal::check_finite(points);
     std::vector<Row> rows(static_cast<std::size_t>(points.rows()));
     for(std::size_t i = 0; i < rows.size(); ++i)
-      rows[i] = embed(points.row(static_cast<Eigen::Index>(i)));
+      rows[i] = embed(normalized(points.row(static_cast<Eigen::Index>(i))));
     std::vector<Eigen::Triplet<double>> entries;
     entries.reserve(4 * rows.size());
     for(std::size_t i = 0; i < rows.size(); ++i)
@@ -110,6 +124,18 @@ public:
 private:
   typedef Simple_cartesian<double> Kernel;
   typedef Kernel::Point_3 Point;
+
+  static constexpr double FLATNESS = 1e-10; // of what has no plane to speak of
+  static constexpr double FARTHEST = 1e100; // in sizes of the surface, so that no square overflows
+
+  static Point point(const Eigen::RowVector3d& row) { return Point(row[0], row[1], row[2]); }
+
+  Eigen::RowVector3d normalized(const Eigen::RowVector3d& row) const
+  {
+    return row.unaryExpr([this](const double x) {
+      return (std::max)(-FARTHEST, (std::min)(std::ldexp(x, -m_exponent), FARTHEST));
+    });
+  }
 
   struct Surface_triangle
   {
@@ -150,14 +176,13 @@ private:
   {
     std::array<Eigen::Vector3d, 4> corners;
     for(std::size_t k = 0; k < 4; ++k)
-      corners[k] = m_body.points().row(m_body.cells()[cell][k]);
+      corners[k] = normalized(m_body.points().row(m_body.cells()[cell][k]));
     return internal::barycentric_coordinates(corners, point);
   }
 
-  Row embed(const Eigen::RowVector3d& point) const
+  Row embed(const Eigen::RowVector3d& place) const
   {
-    const auto nearest
-      = m_tree.closest_point_and_primitive(Point(point[0], point[1], point[2])).second;
+    const auto nearest = m_tree.closest_point_and_primitive(point(place)).second;
     std::vector<std::size_t> cells;
     for(const std::size_t v : nearest->vertices)
       for(typename Embedding::InnerIterator entry(m_embedding, static_cast<Eigen::Index>(v)); entry;
@@ -173,7 +198,7 @@ private:
     double best_minimum = -std::numeric_limits<double>::infinity();
     for(const std::size_t cell : cells)
     {
-      const Eigen::Vector4d coordinates = coordinates_in(cell, point);
+      const Eigen::Vector4d coordinates = coordinates_in(cell, place);
       if(coordinates.minCoeff() > best_minimum)
       {
         best_minimum = coordinates.minCoeff();
@@ -186,7 +211,7 @@ private:
   typedef Eigen::SparseMatrix<double, Eigen::RowMajor> Embedding;
 
   const ElasticBody& m_body;
-  Point_matrix m_surface;
+  int m_exponent = 0; // places are in the unit of the body by 2 to this power
   Embedding m_embedding;
   std::vector<std::vector<std::size_t>> m_cells_of_vertex;
   std::vector<Surface_triangle> m_triangles;
