@@ -7,13 +7,20 @@
 //
 // Author(s) : The Canonical_pose_3 authors
 
+#include <CGAL/Canonical_pose_3/Indexed_tetrahedra_3.h>
+#include <CGAL/Canonical_pose_3/extract_boundary.h>
 #include <CGAL/canonical_pose_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <boost/property_map/property_map.hpp>
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstddef>
+#include <map>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -87,4 +94,17 @@ TEST(Fuzz_findings, carried_by_a_flat_face_and_at_any_size)
         x = std::ldexp(x, exponent);
     expect_pose(soup, options);
   }
+}
+
+// The faces of such a cell were oriented without end.
+TEST(Fuzz_findings, cell_that_names_a_vertex_twice)
+{
+  CGAL::Canonical_pose_3::Indexed_tetrahedra_3<Point_3> complex;
+  complex.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}};
+  complex.cells = {{0, 1, 2, 3}, {0, 4, 4, 3}};
+  CGAL::Surface_mesh<Point_3> mesh;
+  std::map<CGAL::Surface_mesh<Point_3>::Vertex_index, std::size_t> origin;
+  EXPECT_THROW_WITH(
+    CGAL::Canonical_pose_3::extract_boundary(complex, mesh, boost::make_assoc_property_map(origin)),
+    std::invalid_argument, "cell 1 names a vertex twice");
 }

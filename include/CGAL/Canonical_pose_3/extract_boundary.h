@@ -45,7 +45,7 @@ vertices of the surface may be the same vertex of the complex.
 \pre `tmesh` is empty.
 
 \throws std::invalid_argument if a face belongs to more than two cells, or a cell names a vertex
-       that is not in the complex; the message names the cell.
+       that is not in the complex or a vertex twice; the message names the cell.
 
 <em>Complexity:</em> \f$ O(m \log m) \f$ for \f$ m \f$ cells.
 */

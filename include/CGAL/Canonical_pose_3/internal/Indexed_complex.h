@@ -15,6 +15,7 @@
 
 #include <CGAL/Kernel_traits.h>
 
+#include <algorithm>
 #include <array>
 #include <stdexcept>
 #include <string>
@@ -78,6 +79,10 @@ auto indexed_complex(const Complex& complex, const Traits& traits)
                                     + " names a vertex that the complex does not have");
       rows[k] = found->second;
     }
+    for(int k = 0; k < 4; ++k)
+      if(std::count(rows.begin(), rows.end(), rows[k]) > 1)
+        throw std::invalid_argument("cell " + std::to_string(result.cells.size())
+                                    + " names a vertex twice");
     result.cells.push_back(rows);
   }
   return result;
