@@ -24,7 +24,8 @@ namespace Canonical_pose_3 {
 \brief holds landmarks and the distances of all points to them.
 
 It is what `front_landmarks()` and `farthest_point_landmarks()` return and what
-`Landmark_mds_target_builder_3` embeds. The distances may as well come from elsewhere: nothing here depends on a mesh.
+`Landmark_mds_target_builder_3` embeds. The distances may as well come from elsewhere: nothing here
+depends on a mesh.
 
 \sa `farthest_point_landmarks()`
 \sa `front_landmarks()`
