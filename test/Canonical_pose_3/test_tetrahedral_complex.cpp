@@ -159,6 +159,9 @@ TEST(Conforming_body, bad_input_is_named)
   EXPECT_THROW_WITH(CP::complex_body(bad), std::invalid_argument, "cell 2 names a vertex");
   bad = box;
   bad.cells[4][1] = bad.cells[4][0];
+  EXPECT_THROW_WITH(CP::complex_body(bad), std::invalid_argument, "cell 4 names a vertex twice");
+  bad = box;
+  bad.cells[4] = {{0, 1, 2, 3}}; // the bottom
   EXPECT_THROW_WITH(CP::complex_body(bad), std::invalid_argument, "cell 4 has no volume");
   bad = box;
   bad.points[5] = Point(0, std::numeric_limits<double>::quiet_NaN(), 0);
