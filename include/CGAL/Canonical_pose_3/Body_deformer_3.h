@@ -213,7 +213,7 @@ private:
   const ElasticBody& m_body;
   int m_exponent = 0; // places are in the unit of the body by 2 to this power
   Embedding m_embedding;
-  std::vector<std::vector<std::size_t>> m_cells_of_vertex;
+  internal::Buckets<std::size_t> m_cells_of_vertex;
   std::vector<Surface_triangle> m_triangles;
   Tree m_tree;
 };

@@ -10,6 +10,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_ARAP_ENERGY_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_ARAP_ENERGY_H
 
+#include <CGAL/Canonical_pose_3/internal/Buckets.h>
 #include <CGAL/Canonical_pose_3/internal/closest_rotation.h>
 #include <CGAL/Canonical_pose_3/internal/for_each_block.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
@@ -20,7 +21,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -74,13 +74,13 @@ public:
   // Returns sum_t w_t G_t^t G_t times `factor`, columns in parallel.
   Eigen::SparseMatrix<double> matrix(const double factor) const
   {
-    const std::size_t n = m_first_slot.size() - 1;
-    std::vector<std::size_t> first(n + 1, 0), corners(4 * m_number_of_cells); // corners per vertex
-    for_each_corner([&](std::size_t, const int v) { ++first[static_cast<std::size_t>(v) + 1]; });
-    std::partial_sum(first.begin(), first.end(), first.begin());
-    std::vector<std::size_t> next(first.begin(), first.end() - 1);
-    for_each_corner([&](const std::size_t corner, const int v) { corners[next[v]++] = corner; });
-
+    const std::size_t n = m_slots_of_vertices.number_of_buckets();
+    // corner k of cell t has the number 4 t + k
+    const Buckets<std::size_t> corners_of_vertices(n, [&](const auto& put) {
+      for(std::size_t c = 0; c < 4 * m_number_of_cells; ++c)
+        put(static_cast<std::size_t>(m_packs[c / 4 / pack_size].vertices[c % 4][c / 4 % pack_size]),
+            c);
+    });
     std::vector<std::vector<Eigen::Triplet<double>>> blocks(number_of_blocks(n));
     for_each_block(n, [&](const std::size_t block, const std::size_t begin, const std::size_t end) {
       std::vector<int> rows;
@@ -89,13 +89,13 @@ public:
       for(std::size_t v = begin; v < end; ++v)
       {
         rows.clear();
-        for(std::size_t k = first[v]; k < first[v + 1]; ++k)
+        for(const std::size_t corner : corners_of_vertices[v])
         {
-          const Cell_pack& pack = m_packs[corners[k] / 4 / pack_size];
-          const int lane = static_cast<int>(corners[k] / 4 % pack_size);
+          const Cell_pack& pack = m_packs[corner / 4 / pack_size];
+          const int lane = static_cast<int>(corner / 4 % pack_size);
           const Eigen::Matrix<double, 4, 3> g = gradients(pack, lane);
           const Eigen::Vector4d entries
-            = factor * pack.weights[lane] * (g * g.row(corners[k] % 4).transpose());
+            = factor * pack.weights[lane] * (g * g.row(corner % 4).transpose());
           for(int i = 0; i < 4; ++i)
           {
             const int row = pack.vertices[i][lane];
@@ -139,9 +139,9 @@ public:
                      for(std::size_t v = begin; v < end; ++v)
                      {
                        std::array<double, 3> sum = {0, 0, 0};
-                       for(std::size_t k = m_first_slot[v]; k < m_first_slot[v + 1]; ++k)
+                       for(const std::size_t slot : m_slots_of_vertices[v])
                          for(int c = 0; c < 3; ++c)
-                           sum[c] += m_slots[m_slots_of_vertices[k]][c];
+                           sum[c] += m_slots[slot][c];
                        for(int c = 0; c < 3; ++c)
                          right_hand_side(static_cast<Eigen::Index>(v), c) += factor * sum[c];
                      }
@@ -182,14 +182,6 @@ private:
     std::array<std::array<int, pack_size>, 4> slots;
   };
 
-  // Calls f(corner, vertex); corner k of cell t has the number 4 t + k.
-  template <typename Function>
-  void for_each_corner(const Function& f) const
-  {
-    for(std::size_t corner = 0; corner < 4 * m_number_of_cells; ++corner)
-      f(corner, m_packs[corner / 4 / pack_size].vertices[corner % 4][corner / 4 % pack_size]);
-  }
-
   // Row k: gradient of the barycentric coordinate of vertex k.
   static Eigen::Matrix<double, 4, 3> gradients(const Cell_pack& pack, const int lane)
   {
@@ -204,7 +196,6 @@ private:
   {
     std::vector<int> vertices; // of the slots
     std::vector<int> slot(number_of_vertices, -1);
-    m_first_slot.assign(number_of_vertices + 1, 0);
     for(std::size_t p = 0; p < m_packs.size(); ++p)
     {
       if(p % (block_size / pack_size) == 0)
@@ -217,18 +208,16 @@ private:
           {
             slot[v] = static_cast<int>(vertices.size());
             vertices.push_back(v);
-            ++m_first_slot[static_cast<std::size_t>(v) + 1];
           }
           m_packs[p].slots[k][lane] = slot[v];
         }
     }
     m_first_slot_of_block.push_back(vertices.size());
     m_slots.resize(vertices.size());
-    std::partial_sum(m_first_slot.begin(), m_first_slot.end(), m_first_slot.begin());
-    m_slots_of_vertices.resize(vertices.size());
-    std::vector<std::size_t> next(m_first_slot.begin(), m_first_slot.end() - 1);
-    for(std::size_t s = 0; s < vertices.size(); ++s)
-      m_slots_of_vertices[next[vertices[s]]++] = s;
+    m_slots_of_vertices = Buckets<std::size_t>(number_of_vertices, [&](const auto& put) {
+      for(std::size_t s = 0; s < vertices.size(); ++s)
+        put(static_cast<std::size_t>(vertices[s]), s);
+    });
   }
 
   void fit_rotations(const Point_matrix& points, const Cell_pack& cells, const int number_of_cells,
@@ -276,8 +265,7 @@ private:
   std::vector<Cell_pack> m_packs;
   std::vector<std::array<double, 3>> m_slots; // blocks one after the other
   std::vector<std::size_t> m_first_slot_of_block;
-  std::vector<std::size_t> m_first_slot,
-    m_slots_of_vertices; // slots of v: from first to next first
+  Buckets<std::size_t> m_slots_of_vertices;
 };
 
 } // namespace internal

@@ -10,6 +10,8 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_CORNER_TABLE_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_CORNER_TABLE_H
 
+#include <CGAL/Canonical_pose_3/internal/Buckets.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <utility>
@@ -57,30 +59,22 @@ public:
   template <typename Function>
   void for_each_edge(const Function& f) const
   {
-    std::vector<std::size_t> begin(m_number_of_vertices + 1, 0);
-    for(std::size_t c = 0; c < m_vertex.size(); ++c)
-      if(m_vertex[c] != target(c))
-        ++begin[(std::min)(m_vertex[c], target(c))];
-    std::size_t sum = 0;
-    for(std::size_t& b : begin)
-      sum += std::exchange(b, sum);
-    std::vector<std::pair<std::size_t, std::size_t>> larger_end_and_side(sum);
-    std::vector<std::size_t> end(begin.begin(), begin.end() - 1);
-    for(std::size_t c = 0; c < m_vertex.size(); ++c)
-      if(m_vertex[c] != target(c))
-        larger_end_and_side[end[(std::min)(m_vertex[c], target(c))]++]
-          = {(std::max)(m_vertex[c], target(c)), c};
-
+    typedef std::pair<std::size_t, std::size_t> End_and_side; // the larger end
+    Buckets<End_and_side> sides_of_smaller_ends(m_number_of_vertices, [&](const auto& put) {
+      for(std::size_t c = 0; c < m_vertex.size(); ++c)
+        if(m_vertex[c] != target(c))
+          put((std::min)(m_vertex[c], target(c)),
+              End_and_side((std::max)(m_vertex[c], target(c)), c));
+    });
     std::vector<std::size_t> sides;
     for(std::size_t v = 0; v < m_number_of_vertices; ++v)
     {
-      const auto first = larger_end_and_side.begin() + static_cast<std::ptrdiff_t>(begin[v]);
-      const auto last = larger_end_and_side.begin() + static_cast<std::ptrdiff_t>(end[v]);
-      std::sort(first, last);
-      for(auto it = first; it != last;)
+      const auto around = sides_of_smaller_ends[v];
+      std::sort(around.begin(), around.end());
+      for(auto it = around.begin(); it != around.end();)
       {
         const std::size_t w = it->first;
-        for(sides.clear(); it != last && it->first == w; ++it)
+        for(sides.clear(); it != around.end() && it->first == w; ++it)
           sides.push_back(it->second);
         f(static_cast<const std::vector<std::size_t>&>(sides));
       }

@@ -10,6 +10,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_GRADIENT_FIELD_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_GRADIENT_FIELD_H
 
+#include <CGAL/Canonical_pose_3/internal/Buckets.h>
 #include <CGAL/Canonical_pose_3/internal/Intrinsic_triangulation.h>
 #include <CGAL/Canonical_pose_3/internal/Lanes.h>
 
@@ -17,7 +18,6 @@
 #include <array>
 #include <cstddef>
 #include <cstring>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -130,16 +130,12 @@ private:
     const auto smallest = [&](int h) {
       return static_cast<std::size_t>((std::min)({place(h), place(h + 1), place(h + 2)}));
     };
-    std::vector<std::size_t> next(places.size() + 1, 0);
-    for(int h = 0; h < triangulation.number_of_halfedges(); h += 3)
-      ++next[smallest(h)];
-    std::size_t sum = 0;
-    for(std::size_t& n : next)
-      sum += std::exchange(n, sum);
-    std::vector<int> result(sum);
-    for(int h = 0; h < triangulation.number_of_halfedges(); h += 3)
-      result[next[smallest(h)]++] = h;
-    return result;
+    return Buckets<int>(places.size(),
+                        [&](const auto& put) {
+                          for(int h = 0; h < triangulation.number_of_halfedges(); h += 3)
+                            put(smallest(h), h);
+                        })
+      .values();
   }
 
   std::vector<Face_in_plane> m_faces;

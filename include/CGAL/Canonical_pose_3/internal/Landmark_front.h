@@ -11,7 +11,7 @@
 #define CGAL_CANONICAL_POSE_3_INTERNAL_LANDMARK_FRONT_H
 
 #include <CGAL/Canonical_pose_3/internal/Intrinsic_triangulation.h>
-#include <CGAL/Canonical_pose_3/internal/Vertex_corners.h>
+#include <CGAL/Canonical_pose_3/internal/vertex_corners.h>
 
 #include <Eigen/Core>
 
@@ -35,7 +35,7 @@ class Landmark_front
 public:
   // `triangulation`, which should be Delaunay, must live as long as this object.
   explicit Landmark_front(const Intrinsic_triangulation& triangulation)
-    : m_triangulation(triangulation), m_corners(triangulation),
+    : m_triangulation(triangulation), m_corners(vertex_corners(triangulation)),
       m_vertices(triangulation.number_of_vertices())
   {
     for(int h = 0; h < triangulation.number_of_halfedges(); ++h)
@@ -58,16 +58,16 @@ public:
       vertex.is_lower = distance < nearest[v];
       if(vertex.is_lower)
         nearest[v] = distance;
-      for(const int* h = m_corners.begin(v); h != m_corners.end(v); ++h)
+      for(const int h : m_corners[static_cast<std::size_t>(v)])
       {
-        const int previous = Intrinsic_triangulation::previous(*h);
+        const int previous = Intrinsic_triangulation::previous(h);
         if(vertex.is_lower)
         {
-          offer(m_triangulation.target(*h), distance + m_triangulation.length(*h));
+          offer(m_triangulation.target(h), distance + m_triangulation.length(h));
           offer(m_triangulation.origin(previous), distance + m_triangulation.length(previous));
         }
-        cross(*h, m_triangulation.origin(previous));
-        cross(previous, m_triangulation.target(*h));
+        cross(h, m_triangulation.origin(previous));
+        cross(previous, m_triangulation.target(h));
       }
     }
   }
@@ -116,7 +116,7 @@ private:
   using Entry = std::pair<double, int>;
 
   const Intrinsic_triangulation& m_triangulation;
-  Vertex_corners m_corners;
+  Buckets<int> m_corners;
   std::vector<std::pair<double, double>> m_apices; // of the faces over their sides
   std::vector<Vertex> m_vertices;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> m_queue;

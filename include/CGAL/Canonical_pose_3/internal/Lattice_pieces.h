@@ -10,6 +10,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_LATTICE_PIECES_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_LATTICE_PIECES_H
 
+#include <CGAL/Canonical_pose_3/internal/Buckets.h>
 #include <CGAL/Canonical_pose_3/internal/Surface_rays.h>
 #include <CGAL/Canonical_pose_3/internal/for_each_block.h>
 #include <CGAL/Canonical_pose_3/internal/surface_chords.h>
@@ -55,18 +56,15 @@ public:
   }
 
   // the number of cubes, most of them without a piece
-  std::size_t size() const { return m_begin.size() - 1; }
-  const Lattice_piece* begin(const std::size_t cell) const
-  {
-    return m_pieces.data() + m_begin[cell];
-  }
+  std::size_t size() const { return m_pieces.number_of_buckets(); }
+  const Lattice_piece* begin(const std::size_t cell) const { return m_pieces[cell].begin(); }
   const Lattice_piece* end(const std::size_t cell) const { return begin(cell) + m_count[cell]; }
 
   // numbers of pieces lie below this, not all of them are used
-  std::size_t number_of_places() const { return m_pieces.size(); }
+  std::size_t number_of_places() const { return m_pieces.values().size(); }
   std::size_t place(const Lattice_piece* const piece) const
   {
-    return static_cast<std::size_t>(piece - m_pieces.data());
+    return static_cast<std::size_t>(piece - m_pieces.values().data());
   }
 
   // distance of the numbers of two cubes that are neighbours along an axis
@@ -184,20 +182,12 @@ private:
     const std::size_t n = static_cast<std::size_t>(m_cells[0])
                           * static_cast<std::size_t>(m_cells[1])
                           * static_cast<std::size_t>(m_cells[2]);
-    m_begin.assign(n + 1, 0);
-    for(const auto& block : blocks)
-      for(const Lattice_piece& piece : block)
-        ++m_begin[static_cast<std::size_t>(piece.cell) + 1];
-    for(std::size_t c = 0; c < n; ++c)
-      m_begin[c + 1] += m_begin[c];
-    m_pieces.resize(m_begin[n]);
-    m_count.assign(n, 0);
-    for(const auto& block : blocks)
-      for(const Lattice_piece& piece : block)
-      {
-        const std::size_t c = static_cast<std::size_t>(piece.cell);
-        m_pieces[m_begin[c] + m_count[c]++] = piece;
-      }
+    m_pieces = Buckets<Lattice_piece>(n, [&](const auto& put) {
+      for(const auto& block : blocks)
+        for(const Lattice_piece& piece : block)
+          put(static_cast<std::size_t>(piece.cell), piece);
+    });
+    m_count.resize(n);
     for_each_block(n, [&](std::size_t, const std::size_t begin, const std::size_t end) {
       for(std::size_t c = begin; c < end; ++c)
         merge(c);
@@ -206,8 +196,7 @@ private:
 
   void merge(const std::size_t cell)
   {
-    const auto first = m_pieces.begin() + static_cast<std::ptrdiff_t>(m_begin[cell]);
-    const auto last = first + static_cast<std::ptrdiff_t>(m_count[cell]);
+    const auto first = m_pieces[cell].begin(), last = m_pieces[cell].end();
     std::stable_sort(
       first, last, [](const Lattice_piece& a, const Lattice_piece& b) { return a.face < b.face; });
     auto out = first;
@@ -271,8 +260,8 @@ private:
   double m_spacing;
   Eigen::Vector3d m_low;
   std::array<int, 3> m_cells;
-  std::vector<Lattice_piece> m_pieces;
-  std::vector<std::size_t> m_begin, m_count;
+  Buckets<Lattice_piece> m_pieces;  // of the cubes
+  std::vector<std::size_t> m_count; // of those that are left after merging
 };
 
 } // namespace internal

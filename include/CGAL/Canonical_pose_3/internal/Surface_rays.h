@@ -10,6 +10,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_SURFACE_RAYS_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_SURFACE_RAYS_H
 
+#include <CGAL/Canonical_pose_3/internal/Buckets.h>
 #include <CGAL/Canonical_pose_3/internal/Indexed_mesh.h>
 #include <CGAL/Canonical_pose_3/internal/for_each_block.h>
 
@@ -71,10 +72,9 @@ public:
       int axis;
       const double end = next.minCoeff(&axis);
       hits.clear();
-      const std::size_t c = index(cell);
-      for(std::size_t i = m_begin[c]; i < m_begin[c + 1]; ++i)
-        if(m_faces[i] != own_face)
-          intersect(origin, direction, m_faces[i], begin, end, hits);
+      for(const std::size_t f : m_faces_of_cells[index(cell)])
+        if(f != own_face)
+          intersect(origin, direction, f, begin, end, hits);
       std::sort(hits.begin(), hits.end(), [](const Hit& a, const Hit& b) {
         return a.distance != b.distance ? a.distance < b.distance : a.face < b.face;
       });
@@ -116,15 +116,10 @@ private:
     const std::size_t n = static_cast<std::size_t>(m_cells[0])
                           * static_cast<std::size_t>(m_cells[1])
                           * static_cast<std::size_t>(m_cells[2]);
-    m_begin.assign(n + 1, 0);
-    for(const Index_triangle& t : m_triangles)
-      for_each_cell(t, [&](const std::size_t c) { ++m_begin[c + 1]; });
-    for(std::size_t c = 0; c < n; ++c)
-      m_begin[c + 1] += m_begin[c];
-    m_faces.resize(m_begin[n]);
-    std::vector<std::size_t> end(m_begin.begin(), m_begin.end() - 1);
-    for(std::size_t f = 0; f < m_triangles.size(); ++f)
-      for_each_cell(m_triangles[f], [&](const std::size_t c) { m_faces[end[c]++] = f; });
+    m_faces_of_cells = Buckets<std::size_t>(n, [&](const auto& put) {
+      for(std::size_t f = 0; f < m_triangles.size(); ++f)
+        for_each_cell(m_triangles[f], [&](const std::size_t c) { put(c, f); });
+    });
   }
 
   // Cells of the bounding box of a triangle that its plane comes near to.
@@ -208,7 +203,7 @@ private:
   Eigen::Vector3d m_low;
   double m_size = 0;
   std::array<int, 3> m_cells;
-  std::vector<std::size_t> m_begin, m_faces; // the faces of cell c begin at m_begin[c]
+  Buckets<std::size_t> m_faces_of_cells;
 };
 
 } // namespace internal

@@ -10,6 +10,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_TRIANGLE_SOUP_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_TRIANGLE_SOUP_H
 
+#include <CGAL/Canonical_pose_3/internal/Buckets.h>
 #include <CGAL/Canonical_pose_3/internal/Indexed_mesh.h>
 #include <CGAL/Canonical_pose_3/internal/Loop_triangulation.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
@@ -108,20 +109,11 @@ Triangle_soup triangle_soup(const Point_matrix& points, const Polygons& polygons
 template <typename Polygons>
 std::vector<bool> is_duplicate_face(const std::size_t number_of_vertices, const Polygons& polygons)
 {
-  std::vector<std::size_t> begin(number_of_vertices + 1, 0); // faces by their smallest vertex
-  const auto smallest = [&](const std::size_t f) {
-    return *std::min_element(polygons[f].begin(), polygons[f].end());
-  };
-  for(std::size_t f = 0; f < polygons.size(); ++f)
-    if(!polygons[f].empty())
-      ++begin[smallest(f)];
-  std::size_t sum = 0;
-  for(std::size_t& b : begin)
-    sum += std::exchange(b, sum);
-  std::vector<std::size_t> end = begin, faces(sum);
-  for(std::size_t f = 0; f < polygons.size(); ++f)
-    if(!polygons[f].empty())
-      faces[end[smallest(f)]++] = f;
+  const Buckets<std::size_t> faces_of_smallest_vertices(number_of_vertices, [&](const auto& put) {
+    for(std::size_t f = 0; f < polygons.size(); ++f)
+      if(!polygons[f].empty())
+        put(*std::min_element(polygons[f].begin(), polygons[f].end()), f);
+  });
 
   std::vector<bool> result(polygons.size(), false);
   typedef std::decay_t<decltype(polygons[0])> Polygon;
@@ -129,9 +121,9 @@ std::vector<bool> is_duplicate_face(const std::size_t number_of_vertices, const 
   for(std::size_t v = 0; v < number_of_vertices; ++v)
   {
     bucket.clear();
-    for(std::size_t i = begin[v]; i < end[v]; ++i)
+    for(const std::size_t f : faces_of_smallest_vertices[v])
     {
-      bucket.emplace_back(polygons[faces[i]], faces[i]);
+      bucket.emplace_back(polygons[f], f);
       std::sort(bucket.back().first.begin(), bucket.back().first.end());
     }
     std::sort(bucket.begin(), bucket.end());

@@ -10,6 +10,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_UNFOLDED_SIDES_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_UNFOLDED_SIDES_H
 
+#include <CGAL/Canonical_pose_3/internal/Buckets.h>
 #include <CGAL/Canonical_pose_3/internal/Intrinsic_triangulation.h>
 #include <CGAL/Canonical_pose_3/internal/Virtual_source.h>
 
@@ -36,9 +37,8 @@ public:
 
   explicit Unfolded_sides(const Intrinsic_triangulation& triangulation)
     : m_is_flat(triangulation.number_of_vertices(), 0),
-      m_incident(triangulation.number_of_vertices() + 1, 0)
+      m_sides(static_cast<std::size_t>(triangulation.number_of_halfedges()))
   {
-    m_sides.resize(static_cast<std::size_t>(triangulation.number_of_halfedges()));
     const std::vector<int> numbers = breadth_first_numbers(triangulation);
     const auto number = [&](int h) { return h < 0 ? h : 3 * numbers[index(h / 3)] + h % 3; };
     for(int h = 0; h < triangulation.number_of_halfedges(); ++h)
@@ -48,7 +48,10 @@ public:
         = {triangulation.length(h), x, y, triangulation.origin(h), number(triangulation.twin(h))};
     }
     find_flat_vertices();
-    sort_by_origin();
+    m_outgoing = Buckets<int>(number_of_vertices(), [&](const auto& put) {
+      for(std::size_t h = 0; h < m_sides.size(); ++h)
+        put(index(m_sides[h].origin), static_cast<int>(h));
+    });
   }
 
   std::size_t number_of_vertices() const { return m_is_flat.size(); }
@@ -83,9 +86,8 @@ public:
   template <class Function>
   void for_each_outgoing(int vertex, const Function& f) const
   {
-    const auto v = index(vertex);
-    for(std::size_t i = m_incident[v]; i < m_incident[v + 1]; ++i)
-      f(m_outgoing[i]);
+    for(const int h : m_outgoing[index(vertex)])
+      f(h);
   }
 
 private:
@@ -125,25 +127,11 @@ private:
       m_is_flat[v] = m_is_border[v] == 0 && std::abs(angles[v] - 2 * pi) < ANGLE_TOLERANCE ? 1 : 0;
   }
 
-  void sort_by_origin()
-  {
-    for(const Side& side : m_sides)
-      ++m_incident[index(side.origin) + 1];
-    for(std::size_t v = 0; v < m_is_flat.size(); ++v)
-      m_incident[v + 1] += m_incident[v];
-    std::vector<std::size_t> place(m_incident.begin(), m_incident.end() - 1);
-    m_outgoing.resize(m_sides.size());
-    for(std::size_t h = 0; h < m_sides.size(); ++h)
-      m_outgoing[place[index(m_sides[h].origin)]++] = static_cast<int>(h);
-  }
-
   static constexpr double ANGLE_TOLERANCE = 1e-9;
 
+  std::vector<char> m_is_border, m_is_flat; // of each vertex
   std::vector<Side> m_sides;
-  std::vector<char> m_is_border;
-  std::vector<char> m_is_flat;         // of each vertex
-  std::vector<std::size_t> m_incident; // where the outgoing halfedges of each vertex begin
-  std::vector<int> m_outgoing;
+  Buckets<int> m_outgoing; // the halfedges that start at each vertex
 };
 
 } // namespace internal

@@ -10,6 +10,8 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_BODY_CELLS_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_BODY_CELLS_H
 
+#include <CGAL/Canonical_pose_3/internal/Buckets.h>
+
 #include <Eigen/Dense>
 
 #include <array>
@@ -21,15 +23,14 @@ namespace Canonical_pose_3 {
 namespace internal {
 
 // The cells around each of the vertices of a body, in their order.
-inline std::vector<std::vector<std::size_t>>
-cells_of_vertices(const std::size_t number_of_vertices,
-                  const std::vector<std::array<int, 4>>& cells)
+inline Buckets<std::size_t> cells_of_vertices(const std::size_t number_of_vertices,
+                                              const std::vector<std::array<int, 4>>& cells)
 {
-  std::vector<std::vector<std::size_t>> result(number_of_vertices);
-  for(std::size_t t = 0; t < cells.size(); ++t)
-    for(const int v : cells[t])
-      result[static_cast<std::size_t>(v)].push_back(t);
-  return result;
+  return Buckets<std::size_t>(number_of_vertices, [&](const auto& put) {
+    for(std::size_t t = 0; t < cells.size(); ++t)
+      for(const int v : cells[t])
+        put(static_cast<std::size_t>(v), t);
+  });
 }
 
 // The barycentric coordinates of a point with respect to the corners of a tetrahedron, whose sum is 1.

@@ -10,6 +10,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_COTANGENT_OPERATORS_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_COTANGENT_OPERATORS_H
 
+#include <CGAL/Canonical_pose_3/internal/Buckets.h>
 #include <CGAL/Canonical_pose_3/internal/Intrinsic_triangulation.h>
 
 #include <Eigen/Core>
@@ -49,41 +50,35 @@ inline Eigen::SparseMatrix<double> cotangent_laplacian(const Intrinsic_triangula
     return triangulation.is_edge_representative(h)
            && triangulation.origin(h) != triangulation.target(h);
   };
-  // all entries, the diagonal ones first in their columns
-  std::vector<std::size_t> end(n + 1, 0);
+  std::vector<double> weights(static_cast<std::size_t>(triangulation.number_of_halfedges()), 0.);
+  Eigen::VectorXd diagonal = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(n));
   for(int h = 0; h < triangulation.number_of_halfedges(); ++h)
     if(is_taken(h))
     {
-      ++end[static_cast<std::size_t>(triangulation.origin(h))];
-      ++end[static_cast<std::size_t>(triangulation.target(h))];
-    }
-  std::size_t sum = 0;
-  for(std::size_t& e : end)
-    sum += 1 + std::exchange(e, sum);
-  std::vector<std::size_t> begin = end;
-  std::vector<std::pair<int, double>> entries(sum);
-  for(std::size_t i = 0; i < n; ++i)
-    entries[end[i]++] = {static_cast<int>(i), 0.};
-  for(int h = 0; h < triangulation.number_of_halfedges(); ++h)
-    if(is_taken(h))
-    {
-      const int i = triangulation.origin(h), j = triangulation.target(h);
       const double weight = 0.5 * triangulation.cotangent_sum(h);
-      for(const auto& [column, row] : {std::make_pair(i, j), std::make_pair(j, i)})
-      {
-        const auto c = static_cast<std::size_t>(column);
-        entries[begin[c]].second += weight;
-        entries[end[c]++] = {row, -weight};
-      }
+      weights[static_cast<std::size_t>(h)] = weight;
+      diagonal[triangulation.origin(h)] += weight;
+      diagonal[triangulation.target(h)] += weight;
     }
+  typedef std::pair<int, double> Entry; // row and value
+  Buckets<Entry> columns(n, [&](const auto& put) {
+    for(std::size_t i = 0; i < n; ++i)
+      put(i, Entry(static_cast<int>(i), diagonal[static_cast<Eigen::Index>(i)]));
+    for(int h = 0; h < triangulation.number_of_halfedges(); ++h)
+      if(is_taken(h))
+      {
+        const int i = triangulation.origin(h), j = triangulation.target(h);
+        put(static_cast<std::size_t>(i), Entry(j, -weights[static_cast<std::size_t>(h)]));
+        put(static_cast<std::size_t>(j), Entry(i, -weights[static_cast<std::size_t>(h)]));
+      }
+  });
 
   Eigen::SparseMatrix<double> laplacian(static_cast<Eigen::Index>(n), static_cast<Eigen::Index>(n));
-  laplacian.reserve(static_cast<Eigen::Index>(sum));
+  laplacian.reserve(static_cast<Eigen::Index>(columns.values().size()));
   for(std::size_t i = 0; i < n; ++i)
   {
     const auto column = static_cast<Eigen::Index>(i);
-    const auto first = entries.begin() + static_cast<std::ptrdiff_t>(begin[i]);
-    const auto last = entries.begin() + static_cast<std::ptrdiff_t>(end[i]);
+    const auto first = columns[i].begin(), last = columns[i].end();
     std::sort(first, last);
     laplacian.startVec(column);
     double* value = nullptr;

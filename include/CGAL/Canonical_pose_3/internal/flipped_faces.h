@@ -75,7 +75,7 @@ private:
 
   const std::vector<std::array<int, 4>>& m_cells;
   Embedding m_embedding;
-  std::vector<std::vector<std::size_t>> m_cells_of_vertex;
+  Buckets<std::size_t> m_cells_of_vertex;
 };
 
 // Number of surface faces whose normal turned by more than 90 degrees against the rotation of their

@@ -12,7 +12,7 @@
 
 #include <CGAL/Canonical_pose_3/internal/Intrinsic_triangulation.h>
 #include <CGAL/Canonical_pose_3/internal/Vertex_components.h>
-#include <CGAL/Canonical_pose_3/internal/Vertex_corners.h>
+#include <CGAL/Canonical_pose_3/internal/vertex_corners.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -28,20 +28,20 @@ namespace internal {
 
 // Calls f(vertex, length) for the other ends of the edges at `vertex`, twice for inner edges.
 template <class Function>
-void for_each_neighbor(const Intrinsic_triangulation& triangulation, const Vertex_corners& corners,
+void for_each_neighbor(const Intrinsic_triangulation& triangulation, const Buckets<int>& corners,
                        int vertex, const Function& f)
 {
-  for(const int* h = corners.begin(vertex); h != corners.end(vertex); ++h)
+  for(const int h : corners[static_cast<std::size_t>(vertex)])
   {
-    const int previous = Intrinsic_triangulation::previous(*h);
-    f(triangulation.target(*h), triangulation.length(*h));
+    const int previous = Intrinsic_triangulation::previous(h);
+    f(triangulation.target(h), triangulation.length(h));
     f(triangulation.origin(previous), triangulation.length(previous));
   }
 }
 
 // Length of the longest of the paths of fewest edges from `source`; no shortest path is longer.
 inline double fewest_edges_radius(const Intrinsic_triangulation& triangulation,
-                                  const Vertex_corners& corners, int source,
+                                  const Buckets<int>& corners, int source,
                                   std::vector<double>& distances)
 {
   std::vector<int> queue(1, source);
@@ -65,7 +65,7 @@ inline double fewest_edges_radius(const Intrinsic_triangulation& triangulation,
 // Length of the longest of the shortest paths along edges from `source`. No two vertices of the
 // component are farther apart on the surface than twice this number.
 inline double edge_graph_radius(const Intrinsic_triangulation& triangulation,
-                                const Vertex_corners& corners, int source)
+                                const Buckets<int>& corners, int source)
 {
   using Entry = std::pair<double, int>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
@@ -99,7 +99,7 @@ inline std::vector<double> heat_lengths(const Intrinsic_triangulation& triangula
                                         const Vertex_components& components)
 {
   auto lengths = triangulation.mean_edge_lengths(components.of_vertices(), components.size());
-  const Vertex_corners corners(triangulation);
+  const Buckets<int> corners = vertex_corners(triangulation);
   std::vector<double> distances(triangulation.number_of_vertices(),
                                 (std::numeric_limits<double>::infinity)());
   for(std::size_t c = 0; c < lengths.size(); ++c)
