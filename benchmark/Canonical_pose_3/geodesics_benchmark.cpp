@@ -13,17 +13,11 @@
 // How to read: the first table has, for each mesh, medians over --runs of the seconds for set-up and
 // fields: ours on one thread and on all, CGAL's, and the ratios of ours to CGAL's, which are medians
 // of the ratios of single runs. The three take turns in each run, so that a machine that is busy with
-// something else slows down all of them. With --exact, mean relative errors of both against shortest
-// paths follow. The second table has the same sources on a mesh that Loop's scheme
-// refines again and again; the last line is the slope of the logarithm of the time over that of
-// the number of vertices, by least squares.
-// The third table compares the landmarks: covering radius of the fronts by that of farthest point
-// sampling, and the seconds of both.
+// something else slows down all of them. The second table compares the landmarks: covering radius of
+// the fronts by that of farthest point sampling, and the seconds of both.
 //
 // Usage: geodesics_benchmark [options] [mesh files]
 //   --sources N   default 80     --runs N     default 5
-//   --exact N     sources whose errors are measured, default 0
-//   --levels N    refinements of the growth table, default 3; 0 leaves it out
 // Without files: the articulated figure, sitting, with 50 000 and with 200 000 vertices.
 
 #include "Argument_list.h"
@@ -31,7 +25,6 @@
 
 #include "../../examples/Canonical_pose_3/Articulated_figure.h"
 
-#include <CGAL/Canonical_pose_3/Exact_geodesics_3.h>
 #include <CGAL/Canonical_pose_3/Heat_geodesics_3.h>
 #include <CGAL/Canonical_pose_3/farthest_point_landmarks.h>
 #include <CGAL/Canonical_pose_3/front_landmarks.h>
@@ -40,14 +33,12 @@
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 #include <CGAL/Real_timer.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/subdivision_method_3.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>
 #endif
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -71,7 +62,7 @@ namespace {
 
 struct Arguments
 {
-  std::size_t sources, runs, exact, levels;
+  std::size_t sources, runs;
   std::vector<std::string> files;
 };
 
@@ -152,7 +143,7 @@ Seconds run_cgal(const Mesh& input, const std::vector<Mesh::Vertex_index>& sourc
   return result;
 }
 
-// One line of the first two tables.
+// One line of the first table.
 struct Comparison
 {
   std::vector<Seconds> one_thread, all_threads, cgal;
@@ -193,78 +184,6 @@ void print_head()
               "all threads", "CGAL", "ratio 1", "ratio");
 }
 
-double mean_relative_error(const Eigen::VectorXd& d, const Eigen::VectorXd& exact)
-{
-  double sum = 0, count = 0;
-  for(Eigen::Index i = 0; i < d.size(); ++i)
-    if(exact[i] > 0 && std::isfinite(exact[i]))
-    {
-      sum += std::abs(d[i] - exact[i]) / exact[i];
-      ++count;
-    }
-  return sum / count;
-}
-
-void print_errors(const Mesh& input, const Arguments& arguments)
-{
-  Mesh mesh = input;
-  auto distance = mesh.add_property_map<Mesh::Vertex_index, double>("v:distance", 0.).first;
-  const Heat heat(mesh);
-  const CP::Exact_geodesics_3<Mesh> paths(mesh);
-  Heat_of_cgal heat_of_cgal(mesh);
-  for(const Mesh::Vertex_index source : spread_sources(mesh, arguments.exact))
-  {
-    const Eigen::VectorXd exact = paths.distances(source);
-    heat_of_cgal.clear_sources();
-    heat_of_cgal.add_source(source);
-    heat_of_cgal.estimate_geodesic_distances(distance);
-    Eigen::VectorXd of_cgal(exact.size());
-    for(const Mesh::Vertex_index v : mesh.vertices())
-      of_cgal[Eigen::Index(v)] = distance[v];
-    std::printf("  mean relative error from vertex %u: ours %.3f %%, CGAL's %.3f %%\n",
-                unsigned(source), 100 * mean_relative_error(heat.distances(source), exact),
-                100 * mean_relative_error(of_cgal, exact));
-  }
-}
-
-// Slope of log y over log x.
-double slope(const std::vector<double>& x, const std::vector<double>& y)
-{
-  double sx = 0, sy = 0, sxx = 0, sxy = 0;
-  for(std::size_t i = 0; i < x.size(); ++i)
-  {
-    const double u = std::log(x[i]), v = std::log(y[i]);
-    sx += u;
-    sy += v;
-    sxx += u * u;
-    sxy += u * v;
-  }
-  const double n = double(x.size());
-  return (n * sxy - sx * sy) / (n * sxx - sx * sx);
-}
-
-void print_growth(const Arguments& arguments)
-{
-  Mesh mesh = Articulated_figure(3000).make_mesh<Mesh>(Articulated_figure::named_poses()[1].angles);
-  std::vector<double> vertices, one_thread, all_threads, cgal;
-  const auto total = [](const Seconds& s) { return s.total(); };
-  std::printf("\n");
-  print_head();
-  for(std::size_t level = 0; level <= arguments.levels; ++level)
-  {
-    if(level > 0)
-      CGAL::Subdivision_method_3::Loop_subdivision(mesh, CGAL::parameters::number_of_iterations(1));
-    const Comparison comparison(mesh, arguments);
-    comparison.print("refined " + std::to_string(level) + " times", mesh);
-    vertices.push_back(double(mesh.number_of_vertices()));
-    one_thread.push_back(median_of(comparison.one_thread, total));
-    all_threads.push_back(median_of(comparison.all_threads, total));
-    cgal.push_back(median_of(comparison.cgal, total));
-  }
-  std::printf("exponent of growth: one thread %.2f, all threads %.2f, CGAL %.2f\n",
-              slope(vertices, one_thread), slope(vertices, all_threads), slope(vertices, cgal));
-}
-
 void print_landmarks(const std::string& name, const Mesh& mesh, const Arguments& arguments)
 {
   const Heat heat(mesh);
@@ -285,8 +204,6 @@ Arguments read(const int argc, char** argv)
   Arguments arguments;
   arguments.sources = (std::max)(std::size_t(1), std::size_t(list.take_number("--sources", 80)));
   arguments.runs = (std::max)(std::size_t(1), std::size_t(list.take_number("--runs", 5)));
-  arguments.exact = std::size_t(list.take_number("--exact", 0));
-  arguments.levels = std::size_t(list.take_number("--levels", 3));
   arguments.files = list.rest();
   return arguments;
 }
@@ -307,13 +224,7 @@ void run(const Arguments& arguments)
   std::printf("%zu sources, medians of %zu runs\n", arguments.sources, arguments.runs);
   print_head();
   for(const auto& [name, mesh] : meshes)
-  {
     Comparison(mesh, arguments).print(name, mesh);
-    if(arguments.exact > 0)
-      print_errors(mesh, arguments);
-  }
-  if(arguments.levels > 0)
-    print_growth(arguments);
   std::printf("\n%-28s%20s%20s%20s\n", "landmarks", "covering radius", "fronts, seconds",
               "farthest, seconds");
   for(const auto& [name, mesh] : meshes)

@@ -24,7 +24,8 @@
 //                            meshes or of DIR/<name>.vts for each
 //   --reference-directory DIR  corresponding vertices: those nearest to the vertices of the mesh of
 //                            the same name in DIR, where all meshes have the same vertices
-//   --body auto|lattice|tetgen|mesh   --components refuse|largest|each
+//   --geodesics heat|wavefront|exact   --body auto|lattice|tetgen|mesh
+//   --components refuse|largest|each
 // Without both of the former, vertices correspond by their numbers.
 
 #include "Argument_list.h"

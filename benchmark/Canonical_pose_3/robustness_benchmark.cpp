@@ -26,7 +26,8 @@
 //   --time-limit SECONDS    per mesh, default 120
 //   --memory-limit MB       per mesh, default none
 //   --jobs N                meshes at a time, which share the cores; default 1
-//   --body auto|lattice|tetgen|mesh   --components refuse|largest|each
+//   --geodesics heat|wavefront|exact   --body auto|lattice|tetgen|mesh
+//   --components refuse|largest|each
 //   --csv FILE              the table as comma-separated values
 //   --pose-directory DIR    keep the poses, as DIR/<folder>/<file>
 // Exit code: 0, or 1 if a mesh failed, or 2 for wrong usage.
