@@ -17,10 +17,7 @@
 
 #include "matchers.h"
 #include "shapes.h"
-
-#ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/global_control.h>
-#endif
+#include "threads.h"
 
 #include <cstddef>
 
@@ -143,13 +140,13 @@ TEST(Acceleration, leaves_the_papers_scheme_alone)
 TEST(Acceleration, number_of_threads_does_not_matter)
 {
   const CP::Conforming_body_3 body = bar_body();
-  Point_matrix pose, serial;
+  Point_matrix pose;
   const Registration_summary summary = run(body, hard_target(), {}, pose);
-#ifdef CGAL_LINKED_WITH_TBB
-  const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
-#endif
-  EXPECT_EQ(run(body, hard_target(), {}, serial).energy_history, summary.energy_history);
-  EXPECT_EQ(serial, pose);
+  Canonical_pose_test::with_each_number_of_threads([&] {
+    Point_matrix again;
+    EXPECT_EQ(run(body, hard_target(), {}, again).energy_history, summary.energy_history);
+    EXPECT_EQ(again, pose);
+  });
 }
 
 TEST(Acceleration, negative_window_is_refused)

@@ -8,16 +8,13 @@
 // Author(s) : The Canonical_pose_3 authors
 
 #include "geodesic_fixtures.h"
+#include "threads.h"
 
 #include <CGAL/Canonical_pose_3/Exact_geodesics_3.h>
 #include <CGAL/Canonical_pose_3/Heat_geodesics_3.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Simple_cartesian.h>
-
-#ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/global_control.h>
-#endif
 
 #include <gtest/gtest.h>
 
@@ -137,7 +134,7 @@ TEST(Heat_geodesics, stretched_triangles)
   EXPECT_LT(mean_relative_error(d, straight_distances(soup.points, 0)), HEAT_TOLERANCE);
 }
 
-// A column of a batch has the bytes of its single query; so has a batch on one thread.
+// A column of a batch has the bytes of its single query; so has a batch on any number of threads.
 TEST(Heat_geodesics, batch_is_single_queries)
 {
   const Mesh mesh = icosphere<Mesh>(3, 1.);
@@ -149,10 +146,7 @@ TEST(Heat_geodesics, batch_is_single_queries)
   const Eigen::MatrixXd batch = heat.distances(sources);
   for(std::size_t k = 0; k < sources.size(); ++k)
     EXPECT_EQ(batch.col(static_cast<Eigen::Index>(k)), heat.distances(sources[k])) << k;
-#ifdef CGAL_LINKED_WITH_TBB
-  const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
-  EXPECT_EQ(Heat(mesh).distances(sources), batch);
-#endif
+  with_each_number_of_threads([&] { EXPECT_EQ(Heat(mesh).distances(sources), batch); });
   EXPECT_EQ(heat.distances(std::vector<Mesh::Vertex_index>()).cols(), 0);
 }
 
@@ -179,10 +173,7 @@ TEST(Heat_geodesics, distance_to_nearest)
             heat.distances(sources[1]));
   EXPECT_EQ(heat.distance_to_nearest(std::vector<Mesh::Vertex_index>()).minCoeff(),
             std::numeric_limits<double>::infinity());
-#ifdef CGAL_LINKED_WITH_TBB
-  const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
-  EXPECT_EQ(heat.distance_to_nearest(sources), d);
-#endif
+  with_each_number_of_threads([&] { EXPECT_EQ(heat.distance_to_nearest(sources), d); });
 }
 
 // In flat convex pieces the distance is Euclidean, also where the heat would underflow with the mean

@@ -15,10 +15,6 @@
 
 #include <gtest/gtest.h>
 
-#ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/global_control.h>
-#endif
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -29,6 +25,7 @@
 
 #include "matchers.h"
 #include "shapes.h"
+#include "threads.h"
 
 namespace CP = CGAL::Canonical_pose_3;
 namespace shapes = Canonical_pose_test;
@@ -162,13 +159,12 @@ TEST(Lattice_body, does_not_depend_on_the_number_of_threads)
 {
   const Prepared torus(shapes::torus_soup(120, 60, 1., 0.4));
   const CP::Lattice_body_3 body = torus.body();
-#ifdef CGAL_LINKED_WITH_TBB
-  const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
-#endif
-  const CP::Lattice_body_3 again = torus.body();
-  EXPECT_EQ(again.cells(), body.cells());
-  EXPECT_EQ(again.points(), body.points());
-  EXPECT_EQ(again.cell_weights(), body.cell_weights());
+  Canonical_pose_test::with_each_number_of_threads([&] {
+    const CP::Lattice_body_3 again = torus.body();
+    EXPECT_EQ(again.cells(), body.cells());
+    EXPECT_EQ(again.points(), body.points());
+    EXPECT_EQ(again.cell_weights(), body.cell_weights());
+  });
 }
 
 TEST(Lattice_body, names_bad_input)

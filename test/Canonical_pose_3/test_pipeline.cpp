@@ -17,6 +17,7 @@
 #include "Articulated_figure.h"
 #include "matchers.h"
 #include "shapes.h"
+#include "threads.h"
 
 #include <algorithm>
 #include <iostream>
@@ -113,6 +114,15 @@ TEST(Pipeline, ball_keeps_its_volume)
   EXPECT_TRUE(outcome.summary.converged());
   EXPECT_LT(outcome.summary.target.scale, 1);
   EXPECT_NEAR(outcome.summary.volume_ratio, 1, 0.25);
+}
+
+// Of all stages together: the same bytes on one thread and on more than there are cores.
+TEST(Pipeline, number_of_threads_does_not_matter)
+{
+  const Mesh mesh = figure().make_mesh<Mesh>(Articulated_figure::named_poses()[1].angles);
+  const Outcome first = canonical_pose(mesh);
+  Canonical_pose_test::with_each_number_of_threads(
+    [&] { EXPECT_EQ(canonical_pose(mesh).pose, first.pose); });
 }
 
 // What was computed on the way can be handed in again, and then gives the same pose, without being

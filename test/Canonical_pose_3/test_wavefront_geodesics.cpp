@@ -8,15 +8,12 @@
 // Author(s) : The Canonical_pose_3 authors
 
 #include "geodesic_fixtures.h"
+#include "threads.h"
 
 #include <CGAL/Canonical_pose_3/Exact_geodesics_3.h>
 #include <CGAL/Canonical_pose_3/Wavefront_geodesics_3.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Simple_cartesian.h>
-
-#ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/global_control.h>
-#endif
 
 #include <gtest/gtest.h>
 
@@ -232,7 +229,7 @@ TEST(Wavefront_geodesics, relabelled)
   EXPECT_LT((d - e).cwiseAbs().maxCoeff(), 2e-3 * d.maxCoeff());
 }
 
-// A column of a batch has the bytes of its single query; so has a batch on one thread.
+// A column of a batch has the bytes of its single query; so has a batch on any number of threads.
 TEST(Wavefront_geodesics, batch_is_single_queries)
 {
   const Mesh mesh = icosphere<Mesh>(3, 1.);
@@ -244,10 +241,7 @@ TEST(Wavefront_geodesics, batch_is_single_queries)
   const Eigen::MatrixXd batch = wavefront.distances(sources);
   for(std::size_t k = 0; k < sources.size(); ++k)
     EXPECT_EQ(batch.col(static_cast<Eigen::Index>(k)), wavefront.distances(sources[k])) << k;
-#ifdef CGAL_LINKED_WITH_TBB
-  const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
-  EXPECT_EQ(Wavefront(mesh).distances(sources), batch);
-#endif
+  with_each_number_of_threads([&] { EXPECT_EQ(Wavefront(mesh).distances(sources), batch); });
   EXPECT_EQ(wavefront.distances(std::vector<Mesh::Vertex_index>()).cols(), 0);
 }
 

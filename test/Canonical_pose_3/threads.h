@@ -1,0 +1,40 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_TEST_THREADS_H
+#define CGAL_CANONICAL_POSE_3_TEST_THREADS_H
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
+#endif
+
+#include <cstddef>
+
+namespace Canonical_pose_test {
+
+// Calls f() on 1, 2, and 4 threads, however many cores there are.
+template <typename Function>
+void with_each_number_of_threads(const Function& f)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  for(const int threads : {1, 2, 4})
+  {
+    const tbb::global_control control(tbb::global_control::max_allowed_parallelism,
+                                      static_cast<std::size_t>(threads));
+    tbb::task_arena(threads).execute(f);
+  }
+#else
+  f();
+#endif
+}
+
+} // namespace Canonical_pose_test
+
+#endif // CGAL_CANONICAL_POSE_3_TEST_THREADS_H
