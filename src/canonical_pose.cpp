@@ -13,6 +13,7 @@
 #include "Command_line.h"
 #include "Mesh_file.h"
 #include "Output_files.h"
+#include "Progress_line.h"
 #include "Report.h"
 #include "compute.h"
 
@@ -34,11 +35,28 @@ namespace {
 
 using namespace Canonical_pose_tool;
 
+bool is_watched(const Arguments& arguments) { return !arguments.quiet && isatty(STDERR_FILENO); }
+
 // Tells on a terminal what goes on.
 void say(const Arguments& arguments, const std::string& message)
 {
-  if(!arguments.quiet && isatty(STDERR_FILENO))
+  if(is_watched(arguments))
     std::cerr << message << '\n';
+}
+
+// Shows the iterations on a terminal.
+Registration_summary compute_watched_pose(const Mesh_file& input, const Arguments& arguments,
+                                          Point_matrix& pose)
+{
+  if(!is_watched(arguments))
+    return compute_pose(input, arguments.options, pose);
+  Progress_line line(std::cerr);
+  Options options = arguments.options;
+  options.visitor = [&](const CGAL::Canonical_pose_3::Registration_progress& progress) {
+    line.show(progress);
+    return true;
+  };
+  return compute_pose(input, options, pose);
 }
 
 void run_pose(Arguments& arguments)
@@ -57,7 +75,7 @@ void run_pose(Arguments& arguments)
   CGAL::Canonical_pose_3::Intermediate_results results;
   arguments.options.intermediate_results = &results;
   Point_matrix pose;
-  Registration_summary summary = compute_pose(input, arguments.options, pose);
+  Registration_summary summary = compute_watched_pose(input, arguments, pose);
   summary.stages.insert(summary.stages.begin(), {"read", seconds_to_read});
   clock.lap();
 

@@ -137,6 +137,26 @@ expect_exit(0 pose ball.off -o out/a.off --kernel gaussian --landmarks 6 --detai
   --iterations 5 --geodesics exact --solver eigen --seed 3 --threads 1 --spring 0,3,0.5 --spring 1,2,0.5,10)
 expect_exit(0 pose ball.off -o out/a.off --paper-weights 100,10 --kernel gaussian-uncentred)
 
+# What goes on is told to a terminal, in one line that is blank in the end, and to nobody else: in all other
+# runs that succeed, nothing is on stderr.
+find_program(SCRIPT script)
+if(SCRIPT AND CMAKE_HOST_SYSTEM_NAME STREQUAL "Linux")
+  foreach(quiet IN ITEMS "" --quiet)
+    set(command "on a terminal: pose ball.off ${quiet}")
+    execute_process(COMMAND ${SCRIPT} -qec "${TOOL} pose ball.off -o out/a.off ${quiet} > out/stdout.txt" /dev/null
+      WORKING_DIRECTORY ${WORK} TIMEOUT 120 RESULT_VARIABLE exit_code OUTPUT_VARIABLE stderr INPUT_FILE /dev/null)
+    if(quiet)
+      expect_match("${exit_code}<${stderr}>" "^0<>$")
+    else()
+      string(CONCAT shown "^0<reading ball.off[\r\n]*computing the pose[\r\n]*iteration 1, energy [^\r\n]* of L *\r"
+        ".*iteration 2, [^\n]*\r +\rwriting out/a.off[\r\n]*>$")
+      expect_match("${exit_code}<${stderr}>" "${shown}")
+    endif()
+  endforeach()
+else()
+  message(STATUS "What the tool tells a terminal is not tested: the program script was not found")
+endif()
+
 # ---- geodesics ---------------------------------------------------------------------------------------------
 
 foreach(kind IN ITEMS heat wavefront exact)

@@ -12,8 +12,11 @@
 
 #include <CGAL/Canonical_pose_3/Landmark_fields_3.h>
 #include <CGAL/Canonical_pose_3/Registration_options.h>
+#include <CGAL/Canonical_pose_3/Registration_progress.h>
 #include <CGAL/Canonical_pose_3/Spring_constraint_adaptor_3.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
+
+#include <Eigen/Core>
 
 #include <cstddef>
 #include <optional>
@@ -116,6 +119,16 @@ struct Options
   /// as the paper does.
   std::optional<Paper_weights> paper_weights;
 
+  /// nonnegative factors of the matching weights (shares in the area, which have the sum 1 again
+  /// afterwards), one per vertex in the order of `vertices(tmesh)` or of the vertices of the complex,
+  /// or none; see `property_values()`. A vertex of factor 0 has no target and follows the others.
+  Eigen::VectorXd matching_weights;
+
+  /// positive factors of the weights of the cells, or none: one per vertex of a surface, from where
+  /// `cell_stiffness()` brings them to the cells, but one per cell of a complex. A factor \f$ c \f$
+  /// everywhere is the same as a detail length \f$ \sqrt c \f$ times as large.
+  Eigen::VectorXd stiffness;
+
   /// springs between vertices, by their places in `vertices(tmesh)` or among the vertices of the
   /// complex.
   std::vector<Spring_3> springs;
@@ -125,6 +138,11 @@ struct Options
 
   /// upper bound on the number of threads; 0 for none. The result does not depend on it.
   int number_of_threads = 0;
+
+  /// a model of `RegistrationVisitor_3` that watches the registration and may stop it, or none. With
+  /// a pose for each of several components it watches one after the other, the smallest first, each
+  /// from iteration 1; to stop one is to begin with the next.
+  Registration_visitor visitor;
 
   /// if not null: what to use and where to leave what is computed.
   Intermediate_results* intermediate_results = nullptr;

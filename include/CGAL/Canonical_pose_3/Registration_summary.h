@@ -38,6 +38,7 @@ struct Registration_summary
     NOT_RUN,         ///< no iteration was done.
     CONVERGED,       ///< the stopping inequalities of `Registration_options` hold.
     ITERATION_LIMIT, ///< the cap on the iterations was reached first; the pose is usable.
+    CANCELED,        ///< the visitor stopped the iteration; the pose is usable.
     NOT_FINITE       ///< numbers overflowed; there is no pose.
   };
 
@@ -108,7 +109,7 @@ struct Registration_summary
   bool converged() const { return termination == CONVERGED; }
 
   /// returns whether there is a pose.
-  bool is_usable() const { return termination == CONVERGED || termination == ITERATION_LIMIT; }
+  bool is_usable() const { return termination != NOT_RUN && termination != NOT_FINITE; }
 
   /// returns the sum of the seconds of all stages.
   double total_seconds() const
@@ -134,7 +135,7 @@ struct Registration_summary
   std::string brief_report() const
   {
     static const char* const names[]
-      = {"not run", "converged", "iteration limit reached", "not finite"};
+      = {"not run", "converged", "iteration limit reached", "canceled", "not finite"};
     std::ostringstream out;
     out.precision(4);
     out << names[termination] << " after " << iterations << " iterations, energy " << energy << ", "

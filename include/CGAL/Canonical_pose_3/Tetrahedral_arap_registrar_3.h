@@ -12,6 +12,7 @@
 
 #include <CGAL/Canonical_pose_3/Default_factor_traits_d.h>
 #include <CGAL/Canonical_pose_3/Registration_options.h>
+#include <CGAL/Canonical_pose_3/Registration_progress.h>
 #include <CGAL/Canonical_pose_3/Registration_summary.h>
 #include <CGAL/Canonical_pose_3/internal/Arap_energy.h>
 #include <CGAL/Canonical_pose_3/internal/Quasi_newton_direction.h>
@@ -82,10 +83,12 @@ public:
          sum. Vertices of weight 0 have no target.
   \param length_scale \f$ L \f$, usually the largest geodesic distance. Positive.
   \param options the knobs.
+  \param stiffness positive factors of the cell weights \f$ w \f$, one per cell, or none. A factor
+         \f$ c \f$ everywhere is the same as a detail length \f$ \sqrt c \f$ times as large.
 
   \pre `matching_weights.size() == body.embedding().rows()`
 
-  \throws std::invalid_argument if a weight or an option is out of its bounds, or a connected
+  \throws std::invalid_argument if a weight, a factor or an option is out of its bounds, or a connected
          component of the body carries no surface vertex of positive weight (the matrix would be
          singular); the message names the element.
 
@@ -93,11 +96,13 @@ public:
   */
   Tetrahedral_arap_registrar_3(const ElasticBody& body, const Eigen::VectorXd& matching_weights,
                                const double length_scale,
-                               const Registration_options& options = Registration_options())
+                               const Registration_options& options = Registration_options(),
+                               const Eigen::VectorXd& stiffness = Eigen::VectorXd())
     : m_body(body), m_length_scale(internal::checked_length_scale(length_scale)),
       m_options(options), m_weights(internal::checked_matching_weights(body, matching_weights)),
       m_embedding_transposed(body.embedding().transpose()),
-      m_arap(body.points() / length_scale, body.cells(), body.cell_weights())
+      m_arap(body.points() / length_scale, body.cells(), body.cell_weights(),
+             internal::checked_stiffness(stiffness, body.cells().size()))
   {
     m_options.check();
     if(m_options.fairing_passes > 0)
@@ -149,18 +154,22 @@ public:
          vertex that is a surface vertex starts where its target is, all others where the system
          without rotations puts them. Otherwise it starts from these positions (warm start). On
          return the result, unless the summary says that it is not usable; then it is left as it
-         was.
+         was, and so it is when something is thrown.
+  \param visitor a model of `RegistrationVisitor_3` that is called after each iteration and may
+         stop it, or none.
 
   \returns the outcome; energies per iteration, inverted cells and volume included.
 
   \pre `set_target()` was called, and `body_points` has no row or as many as the body.
 
-  \throws std::runtime_error see `factor()`.
+  \throws std::runtime_error see `factor()`; and whatever the visitor throws.
 
   <em>Complexity:</em> per iteration one pass over the cells and one solve with the factor for three
   right-hand sides.
   */
-  Registration_summary register_to_target(Point_matrix& body_points)
+  Registration_summary register_to_target(Point_matrix& body_points,
+                                          const Registration_visitor& visitor
+                                          = Registration_visitor())
   {
     CGAL_precondition(m_target.rows() == m_weights.size());
     CGAL_precondition(body_points.rows() == 0 || body_points.rows() == m_body.points().rows());
@@ -178,7 +187,7 @@ public:
     });
     timed(summary, "local_steps", [&] { evaluate(v, summary); });
     summary.energy_history.push_back(summary.energy);
-    iterate(v, body_points.rows() > 0, summary);
+    iterate(v, body_points.rows() > 0, visitor, summary);
     if(summary.is_usable())
       body_points = v * m_length_scale;
     return summary;
@@ -301,7 +310,17 @@ private:
     return std::sqrt(moves.rowwise().squaredNorm().maxCoeff());
   }
 
-  void iterate(Point_matrix& v, const bool is_warm_start, Registration_summary& summary)
+  // Returns whether to go on after an iteration that moved the body by `step`.
+  bool visit(const Registration_visitor& visitor, const Registration_summary& summary,
+             const Eigen::MatrixXd& step) const
+  {
+    return !visitor
+           || visitor({summary.iterations, summary.energy, summary.energy_match,
+                       summary.energy_arap, summary.energy_constraints, largest_move(step)});
+  }
+
+  void iterate(Point_matrix& v, const bool is_warm_start, const Registration_visitor& visitor,
+               Registration_summary& summary)
   {
     const bool is_accelerated = !m_fairing && m_options.tikhonov == 0;
     internal::Quasi_newton_direction direction(is_accelerated ? m_options.acceleration_window : 0);
@@ -351,6 +370,7 @@ private:
       v.swap(next);
       ++summary.iterations;
       summary.energy_history.push_back(summary.energy);
+      const bool goes_on = !std::isfinite(summary.energy) || visit(visitor, summary, step);
       const bool was_small = is_small;
       is_small = std::abs(previous - summary.energy)
                  <= m_options.energy_tolerance * (std::max)(previous, 1e-15);
@@ -358,6 +378,11 @@ private:
          && plain_move() <= m_options.move_tolerance)
       {
         summary.termination = Registration_summary::CONVERGED;
+        return;
+      }
+      if(!goes_on)
+      {
+        summary.termination = Registration_summary::CANCELED;
         return;
       }
       gradient.swap(previous_gradient);

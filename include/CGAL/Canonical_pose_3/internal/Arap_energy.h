@@ -29,8 +29,8 @@ namespace CGAL {
 namespace Canonical_pose_3 {
 namespace internal {
 
-// The as-rigid-as-possible energy of the cells, sum_t w_t |F_t - R_t|^2, and what its local and
-// global steps need. Cells are computed with in packs. Each block of cells sums its own part of
+// The as-rigid-as-possible energy of the cells, sum_t w_t |F_t - R_t|^2 (w_t with stiffness), and
+// what its local and global steps need. Cells are computed with in packs. Each block of cells sums its own part of
 // sum_t w_t G_t^t R_t, in slots of its own, one per vertex that it touches; the parts are summed per
 // vertex. So the order of all sums is fixed.
 // `ClosestRotationTraits`: a model of `DeformationClosestRotationTraits_3`, or `Default`.
@@ -46,8 +46,9 @@ public:
     std::size_t inverted = 0;
   };
 
+  // `stiffness`: factors of the weights, or nothing.
   Arap_energy(const Point_matrix& rest, const std::vector<std::array<int, 4>>& cells,
-              const Eigen::VectorXd& weights)
+              const Eigen::VectorXd& weights, const Eigen::VectorXd& stiffness)
     : m_number_of_cells(cells.size()), m_packs((cells.size() + pack_size - 1) / pack_size)
   {
     for(std::size_t i = 0; i < pack_size * m_packs.size(); ++i)
@@ -64,7 +65,9 @@ public:
         throw std::invalid_argument("cell " + std::to_string(t) + " has no volume");
       for(int k = 0; k < 9; ++k)
         pack.gradients[k / 3][k % 3][lane] = gradients(k / 3, k % 3);
-      pack.weights[lane] = i == t ? weights[static_cast<Eigen::Index>(t)] : 0;
+      pack.volumes[lane] = i == t ? weights[static_cast<Eigen::Index>(t)] : 0;
+      pack.weights[lane]
+        = pack.volumes[lane] * (stiffness.size() > 0 ? stiffness[static_cast<Eigen::Index>(t)] : 1);
       for(int k = 0; k < 4; ++k)
         pack.vertices[k][lane] = cells[t][k];
     }
@@ -177,7 +180,8 @@ private:
   struct Cell_pack
   {
     Matrix_3<Pack> gradients; // row k: gradient of the barycentric coordinate of vertex k
-    Pack weights;
+    Pack volumes;             // shares of the rest volume
+    Pack weights;             // the same times stiffness
     std::array<std::array<int, pack_size>, 4> vertices;
     std::array<std::array<int, pack_size>, 4> slots;
   };
@@ -243,7 +247,7 @@ private:
                               + f[0][1] * (f[1][2] * f[2][0] - f[1][0] * f[2][2])
                               + f[0][2] * (f[1][0] * f[2][1] - f[1][1] * f[2][0]);
     sum.energy += (cells.weights * difference).sum();
-    sum.volume_ratio += (cells.weights * determinants).sum();
+    sum.volume_ratio += (cells.volumes * determinants).sum();
     for(int lane = 0; lane < number_of_cells; ++lane)
       sum.inverted += determinants[lane] > 0 ? 0 : 1;
 

@@ -24,10 +24,12 @@
 #include <CGAL/Canonical_pose_3/Tetrahedral_arap_registrar_3.h>
 #include <CGAL/Canonical_pose_3/Wavefront_geodesics_3.h>
 #include <CGAL/Canonical_pose_3/align_target.h>
+#include <CGAL/Canonical_pose_3/cell_stiffness.h>
 #include <CGAL/Canonical_pose_3/farthest_point_landmarks.h>
 #include <CGAL/Canonical_pose_3/front_landmarks.h>
 #include <CGAL/Canonical_pose_3/internal/Body_view.h>
 #include <CGAL/Canonical_pose_3/internal/Indexed_mesh.h>
+#include <CGAL/Canonical_pose_3/internal/check_registration.h>
 #include <CGAL/Canonical_pose_3/internal/flipped_faces.h>
 #include <CGAL/Canonical_pose_3/surface_measures.h>
 #include <CGAL/Canonical_pose_3/target_handedness.h>
@@ -98,9 +100,10 @@ public:
   Registration_summary run(const ElasticBody& body, const std::vector<std::size_t>& origins,
                            Point_matrix& pose)
   {
+    checked_stiffness(m_options.stiffness, body.cells().size());
     prepare(body.embedding().rows());
     m_summary.body.kind = "complex";
-    return deform(Body_view(body), origins, pose);
+    return deform(Body_view(body), origins, m_options.stiffness, pose);
   }
 
 private:
@@ -122,7 +125,13 @@ private:
     m_summary.body.kind = kind;
     std::vector<std::size_t> origins(static_cast<std::size_t>(m_points.rows()));
     std::iota(origins.begin(), origins.end(), std::size_t(0));
-    return deform(Body_view(body), origins, pose);
+    Eigen::VectorXd stiffness;
+    if(m_options.stiffness.size() > 0)
+      timed("body", [&] {
+        stiffness
+          = cell_stiffness(body, vertex_area_shares(m_points, m_triangles), m_options.stiffness);
+      });
+    return deform(Body_view(body), origins, stiffness, pose);
   }
 
   Registration_summary run_in_lattice(Point_matrix& pose)
@@ -180,6 +189,7 @@ private:
     m_springs = Spring_constraint_adaptor_3(static_cast<std::size_t>(n));
     for(const Spring_3& spring : m_options.springs)
       m_springs.insert(spring);
+    check_factors(m_options.matching_weights, n, "matching weight", "vertex", true);
     if(m_options.number_of_landmarks == 0)
       throw std::invalid_argument("option number_of_landmarks is 0, but must be >= 1");
     timed("geodesics", [&] { find_landmarks(); });
@@ -269,8 +279,9 @@ private:
     return builder.targets();
   }
 
+  // `stiffness`: of the cells, or nothing.
   Registration_summary deform(const Body_view& body, const std::vector<std::size_t>& origins,
-                              Point_matrix& pose)
+                              const Eigen::VectorXd& stiffness, Point_matrix& pose)
   {
     const Eigen::VectorXd shares = vertex_area_shares(m_points, m_triangles);
     timed("target", [&] { m_results.target = find_target(shares); });
@@ -284,6 +295,8 @@ private:
       weights[origins[i]] += m_options.paper_weights ? 1 : shares[i];
       copies[origins[i]] += 1;
     }
+    if(m_options.matching_weights.size() > 0)
+      weights = weights.cwiseProduct(m_options.matching_weights).eval();
     const auto target_of_body = [&] {
       Point_matrix target = Point_matrix::Zero(n, 3);
       for(std::size_t i = 0; i < origins.size(); ++i)
@@ -292,17 +305,24 @@ private:
     };
 
     Tetrahedral_arap_registrar_3<Body_view, CGAL::Default, FactorTraits> registrar(
-      body, weights, m_length_scale, registration_options(body));
+      body, weights, m_length_scale, registration_options(body), stiffness);
     if(!m_springs.springs().empty())
       registrar.add_constraint(m_springs);
     registrar.set_target(target_of_body());
+    Registration_visitor visitor;
+    if(m_options.visitor)
+      visitor = [&](Registration_progress progress) { // which counts all iterations
+        progress.iteration += m_summary.iterations;
+        return m_options.visitor(progress);
+      };
     Point_matrix body_pose;
-    take(registrar.register_to_target(body_pose));
-    if(is_size_free && m_summary.is_usable() && m_summary.volume_ratio > TOLERATED_VOLUME_RATIO)
+    take(registrar.register_to_target(body_pose, visitor));
+    if(is_size_free && m_summary.is_usable() && m_summary.volume_ratio > TOLERATED_VOLUME_RATIO
+       && m_summary.termination != Registration_summary::CANCELED)
     {
       shrink_target(shares);
       registrar.set_target(target_of_body());
-      take(registrar.register_to_target(body_pose));
+      take(registrar.register_to_target(body_pose, visitor));
     }
     if(m_summary.is_usable())
     {
@@ -376,6 +396,8 @@ private:
     if(m_summary.termination == Registration_summary::ITERATION_LIMIT)
       m_summary.warnings.push_back(
         "the registration did not converge within the iterations allowed");
+    else if(m_summary.termination == Registration_summary::CANCELED)
+      m_summary.warnings.push_back("the registration was canceled before it converged");
   }
 
   const Point_matrix& m_points;

@@ -33,6 +33,33 @@ inline double checked_length_scale(const double length_scale)
   return length_scale;
 }
 
+// Throws unless there are no factors or n of them, finite, positive ones or, where zeros are allowed,
+// nonnegative ones that are not all 0. `what` and `element` name them in messages.
+inline void check_factors(const Eigen::VectorXd& factors, const Eigen::Index n,
+                          const std::string& what, const std::string& element,
+                          const bool zeros_are_allowed)
+{
+  if(factors.size() == 0)
+    return;
+  if(factors.size() != n)
+    throw std::invalid_argument(std::to_string(factors.size()) + " numbers are given as " + what
+                                + ", but it takes " + std::to_string(n) + ", one per " + element);
+  for(Eigen::Index i = 0; i < n; ++i)
+    if(!(zeros_are_allowed ? factors[i] >= 0 : factors[i] > 0) || !std::isfinite(factors[i]))
+      throw std::invalid_argument("the " + what + " of " + element + ' ' + std::to_string(i)
+                                  + " is " + (zeros_are_allowed ? "negative" : "not positive")
+                                  + " or not finite");
+  if(!(factors.array() > 0).any())
+    throw std::invalid_argument("the " + what + " of every " + element + " is 0");
+}
+
+inline const Eigen::VectorXd& checked_stiffness(const Eigen::VectorXd& stiffness,
+                                                const std::size_t number_of_cells)
+{
+  check_factors(stiffness, static_cast<Eigen::Index>(number_of_cells), "stiffness", "cell", false);
+  return stiffness;
+}
+
 // The matrix of the registration is positive definite if and only if each connected component of
 // the body carries a surface vertex of positive weight.
 template <typename ElasticBody>

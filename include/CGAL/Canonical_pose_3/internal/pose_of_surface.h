@@ -15,6 +15,7 @@
 #include <CGAL/Canonical_pose_3/diagnose.h>
 #include <CGAL/Canonical_pose_3/internal/Canonical_pose_pipeline.h>
 #include <CGAL/Canonical_pose_3/internal/Disjoint_sets.h>
+#include <CGAL/Canonical_pose_3/internal/check_registration.h>
 #include <CGAL/Canonical_pose_3/internal/with_solver.h>
 #include <CGAL/Canonical_pose_3/repair_surface.h>
 #include <CGAL/Canonical_pose_3/surface_measures.h>
@@ -50,6 +51,8 @@ public:
   Registration_summary run(Point_matrix& pose)
   {
     m_options.registration.check();
+    check_factors(m_options.matching_weights, m_points.rows(), "matching weight", "vertex", true);
+    check_factors(m_options.stiffness, m_points.rows(), "stiffness", "vertex", false);
     Real_timer timer;
     timer.start();
     const Diagnosis_3 diagnosis = diagnose(m_points, m_polygons);
@@ -145,6 +148,9 @@ private:
     options.intermediate_results = &results;
     hand_in(surface, carried, is_largest, is_one_of_several, results);
     options.springs = springs_of(copies, surface, is_one_of_several);
+    for(Eigen::VectorXd* const factors : {&options.matching_weights, &options.stiffness})
+      if(factors->size() > 0)
+        *factors = of_copies(surface, *factors);
     Point_matrix pose;
     Canonical_pose_pipeline<FactorTraits> pipeline(surface, options, diagnosis);
     Registration_summary summary = pipeline.run(pose);
@@ -186,6 +192,15 @@ private:
         = m_points.row(static_cast<Eigen::Index>(carried[static_cast<std::size_t>(i)]));
     if(m > 0)
       results.followers.bottomRows(m) = m_results.followers;
+  }
+
+  // The value of each vertex of the surface, given those of the input.
+  static Eigen::VectorXd of_copies(const Repaired_surface_3& surface, const Eigen::VectorXd& values)
+  {
+    Eigen::VectorXd result(surface.points.rows());
+    for(Eigen::Index i = 0; i < result.size(); ++i)
+      result[i] = values[origin(surface, i)];
+    return result;
   }
 
   static Eigen::Index origin(const Repaired_surface_3& surface, const Eigen::Index i)

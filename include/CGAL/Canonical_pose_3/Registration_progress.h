@@ -1,0 +1,49 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_REGISTRATION_PROGRESS_H
+#define CGAL_CANONICAL_POSE_3_REGISTRATION_PROGRESS_H
+
+#include <functional>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+
+/*!
+\ingroup PkgCanonicalPose3Ref
+
+\brief is what a `RegistrationVisitor_3` sees after an iteration. All members are without unit.
+*/
+struct Registration_progress
+{
+  /// number of iterations done, from 1.
+  int iteration;
+  /// the energy \f$ E \f$, the sum of the next three.
+  double energy;
+  /// its matching term.
+  double energy_match;
+  /// its as-rigid-as-possible term.
+  double energy_arap;
+  /// the terms of the constraints.
+  double energy_constraints;
+  /// the longest way of a surface vertex in this iteration, by \f$ L \f$.
+  double largest_move;
+};
+
+/*!
+\ingroup PkgCanonicalPose3Ref
+
+\brief holds any model of `RegistrationVisitor_3`, a lambda expression for instance, or none.
+*/
+using Registration_visitor = std::function<bool(const Registration_progress&)>;
+
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_REGISTRATION_PROGRESS_H

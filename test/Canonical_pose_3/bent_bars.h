@@ -1,0 +1,68 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_TEST_BENT_BARS_H
+#define CGAL_CANONICAL_POSE_3_TEST_BENT_BARS_H
+
+#include <CGAL/canonical_pose_3.h>
+
+#include <CGAL/Simple_cartesian.h>
+
+#include "matchers.h"
+#include "shapes.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace Canonical_pose_test {
+
+/// what the one call gives
+struct Pose_result
+{
+  CGAL::Canonical_pose_3::Registration_summary summary;
+  Point_matrix pose;
+};
+
+inline Pose_result pose_of(const Triangle_soup& soup,
+                           const CGAL::Canonical_pose_3::Options& options)
+{
+  std::vector<CGAL::Simple_cartesian<double>::Point_3> points, pose;
+  for(const auto& p : soup.points)
+    points.emplace_back(p[0], p[1], p[2]);
+  Pose_result result;
+  result.summary = CGAL::canonical_pose_3(points, soup.triangles, pose, options);
+  result.pose = to_matrix(pose);
+  return result;
+}
+
+inline Triangle_soup bent_bar() { return boundary(tetrahedral_bent_bar(24, 3, 3, 2.)); }
+
+/// two bent bars, far from each other
+inline Triangle_soup two_bars()
+{
+  Triangle_soup soup = bent_bar();
+  const std::size_t n = soup.points.size(), f = soup.triangles.size();
+  for(std::size_t i = 0; i < n; ++i)
+    soup.points.push_back({soup.points[i][0], soup.points[i][1] + 1, soup.points[i][2] + 20});
+  for(std::size_t t = 0; t < f; ++t)
+    soup.triangles.push_back(
+      {soup.triangles[t][0] + n, soup.triangles[t][1] + n, soup.triangles[t][2] + n});
+  return soup;
+}
+
+inline CGAL::Canonical_pose_3::Options each_component()
+{
+  CGAL::Canonical_pose_3::Options options;
+  options.components = CGAL::Canonical_pose_3::Options::Components::EACH;
+  return options;
+}
+
+} // namespace Canonical_pose_test
+
+#endif // CGAL_CANONICAL_POSE_3_TEST_BENT_BARS_H

@@ -1,0 +1,70 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+// The visitor of the one call.
+
+#include <gtest/gtest.h>
+
+#include "bent_bars.h"
+#include "matchers.h"
+#include "shapes.h"
+
+#include <stdexcept>
+#include <string>
+
+namespace CP = CGAL::Canonical_pose_3;
+namespace shapes = Canonical_pose_test;
+using CP::Point_matrix;
+using CP::Registration_summary;
+
+// Geodesics around a ball make its target too large: it is registered twice. Iterations are counted
+// through, one call each. To stop in the first registration is not to begin with the second.
+TEST(Visitor_of_the_one_call, counts_all_iterations)
+{
+  const shapes::Triangle_soup ball = shapes::icosphere_soup(3, 1.);
+  CP::Options options;
+  int calls = 0;
+  options.visitor = [&](const CP::Registration_progress& progress) {
+    EXPECT_EQ(progress.iteration, ++calls);
+    return true;
+  };
+  const shapes::Pose_result watched = shapes::pose_of(ball, options);
+  EXPECT_LT(watched.summary.target.scale, 1);
+  EXPECT_EQ(calls, watched.summary.iterations);
+  EXPECT_TRUE(shapes::pose_of(ball, CP::Options()).pose == watched.pose);
+  options.visitor = [](const CP::Registration_progress&) { return false; };
+  const shapes::Pose_result stopped = shapes::pose_of(ball, options);
+  EXPECT_EQ(stopped.summary.iterations, 1);
+  EXPECT_EQ(stopped.summary.target.scale, 1);
+  EXPECT_TRUE(stopped.pose.allFinite());
+  EXPECT_NE(stopped.summary.warnings.back().find("canceled"), std::string::npos);
+}
+
+// To stop one component is to begin with the next: all have a pose.
+TEST(Visitor_of_the_one_call, stops_each_component)
+{
+  const shapes::Triangle_soup bars = shapes::two_bars();
+  CP::Options options = shapes::each_component();
+  options.visitor
+    = [](const CP::Registration_progress& progress) { return progress.iteration < 3; };
+  const shapes::Pose_result result = shapes::pose_of(bars, options);
+  EXPECT_EQ(result.summary.termination, Registration_summary::CANCELED);
+  EXPECT_EQ(result.summary.iterations, 6);
+  for(const Point_matrix& bar : {Point_matrix(result.pose.topRows(result.pose.rows() / 2)),
+                                 Point_matrix(result.pose.bottomRows(result.pose.rows() / 2))})
+    EXPECT_GT(shapes::radius_of_gyration(bar), 1);
+}
+
+TEST(Visitor_of_the_one_call, exception_passes_through)
+{
+  CP::Options options;
+  options.visitor
+    = [](const CP::Registration_progress&) -> bool { throw std::runtime_error("enough"); };
+  EXPECT_THROW_WITH(shapes::pose_of(shapes::bent_bar(), options), std::runtime_error, "enough");
+}
