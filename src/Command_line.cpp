@@ -143,6 +143,11 @@ void add_pose(CLI::App& command, Arguments& arguments, Raw_arguments& raw)
     ->capture_default_str();
   command.add_option("--paper-weights", raw.paper_weights,
                      "ALPHA,BETA: the weights as the paper prints them");
+  command.add_option("--matching-weights", arguments.matching_weights,
+                     "file of factors of the matching weights, one per vertex");
+  command.add_option(
+    "--stiffness", arguments.stiffness,
+    "file of factors of the stiffness, one per vertex of a surface, or per tetrahedron");
   command
     .add_option("--spring", raw.springs,
                 "I,J,LENGTH[,STIFFNESS]: a spring between two vertices; may be repeated")

@@ -27,8 +27,10 @@ struct Arguments
   Command command = Command::POSE;
   std::string input;
   std::string output; // POSE or DISTANCES
-  std::string target; // this one and the next: empty if not wanted
+  std::string target; // this one and the next three: empty if not wanted
   std::string report;
+  std::string matching_weights; // files of numbers, this one and the next
+  std::string stiffness;
   std::string body = "auto";
   std::vector<std::size_t> sources;
   CGAL::Canonical_pose_3::Options options;

@@ -8,6 +8,7 @@
 // Author(s) : The Canonical_pose_3 authors
 
 #include "Mesh_file.h"
+#include "Text_cursor.h"
 #include "readers.h"
 
 #include <algorithm>
@@ -22,6 +23,8 @@
 #include <map>
 #include <stdexcept>
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace Canonical_pose_tool {
 
@@ -86,6 +89,21 @@ Mesh_file read_mesh_file(const std::string& path)
     break;
   }
   return mesh;
+}
+
+std::vector<double> read_numbers(const std::string& path)
+try
+{
+  const std::string bytes = bytes_of_file(path);
+  std::vector<double> numbers;
+  Text_cursor text(bytes);
+  for(std::string_view word = text.word(); !word.empty(); word = text.word())
+    numbers.push_back(text.number(word, Element{"number", numbers.size()}));
+  return numbers;
+}
+catch(const std::invalid_argument& error)
+{
+  throw std::invalid_argument("'" + path + "': " + error.what());
 }
 
 std::size_t vertex_index(const long long index, const std::size_t n, const Element& element,

@@ -39,6 +39,10 @@ Format format_of(const std::string& path);
 // not used: they only say that they failed.
 Mesh_file read_mesh_file(const std::string& path);
 
+// Reads a text of numbers with blanks or ends of lines between them; '#' begins a comment. Throws
+// std::invalid_argument that names the file, too.
+std::vector<double> read_numbers(const std::string& path);
+
 // Throws std::invalid_argument if files of the format cannot hold the mesh.
 void check_format_holds(Format format, const Mesh_file& mesh);
 

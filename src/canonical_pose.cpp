@@ -30,6 +30,7 @@
 #include <stdexcept>
 #include <string>
 #include <unistd.h>
+#include <vector>
 
 namespace {
 
@@ -42,6 +43,13 @@ void say(const Arguments& arguments, const std::string& message)
 {
   if(is_watched(arguments))
     std::cerr << message << '\n';
+}
+
+// The numbers of a file; none if there is no file.
+Eigen::VectorXd numbers_of(const std::string& path)
+{
+  const std::vector<double> numbers = path.empty() ? std::vector<double>() : read_numbers(path);
+  return Eigen::VectorXd::Map(numbers.data(), static_cast<Eigen::Index>(numbers.size()));
 }
 
 // Shows the iterations on a terminal.
@@ -69,6 +77,8 @@ void run_pose(Arguments& arguments)
   check_format_holds(format_of(arguments.output), input);
   if(!arguments.target.empty())
     check_format_holds(format_of(arguments.target), input);
+  arguments.options.matching_weights = numbers_of(arguments.matching_weights);
+  arguments.options.stiffness = numbers_of(arguments.stiffness);
   const double seconds_to_read = clock.lap();
 
   say(arguments, "computing the pose");
