@@ -15,7 +15,8 @@
 #include "Output_files.h"
 #include "Progress_line.h"
 #include "Report.h"
-#include "compute.h"
+#include "compute_distances.h"
+#include "compute_pose.h"
 
 #include <CGAL/assertions_behaviour.h>
 

@@ -33,7 +33,7 @@
 #include "pose_difference.h"
 #include "setting.h"
 
-#include "compute.h" // of the tool
+#include "compute_pose.h" // of the tool
 
 #include "../../examples/Canonical_pose_3/Articulated_figure.h"
 

@@ -36,7 +36,7 @@
 #include "Child_process.h"
 #include "setting.h"
 
-#include "compute.h" // of the tool
+#include "compute_pose.h" // of the tool
 
 #include <CGAL/Canonical_pose_3/repair_surface.h>
 #include <CGAL/Canonical_pose_3/target_handedness.h>

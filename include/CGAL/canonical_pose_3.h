@@ -12,13 +12,10 @@
 
 #include <CGAL/Canonical_pose_3/Options.h>
 #include <CGAL/Canonical_pose_3/Registration_summary.h>
-#include <CGAL/Canonical_pose_3/Repaired_surface_3.h>
-#include <CGAL/Canonical_pose_3/complex_body.h>
 #include <CGAL/Canonical_pose_3/diagnose.h>
-#include <CGAL/Canonical_pose_3/internal/Canonical_pose_pipeline.h>
-#include <CGAL/Canonical_pose_3/internal/boundary_triangles.h>
-#include <CGAL/Canonical_pose_3/internal/pose_of_surface.h>
-#include <CGAL/Canonical_pose_3/internal/with_solver.h>
+#include <CGAL/Canonical_pose_3/internal/Indexed_complex.h>
+#include <CGAL/Canonical_pose_3/internal/Indexed_mesh.h>
+#include <CGAL/Canonical_pose_3/internal/poses.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/Real_timer.h>
@@ -26,10 +23,7 @@
 
 #include <cstddef>
 #include <iterator>
-#include <stdexcept>
-#include <string>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -201,33 +195,12 @@ canonical_pose_3(const TetrahedralComplex& complex, PoseVertexPointMap pose_vert
   using namespace Canonical_pose_3;
   Real_timer timer;
   timer.start();
-  auto indexed = Canonical_pose_3::internal::indexed_complex(complex, traits);
-  const Conforming_body_3 body(std::move(indexed.points), std::move(indexed.cells),
-                               indexed.vertices.size());
-  Repaired_surface_3 surface;
-  surface.triangles = Canonical_pose_3::internal::boundary_triangles(body.points(), body.cells());
-  Canonical_pose_3::internal::make_boundary_manifold(surface.triangles, surface.origins);
-  surface.points.resize(static_cast<Eigen::Index>(surface.origins.size()), 3);
-  for(std::size_t i = 0; i < surface.origins.size(); ++i)
-    surface.points.row(static_cast<Eigen::Index>(i))
-      = body.points().row(static_cast<Eigen::Index>(surface.origins[i]));
-  const double seconds_for_body = timer.time();
-  const Diagnosis_3 diagnosis = diagnose(surface.points, surface.triangles);
-  if(diagnosis.components > 1)
-    throw std::invalid_argument("the boundary of the complex has "
-                                + std::to_string(diagnosis.components) + " connected components");
-  timer.stop();
-
+  const auto indexed = Canonical_pose_3::internal::indexed_complex(complex, traits);
+  const double seconds_to_index = timer.time();
   Point_matrix pose;
   Registration_summary summary
-    = Canonical_pose_3::internal::with_solver(options, [&](const auto factor_traits) {
-        typedef std::decay_t<decltype(factor_traits)> Factor_traits;
-        return Canonical_pose_3::internal::Canonical_pose_pipeline<Factor_traits>(surface, options,
-                                                                                  diagnosis)
-          .run(body, surface.origins, pose);
-      });
-  summary.add_seconds("diagnosis", timer.time() - seconds_for_body);
-  summary.add_seconds("body", seconds_for_body);
+    = Canonical_pose_3::internal::pose_of_complex(indexed.points, indexed.cells, options, pose);
+  summary.add_seconds("body", seconds_to_index);
   if(summary.is_usable())
     for(std::size_t i = 0; i < indexed.vertices.size(); ++i)
       put(pose_vertex_point_map, indexed.vertices[i],

@@ -16,6 +16,7 @@
 #include <CGAL/Canonical_pose_3/internal/Canonical_pose_pipeline.h>
 #include <CGAL/Canonical_pose_3/internal/Disjoint_sets.h>
 #include <CGAL/Canonical_pose_3/internal/check_registration.h>
+#include <CGAL/Canonical_pose_3/internal/inline_definition.h>
 #include <CGAL/Canonical_pose_3/internal/with_solver.h>
 #include <CGAL/Canonical_pose_3/repair_surface.h>
 #include <CGAL/Canonical_pose_3/surface_measures.h>
@@ -342,9 +343,9 @@ private:
   std::vector<bool> m_is_posed;
 };
 
-inline Registration_summary pose_of_surface(const Point_matrix& points,
-                                            const std::vector<std::vector<std::size_t>>& polygons,
-                                            const Options& options, Point_matrix& pose)
+CGAL_CANONICAL_POSE_3_DEFINITION Registration_summary
+pose_of_surface(const Point_matrix& points, const std::vector<std::vector<std::size_t>>& polygons,
+                const Options& options, Point_matrix& pose)
 {
   return with_solver(options, [&](const auto factor_traits) {
     typedef std::decay_t<decltype(factor_traits)> Factor_traits;

@@ -7,18 +7,19 @@
 //
 // Author(s) : The Canonical_pose_3 authors
 
-#ifndef CGAL_CANONICAL_POSE_3_TOOL_COMPUTE_H
-#define CGAL_CANONICAL_POSE_3_TOOL_COMPUTE_H
+#ifndef CGAL_CANONICAL_POSE_3_TOOL_COMPUTE_DISTANCES_H
+#define CGAL_CANONICAL_POSE_3_TOOL_COMPUTE_DISTANCES_H
 
 #include "Cgal_types.h"
 #include "Mesh_file.h"
-#include "Report.h"
 
 #include <CGAL/Canonical_pose_3/Exact_geodesics_3.h>
 #include <CGAL/Canonical_pose_3/Heat_geodesics_3.h>
+#include <CGAL/Canonical_pose_3/Options.h>
 #include <CGAL/Canonical_pose_3/Wavefront_geodesics_3.h>
+#include <CGAL/Canonical_pose_3/internal/Indexed_mesh.h>
+#include <CGAL/Canonical_pose_3/internal/with_solver.h>
 #include <CGAL/Canonical_pose_3/repair_surface.h>
-#include <CGAL/canonical_pose_3.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -27,41 +28,9 @@
 #include <type_traits>
 #include <vector>
 
-// The calls of the library.
-
 namespace Canonical_pose_tool {
 
 using CGAL::Canonical_pose_3::Options;
-using CGAL::Canonical_pose_3::Registration_summary;
-
-// `pose` receives one row per vertex of `input`.
-inline Registration_summary compute_pose(const Mesh_file& input, const Options& options,
-                                         Point_matrix& pose)
-{
-  Stage_clock clock;
-  double seconds_to_convert; // and to find that it can be done
-  Registration_summary summary;
-  if(input.is_tetrahedral)
-  {
-    const Tetrahedra complex = tetrahedra_of(input);
-    seconds_to_convert = clock.lap();
-    std::vector<Point_3> points(complex.points.size());
-    summary = CGAL::canonical_pose_3(complex, CGAL::make_property_map(points), options);
-    pose = matrix_of(points);
-  }
-  else
-  {
-    const std::vector<Point_3> points = points_of(input);
-    seconds_to_convert = clock.lap();
-    std::vector<Point_3> pose_points;
-    summary = CGAL::canonical_pose_3(points, input.faces, pose_points, options);
-    pose = matrix_of(pose_points);
-  }
-  if(!summary.is_usable())
-    throw std::runtime_error("there is no pose: the registration met numbers that are not finite");
-  summary.add_seconds("diagnosis", seconds_to_convert);
-  return summary;
-}
 
 // One row per vertex, one column per source.
 inline Eigen::MatrixXd compute_distances(const Mesh_file& input,
@@ -105,4 +74,4 @@ inline Eigen::MatrixXd compute_distances(const Mesh_file& input,
 
 } // namespace Canonical_pose_tool
 
-#endif // CGAL_CANONICAL_POSE_3_TOOL_COMPUTE_H
+#endif // CGAL_CANONICAL_POSE_3_TOOL_COMPUTE_DISTANCES_H
