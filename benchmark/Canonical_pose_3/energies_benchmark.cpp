@@ -16,7 +16,8 @@
 // - `distance`: root mean square distance from the target, by L;
 // - `volume`: that within the surface by that of the input;
 // - `intersections`: pairs of faces (an input may have some itself).
-// With --prefix the poses are written, as PREFIX, mesh, pose and .off: scripts/render draws them.
+// With --prefix P the poses are written, P followed by figure_body.off and so on; scripts/render draws
+// them.
 // Usage: energies_benchmark [--vertices 10000] [--detail-length 0.1] [--prefix P] [mesh files]
 
 #include <CGAL/Canonical_pose_3/diagnose.h>
@@ -98,18 +99,19 @@ public:
     if(!registrar.register_to_target(body_pose).is_usable())
       throw std::runtime_error("the registration met numbers that are not finite");
 
-    add("input", problem.points);
-    add("target", problem.target);
-    add("body, as rigid as possible", registrar.surface_points(body_pose));
-    add("body, Dirichlet",
+    add("input", "input", problem.points);
+    add("target", "target", problem.target);
+    add("body", "body, as rigid as possible", registrar.surface_points(body_pose));
+    add("dirichlet", "body, Dirichlet",
         dirichlet_pose(body, m_shares, problem.target, length_scale, detail_length));
-    add("surface, as rigid as possible",
+    add("surface", "surface, as rigid as possible",
         Surface_arap(problem.points, problem.triangles, m_shares, length_scale, detail_length)
           .run(problem.target));
   }
 
 private:
-  void add(const std::string& what, const Point_matrix& pose) const
+  // `key`: for the name of the file.
+  void add(const std::string& key, const std::string& what, const Point_matrix& pose) const
   {
     const auto intersections = CP::diagnose(pose, m_problem.triangles).self_intersections;
     std::printf("| %s | %s | %.3f | %.4f | %.2f | %s |\n", m_name.c_str(), what.c_str(),
@@ -120,9 +122,7 @@ private:
                 intersections ? std::to_string(*intersections).c_str() : "not examined");
     std::fflush(stdout);
     if(!m_prefix.empty())
-      write_off(m_prefix + m_name + "_" + what.substr(0, what.find(',')) + "_"
-                  + what.substr(what.find_last_of(' ') + 1) + ".off",
-                pose, m_problem.triangles);
+      write_off(m_prefix + m_name + "_" + key + ".off", pose, m_problem.triangles);
   }
 
   std::string m_name;
