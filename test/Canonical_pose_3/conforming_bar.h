@@ -11,26 +11,54 @@
 #define CGAL_CANONICAL_POSE_3_TEST_CONFORMING_BAR_H
 
 #include <CGAL/Canonical_pose_3/Conforming_body_3.h>
+#include <CGAL/Canonical_pose_3/Tetrahedral_arap_registrar_3.h>
 
 #include "matchers.h"
 #include "shapes.h"
 
 #include <array>
-#include <cstddef>
 #include <vector>
 
 namespace Canonical_pose_test {
 
-/// a bar of `nx` times 2 times 2 boxes, 8 long and 1 thick, bent by an angle
-inline CGAL::Canonical_pose_3::Conforming_body_3 conforming_bar(const double angle,
-                                                                const std::size_t nx = 12)
+/// a bar of 12 times 2 times 2 boxes, 8 long and 1 thick, bent by an angle
+inline CGAL::Canonical_pose_3::Conforming_body_3 conforming_bar(const double angle)
 {
-  const Tetrahedral_soup soup = tetrahedral_bent_bar(nx, 2, 2, angle);
+  const Tetrahedral_soup soup = tetrahedral_bent_bar(12, 2, 2, angle);
   std::vector<std::array<int, 4>> cells;
   for(const auto& c : soup.cells)
     cells.push_back({int(c[0]), int(c[1]), int(c[2]), int(c[3])});
   return CGAL::Canonical_pose_3::Conforming_body_3(to_matrix(soup.points), cells,
                                                    soup.points.size());
+}
+
+/// what the registrar gives
+struct Bar_result
+{
+  CGAL::Canonical_pose_3::Registration_summary summary;
+  Point_matrix pose;
+};
+
+/// pulls a bar to a target, with length scale 8; from rest, so that no energy is above the one there.
+inline Bar_result register_bar(const CGAL::Canonical_pose_3::Conforming_body_3& body,
+                               const Point_matrix& target, const Eigen::VectorXd& weights,
+                               const CGAL::Canonical_pose_3::Registration_options& options
+                               = CGAL::Canonical_pose_3::Registration_options(),
+                               const Eigen::VectorXd& stiffness = Eigen::VectorXd())
+{
+  CGAL::Canonical_pose_3::Tetrahedral_arap_registrar_3<CGAL::Canonical_pose_3::Conforming_body_3>
+    registrar(body, weights, 8, options, stiffness);
+  registrar.set_target(target);
+  Bar_result result = {CGAL::Canonical_pose_3::Registration_summary(), body.points()};
+  result.summary = registrar.register_to_target(result.pose);
+  return result;
+}
+
+/// a number for all cells
+inline Eigen::VectorXd cells_with(const CGAL::Canonical_pose_3::Conforming_body_3& body,
+                                  const double value)
+{
+  return Eigen::VectorXd::Constant(static_cast<Eigen::Index>(body.cells().size()), value);
 }
 
 } // namespace Canonical_pose_test
