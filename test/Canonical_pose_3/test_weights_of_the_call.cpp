@@ -21,6 +21,7 @@
 #include "matchers.h"
 #include "shapes.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <stdexcept>
@@ -87,6 +88,32 @@ TEST(Weights_of_surfaces, belong_to_the_vertices_of_a_component)
   const Point_matrix one = shapes::pose_of(with_isolated, options).pose;
   options.stiffness[0] = options.matching_weights[0] = 1e6;
   EXPECT_TRUE(shapes::pose_of(with_isolated, options).pose == one);
+}
+
+// Factors go with their vertices: with all vertices in the opposite order the pose is the same, up to
+// what ties and rounding change.
+TEST(Weights_of_surfaces, do_not_depend_on_the_order_of_the_vertices)
+{
+  shapes::Triangle_soup bar = shapes::bent_bar();
+  const std::size_t n = bar.points.size();
+  CP::Options options;
+  options.stiffness = VectorXd::LinSpaced(static_cast<Eigen::Index>(n), 1, 9).array().square();
+  options.matching_weights = options.stiffness.cwiseInverse();
+  const Point_matrix pose = shapes::pose_of(bar, options).pose;
+  std::reverse(bar.points.begin(), bar.points.end());
+  for(auto& t : bar.triangles)
+    for(std::size_t& v : t)
+      v = n - 1 - v;
+  const Point_matrix other = shapes::pose_of(bar, options).pose;
+  options.stiffness.reverseInPlace();
+  options.matching_weights.reverseInPlace();
+  const Point_matrix reversed = shapes::pose_of(bar, options).pose;
+  const auto relative_rms = [&](const Point_matrix& of_reversed) {
+    const Point_matrix difference = of_reversed.colwise().reverse() - pose;
+    return std::sqrt(difference.rowwise().squaredNorm().mean()) / shapes::radius_of_gyration(pose);
+  };
+  EXPECT_LT(relative_rms(reversed), 4e-3); // as without factors, see test_invariance.cpp
+  EXPECT_GT(relative_rms(other), 2e-2);
 }
 
 // On a complex stiffness is per cell, weights are per vertex; those of inner vertices do not count.
