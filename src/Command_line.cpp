@@ -13,6 +13,7 @@
 #include <CLI/CLI.hpp>
 
 #include <cmath>
+#include <cstddef>
 #include <cstdlib>
 #include <map>
 #include <stdexcept>
@@ -30,7 +31,7 @@ struct Raw_arguments
 {
   std::string geodesics = "heat", kernel = "classical", components = "refuse", solver = "auto",
               paper_weights;
-  std::vector<std::string> springs;
+  std::vector<std::string> springs, directions, handles, symmetric_pairs;
   bool injective = false;
 };
 
@@ -54,15 +55,57 @@ std::vector<double> numbers(const std::string& option, const std::string& text,
   return result;
 }
 
-CGAL::Canonical_pose_3::Spring_3 spring(const std::string& text)
+// What names a constraint: vertices, then numbers, then perhaps a stiffness.
+struct Constraint_values
 {
-  const std::vector<double> values = numbers("--spring", text, 3, 4);
-  for(const double v : {values[0], values[1]})
-    if(v < 0 || v > 1e15 || v != std::floor(v))
-      throw CLI::ValidationError("--spring",
-                                 "'" + text + "' does not begin with two vertex numbers");
-  return {static_cast<std::size_t>(values[0]), static_cast<std::size_t>(values[1]), values[2],
-          values.size() > 3 ? values[3] : 1};
+  Constraint_values(const std::string& option, const std::string& text,
+                    const std::size_t number_of_vertices, const std::size_t number_of_numbers)
+  {
+    const std::size_t n = number_of_vertices + number_of_numbers;
+    rest = numbers(option, text, n, n + 1);
+    for(std::size_t i = 0; i < number_of_vertices; ++i)
+    {
+      const double v = rest[i];
+      if(v < 0 || v > 1e15 || v != std::floor(v))
+        throw CLI::ValidationError(
+          option, "'" + text + "' does not begin with "
+                    + (number_of_vertices == 2 ? "two vertex numbers" : "a vertex number"));
+      vertices.push_back(static_cast<std::size_t>(v));
+    }
+    if(rest.size() > n)
+      stiffness = rest.back();
+    rest.erase(rest.begin(), rest.begin() + static_cast<std::ptrdiff_t>(number_of_vertices));
+  }
+
+  Eigen::RowVector3d vector() const { return {rest[0], rest[1], rest[2]}; }
+
+  std::vector<std::size_t> vertices;
+  std::vector<double> rest;
+  double stiffness = 1;
+};
+
+void take_constraints(const Raw_arguments& raw, Options& options)
+{
+  for(const std::string& text : raw.springs)
+  {
+    const Constraint_values v("--spring", text, 2, 1);
+    options.springs.push_back({v.vertices[0], v.vertices[1], v.rest[0], v.stiffness});
+  }
+  for(const std::string& text : raw.directions)
+  {
+    const Constraint_values v("--direction", text, 2, 3);
+    options.directions.push_back({v.vertices[0], v.vertices[1], v.vector(), v.stiffness});
+  }
+  for(const std::string& text : raw.handles)
+  {
+    const Constraint_values v("--handle", text, 1, 3);
+    options.handles.push_back({v.vertices[0], v.vector(), v.stiffness});
+  }
+  for(const std::string& text : raw.symmetric_pairs)
+  {
+    const Constraint_values v("--symmetric", text, 2, 0);
+    options.symmetric_pairs.push_back({v.vertices[0], v.vertices[1], v.stiffness});
+  }
 }
 
 CLI::Validator number(const bool positive)
@@ -98,6 +141,26 @@ void add_common(CLI::App& command, Arguments& arguments, Raw_arguments& raw)
     ->check(number(false))
     ->capture_default_str();
   command.add_flag("--quiet", arguments.quiet, "print nothing but errors");
+}
+
+void add_constraints(CLI::App& command, Raw_arguments& raw)
+{
+  command
+    .add_option("--spring", raw.springs,
+                "I,J,LENGTH[,STIFFNESS]: a spring between two vertices; may be repeated")
+    ->allow_extra_args(false);
+  command
+    .add_option("--direction", raw.directions,
+                "I,J,X,Y,Z[,STIFFNESS]: the vector to one vertex from another; may be repeated")
+    ->allow_extra_args(false);
+  command
+    .add_option("--handle", raw.handles,
+                "I,X,Y,Z[,STIFFNESS]: the position of a vertex; may be repeated")
+    ->allow_extra_args(false);
+  command
+    .add_option("--symmetric", raw.symmetric_pairs,
+                "I,J[,STIFFNESS]: two vertices that mirror each other; may be repeated")
+    ->allow_extra_args(false);
 }
 
 void add_pose(CLI::App& command, Arguments& arguments, Raw_arguments& raw)
@@ -148,10 +211,7 @@ void add_pose(CLI::App& command, Arguments& arguments, Raw_arguments& raw)
   command.add_option(
     "--stiffness", arguments.stiffness,
     "file of factors of the stiffness, one per vertex of a surface, or per tetrahedron");
-  command
-    .add_option("--spring", raw.springs,
-                "I,J,LENGTH[,STIFFNESS]: a spring between two vertices; may be repeated")
-    ->allow_extra_args(false);
+  add_constraints(command, raw);
   command.add_flag("--injective", raw.injective, "no inverted cells");
   command
     .add_option("--components", raw.components,
@@ -231,8 +291,7 @@ void take(const Raw_arguments& raw, const std::string& body, Options& options)
                                  "ALPHA must be positive, and BETA not negative");
     options.paper_weights = CGAL::Canonical_pose_3::Paper_weights{weights[0], weights[1]};
   }
-  for(const std::string& text : raw.springs)
-    options.springs.push_back(spring(text));
+  take_constraints(raw, options);
 }
 
 } // namespace

@@ -13,8 +13,8 @@
 
 #include <gtest/gtest.h>
 
+#include "bar_body.h"
 #include "matchers.h"
-#include "shapes.h"
 
 #include <cmath>
 #include <limits>
@@ -24,16 +24,6 @@ using Canonical_pose_test::uniform_weights;
 using CP::Point_matrix;
 
 namespace {
-
-CP::Conforming_body_3 bar_body()
-{
-  const auto soup = Canonical_pose_test::tetrahedral_bent_bar(12, 2, 2, 0.);
-  std::vector<std::array<int, 4>> cells;
-  for(const auto& c : soup.cells)
-    cells.push_back({int(c[0]), int(c[1]), int(c[2]), int(c[3])});
-  return CP::Conforming_body_3(Canonical_pose_test::to_matrix(soup.points), cells,
-                               soup.points.size());
-}
 
 // Counts how often it gives its matrix: that is once per factorisation.
 struct Counting_springs : CP::Spring_constraint_adaptor_3
@@ -64,7 +54,7 @@ CP::Registration_options exact()
 // stays at rest.
 TEST(Springs, relaxed_spring_does_nothing)
 {
-  const CP::Conforming_body_3 body = bar_body();
+  const CP::Conforming_body_3 body = Canonical_pose_test::bar_body(12, 2, 2);
   ASSERT_NEAR((body.points().row(left) - body.points().row(right)).norm(), 8., 1e-12);
   CP::Tetrahedral_arap_registrar_3<CP::Conforming_body_3> registrar(
     body, uniform_weights(body.points()), 8.);
@@ -107,7 +97,7 @@ TEST(Springs, length_in_equilibrium_is_exact)
 // The matrix depends on the pairs and their stiffness, not on the rest lengths.
 TEST(Springs, rest_length_needs_no_factorisation)
 {
-  const CP::Conforming_body_3 body = bar_body();
+  const CP::Conforming_body_3 body = Canonical_pose_test::bar_body(12, 2, 2);
   CP::Tetrahedral_arap_registrar_3<CP::Conforming_body_3> registrar(
     body, uniform_weights(body.points()), 8.);
   Counting_springs springs(static_cast<std::size_t>(body.points().rows()));
@@ -136,7 +126,7 @@ TEST(Springs, rest_length_needs_no_factorisation)
 // same, without a NaN.
 TEST(Springs, coinciding_ends)
 {
-  const CP::Conforming_body_3 body = bar_body();
+  const CP::Conforming_body_3 body = Canonical_pose_test::bar_body(12, 2, 2);
   CP::Tetrahedral_arap_registrar_3<CP::Conforming_body_3> registrar(
     body, uniform_weights(body.points()), 8.);
   CP::Spring_constraint_adaptor_3 springs(static_cast<std::size_t>(body.points().rows()));
@@ -164,5 +154,5 @@ TEST(Springs, bad_springs_are_named)
   EXPECT_THROW_WITH(springs.insert({3, 4, 1., 0.}), std::invalid_argument, "stiffness");
   EXPECT_THROW_WITH(springs.set_rest_length(0, std::nan("")), std::invalid_argument, "rest length");
   EXPECT_THROW(springs.set_rest_length(1, 1.), CGAL::Precondition_exception);
-  EXPECT_EQ(springs.springs().size(), 1u);
+  EXPECT_EQ(springs.elements().size(), 1u);
 }

@@ -27,8 +27,12 @@ expect_exit(2 pose ball.off -o out/a.off --kernel cubic)
 expect_exit(2 pose ball.off -o out/a.off --landmarks 0)
 expect_exit(2 pose ball.off -o out/a.off --detail-length nan)
 expect_exit(2 pose ball.off -o out/a.off --tikhonov -1)
-expect_exit(2 pose ball.off -o out/a.off --spring 0,1)
-expect_exit(2 pose ball.off -o out/a.off --spring 0,1.5,1)
+foreach(option IN ITEMS "--spring 0,1" "--spring 0,1.5,1" "--direction 0,1,1,0" "--direction 0,1.5,1,0,0"
+    "--direction 0,1,1,0,0,1,1" "--direction 0,1,1,nan,0" "--handle 0,1,0" "--handle -1,1,0,0" "--handle 0,1,0,0,1,1"
+    "--handle 0.5,1,0,0" "--symmetric 0" "--symmetric 0,1.5" "--symmetric 0,1,1,1" "--symmetric 0,,1")
+  separate_arguments(words UNIX_COMMAND "${option}")
+  expect_exit(2 pose ball.off -o out/a.off ${words})
+endforeach()
 expect_exit(2 pose ball.off -o out/a.off --paper-weights 100)
 expect_exit(2 geodesics ball.off -o out/a.txt)
 expect_exit(2 geodesics ball.off -o out/a.txt --source -1)
@@ -69,7 +73,10 @@ expect_refusal("3 numbers are given as stiffness, but it takes 20, one per cell"
 expect_refusal("the stiffness of vertex 11 is not positive" pose ball.off -o out/a.off --stiffness negative.txt)
 expect_refusal("'words.txt': number 1: 'two' is not a number" pose ball.off -o out/a.off --stiffness words.txt)
 expect_refusal("'missing.txt': it cannot be opened" pose ball.off -o out/a.off --matching-weights missing.txt)
-expect_refusal("names vertex 99" pose ball.off -o out/a.off --spring 0,99,1)
+expect_refusal("spring 0 names vertex 99" pose ball.off -o out/a.off --spring 0,99,1)
+expect_refusal("direction 0 joins vertex 3 to itself" pose ball.off -o out/a.off --direction 3,3,1,0,0)
+expect_refusal("handle 1 names vertex 99" pose ball.off -o out/a.off --handle 0,1,0,0 --handle 99,1,0,0)
+expect_refusal("symmetric pair 0 has a stiffness that is not positive" pose ball.off -o out/a.off --symmetric 0,1,0)
 expect_refusal("names vertex 99" geodesics ball.off --source 99 -o out/a.txt)
 expect_refusal("vertex 12 belongs to no face" geodesics isolated.off --source 0 -o out/a.txt)
 expect_refusal("a surface is needed" geodesics ball.mesh --source 0 -o out/a.txt)
@@ -144,7 +151,9 @@ expect_exit(0 check out/target.off)
 expect_exit(0 pose ball.off -o out/a.off --quiet)
 expect_match("<${stdout}${stderr}>" "^<>$")
 expect_exit(0 pose ball.off -o out/a.off --kernel gaussian --landmarks 6 --detail-length 0.2 --tikhonov 1
-  --iterations 5 --geodesics exact --solver eigen --seed 3 --threads 1 --spring 0,3,0.5 --spring 1,2,0.5,10)
+  --iterations 5 --geodesics exact --solver eigen --seed 3 --threads 1 --spring 0,3,0.5 --spring 1,2,0.5,10
+  --direction 0,3,0.5,0,0 --direction 1,2,0.5,0,-1e-1,10 --handle 0,0,0,1 --handle 5,0,0,-1,10 --symmetric 0,3
+  --symmetric 4,4,10)
 expect_exit(0 pose ball.off -o out/a.off --paper-weights 100,10 --kernel gaussian-uncentred)
 expect_exit(0 pose ball.off -o out/a.off --matching-weights factors.txt --stiffness factors.txt)
 

@@ -10,10 +10,13 @@
 #ifndef CGAL_CANONICAL_POSE_3_OPTIONS_H
 #define CGAL_CANONICAL_POSE_3_OPTIONS_H
 
+#include <CGAL/Canonical_pose_3/Direction_constraint_adaptor_3.h>
+#include <CGAL/Canonical_pose_3/Handle_constraint_adaptor_3.h>
 #include <CGAL/Canonical_pose_3/Landmark_fields_3.h>
 #include <CGAL/Canonical_pose_3/Registration_options.h>
 #include <CGAL/Canonical_pose_3/Registration_progress.h>
 #include <CGAL/Canonical_pose_3/Spring_constraint_adaptor_3.h>
+#include <CGAL/Canonical_pose_3/Symmetry_constraint_adaptor_3.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <Eigen/Core>
@@ -132,6 +135,17 @@ struct Options
   /// springs between vertices, by their places in `vertices(tmesh)` or among the vertices of the
   /// complex.
   std::vector<Spring_3> springs;
+
+  /// pairs of vertices with the wished vector between them, named as those of `springs`. Vectors and
+  /// positions are in the frame of the input, where the pose lies (see `align_target()`).
+  std::vector<Directed_pair_3> directions;
+
+  /// vertices with their wished positions.
+  std::vector<Handle_3> handles;
+
+  /// pairs of vertices that are to be mirror images of each other in one common plane; the vertices
+  /// of each component have a plane of their own.
+  std::vector<Symmetric_pair_3> symmetric_pairs;
 
   /// the linear solver.
   Solver solver = Solver::AUTOMATIC;

@@ -10,15 +10,14 @@
 #ifndef CGAL_CANONICAL_POSE_3_SPRING_CONSTRAINT_ADAPTOR_3_H
 #define CGAL_CANONICAL_POSE_3_SPRING_CONSTRAINT_ADAPTOR_3_H
 
+#include <CGAL/Canonical_pose_3/Constraint_list_3.h>
+#include <CGAL/Canonical_pose_3/internal/difference_terms.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
-
-#include <CGAL/assertions.h>
 
 #include <Eigen/SparseCore>
 
 #include <cmath>
 #include <cstddef>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -38,6 +37,23 @@ struct Spring_3
   double stiffness = 1;   ///< \f$ \kappa \f$, without unit. Positive.
 };
 
+namespace internal {
+
+template <>
+struct Constraint_element_traits<Spring_3> : Vertex_pair_traits
+{
+  static constexpr const char* name = "spring";
+
+  static std::string defect(const Spring_3& spring)
+  {
+    return spring.rest_length >= 0 && std::isfinite(spring.rest_length)
+             ? coincidence_of_vertices(spring)
+             : "has a rest length that is negative or not finite";
+  }
+};
+
+} // namespace internal
+
 /*!
 \ingroup PkgCanonicalPose3Ref
 
@@ -54,111 +70,73 @@ Equation 16 of the paper is \f$ n \kappa \f$, the matching weights being \f$ 1/n
 
 \sa `Tetrahedral_arap_registrar_3::add_constraint()`
 */
-class Spring_constraint_adaptor_3
+class Spring_constraint_adaptor_3 : public Constraint_list_3<Spring_3>
 {
 public:
-  /// constructs a constraint on a surface of `number_of_vertices` vertices, without springs.
-  explicit Spring_constraint_adaptor_3(const std::size_t number_of_vertices)
-    : m_number_of_vertices(number_of_vertices)
-  {}
+  using Constraint_list_3<Spring_3>::Constraint_list_3;
 
-  /// adds a spring and returns its index. The matrix of the registrar will be factored anew.
-  /// \throws std::invalid_argument if a vertex does not exist, both are the same, or a number is
-  ///        out of its bounds.
-  std::size_t insert(const Spring_3& spring)
-  {
-    const std::string name = "spring " + std::to_string(m_springs.size());
-    for(const std::size_t v : {spring.p, spring.q})
-      if(v >= m_number_of_vertices)
-        throw std::invalid_argument(name + " names vertex " + std::to_string(v) + ", but there are "
-                                    + std::to_string(m_number_of_vertices));
-    if(spring.p == spring.q)
-      throw std::invalid_argument(name + " joins vertex " + std::to_string(spring.p)
-                                  + " to itself");
-    if(!(spring.stiffness > 0) || !std::isfinite(spring.stiffness))
-      throw std::invalid_argument(name + " has a stiffness that is not positive");
-    check_rest_length(name, spring.rest_length);
-    m_springs.push_back(spring);
-    m_directions.push_back(Eigen::RowVector3d::UnitX());
-    ++m_matrix_revision;
-    return m_springs.size() - 1;
-  }
-
-  /// changes the rest length of a spring; no factorisation is needed.
+  /// changes the rest length of a spring. The matrix does not change.
+  /// \pre `index < elements().size()`
   /// \throws std::invalid_argument if `rest_length` is negative or not finite.
-  /// \pre `index < springs().size()`
   void set_rest_length(const std::size_t index, const double rest_length)
   {
-    CGAL_precondition(index < m_springs.size());
-    check_rest_length("spring " + std::to_string(index), rest_length);
-    m_springs[index].rest_length = rest_length;
+    Spring_3 spring = element(index);
+    spring.rest_length = rest_length;
+    replace(index, spring);
   }
 
-  /// returns the springs.
-  const std::vector<Spring_3>& springs() const { return m_springs; }
+  /// removes a spring, see `Constraint_list_3::erase()`.
+  void erase(const std::size_t index)
+  {
+    Constraint_list_3<Spring_3>::erase(index);
+    if(index < m_directions.size())
+      m_directions.erase(m_directions.begin() + static_cast<std::ptrdiff_t>(index));
+  }
 
   /// \name Requirements of `RegistrationConstraint_3`
   /// @{
 
-  /// returns a number that changes whenever the matrix does.
-  std::size_t matrix_revision() const { return m_matrix_revision; }
-
-  /// appends the entries of \f$ \frac{1}{2} \sum_s \kappa_s b_s b_s^t \f$.
+  /// appends the entries of \f$ \frac{1}{2} \sum_s \kappa_s b_s b_s^t \f$, \f$ b_s^t x = p_s - q_s
+  /// \f$.
   void add_to_matrix(std::vector<Eigen::Triplet<double>>& matrix) const
   {
-    for(const Spring_3& s : m_springs)
-    {
-      const int p = static_cast<int>(s.p), q = static_cast<int>(s.q);
-      const double k = s.stiffness / 2;
-      matrix.emplace_back(p, p, k);
-      matrix.emplace_back(q, q, k);
-      matrix.emplace_back(p, q, -k);
-      matrix.emplace_back(q, p, -k);
-    }
+    internal::add_difference_matrix(elements(), matrix);
   }
 
   /// adds \f$ \frac{1}{2} \sum_s \kappa_s b_s d_s^t \f$ for the directions at `points` (\f$ n
   /// \times 3 \f$).
   void add_to_right_hand_side(const Point_matrix& points, Point_matrix& right_hand_side)
   {
-    for(std::size_t i = 0; i < m_springs.size(); ++i)
-    {
-      const Spring_3& s = m_springs[i];
-      const Eigen::RowVector3d difference = points.row(s.p) - points.row(s.q);
-      const double length = difference.stableNorm();
-      if(length > 0)
-        m_directions[i] = difference / length;
-      const Eigen::RowVector3d d = s.stiffness / 2 * s.rest_length * m_directions[i];
-      right_hand_side.row(s.p) += d;
-      right_hand_side.row(s.q) -= d;
-    }
+    m_directions.resize(elements().size(), Eigen::RowVector3d::UnitX());
+    const auto wished = [&](const std::size_t i, const Eigen::RowVector3d& difference) {
+      m_directions[i] = direction(difference, m_directions[i]);
+      return Eigen::RowVector3d(element(i).rest_length * m_directions[i]);
+    };
+    internal::add_difference_right_hand_side(elements(), wished, points, right_hand_side);
   }
 
   /// returns the energy at `points`, in the squared unit of the mesh.
   double energy(const Point_matrix& points) const
   {
-    double sum = 0;
-    for(const Spring_3& s : m_springs)
-    {
-      const double excess = (points.row(s.p) - points.row(s.q)).stableNorm() - s.rest_length;
-      sum += s.stiffness / 2 * excess * excess;
-    }
-    return sum;
+    const auto wished = [&](const std::size_t i, const Eigen::RowVector3d& difference) {
+      return Eigen::RowVector3d(element(i).rest_length
+                                * direction(difference, Eigen::RowVector3d::UnitX()));
+    };
+    return internal::difference_energy(elements(), wished, points);
   }
 
   /// @}
 
 private:
-  static void check_rest_length(const std::string& name, const double rest_length)
+  // `otherwise`, if the difference is zero.
+  static Eigen::RowVector3d direction(const Eigen::RowVector3d& difference,
+                                      const Eigen::RowVector3d& otherwise)
   {
-    if(!(rest_length >= 0) || !std::isfinite(rest_length))
-      throw std::invalid_argument(name + " has a rest length that is negative or not finite");
+    const double length = difference.stableNorm();
+    return length > 0 ? Eigen::RowVector3d(difference / length) : otherwise;
   }
 
-  std::size_t m_number_of_vertices;
-  std::size_t m_matrix_revision = 0;
-  std::vector<Spring_3> m_springs;
-  std::vector<Eigen::RowVector3d> m_directions;
+  std::vector<Eigen::RowVector3d> m_directions; // of the last iteration
 };
 
 } // namespace Canonical_pose_3

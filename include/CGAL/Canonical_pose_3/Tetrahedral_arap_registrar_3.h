@@ -17,9 +17,10 @@
 #include <CGAL/Canonical_pose_3/internal/Arap_energy.h>
 #include <CGAL/Canonical_pose_3/internal/Quasi_newton_direction.h>
 #include <CGAL/Canonical_pose_3/internal/Registration_constraint_base.h>
-#include <CGAL/Canonical_pose_3/internal/Sparse_factor.h>
 #include <CGAL/Canonical_pose_3/internal/Taubin_fairing.h>
+#include <CGAL/Canonical_pose_3/internal/Updated_factor.h>
 #include <CGAL/Canonical_pose_3/internal/check_registration.h>
+#include <CGAL/Canonical_pose_3/internal/low_rank_factors.h>
 #include <CGAL/Canonical_pose_3/internal/transposed_product.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
@@ -53,7 +54,8 @@ by local and global steps in turn \cgalCite{cgal:canonical-sa-asap-07},
 cell weights (each with sum 1), \f$ F_t \f$ is the deformation gradient of cell \f$ t \f$ and
 \f$ R_t \f$ the rotation closest to it, always of determinant 1. The global step has the matrix
 \f[ A = \ell^2 L^2 \sum_t w_t G_t^t G_t + (1 + \beta) B^t M B + A_{constraints}, \f]
-which is factored once. The steps of earlier iterations correct those that it gives, by
+which is factored once; where constraints on few vertices are added, changed or removed afterwards, the
+old factor stays in use with a low-rank update. The steps of earlier iterations correct those that it gives, by
 limited-memory BFGS \cgalCite{cgal:canonical-lbk-qnm-17}; where the corrected step does not lower the
 energy as it should, the plain one is taken. All lengths are divided by \f$ L \f$, hence neither
 units nor resolution matter. Without fairing the energy never rises. Iterations stop by the
@@ -68,6 +70,9 @@ inequalities of `Registration_options`.
 
 \sa `canonical_pose_3()`
 \sa `Spring_constraint_adaptor_3`
+\sa `Direction_constraint_adaptor_3`
+\sa `Handle_constraint_adaptor_3`
+\sa `Symmetry_constraint_adaptor_3`
 */
 template <typename ElasticBody, typename ClosestRotationTraits = Default,
           typename FactorTraits = Default>
@@ -109,16 +114,28 @@ public:
       m_fairing.emplace(body.points(), body.cells());
   }
 
-  /// adds a constraint, which must outlive the registrar. Its right-hand side may change between
-  /// calls of `register_to_target()` at no cost; when its matrix changes, the next call factors
-  /// anew.
+  /// adds a constraint, which must outlive the registrar or be removed before it ends. What it asks for
+  /// may change between calls of `register_to_target()`. What does not change its matrix costs nothing;
+  /// what does costs a solve per vertex concerned, or a factorisation if there are many of them.
   /// \tparam Constraint a model of `RegistrationConstraint_3`
   template <typename Constraint>
   void add_constraint(Constraint& constraint)
   {
     m_constraints.push_back(
       std::make_unique<internal::Registration_constraint_model<Constraint>>(constraint));
-    m_factored_revisions.clear();
+    m_factored_revisions.reset();
+  }
+
+  /// removes a constraint; costs as much as a change of its matrix.
+  /// \pre `constraint` was added and not removed since.
+  template <typename Constraint>
+  void remove_constraint(const Constraint& constraint)
+  {
+    const auto place = std::find_if(m_constraints.begin(), m_constraints.end(),
+                                    [&](const auto& c) { return c->is_model_of(&constraint); });
+    CGAL_precondition(place != m_constraints.end());
+    m_constraints.erase(place);
+    m_factored_revisions.reset();
   }
 
   /// sets the target \f$ \hat v \f$ (\f$ n \times 3 \f$); no factorisation is needed.
@@ -133,17 +150,25 @@ public:
                                  m_target_term);
   }
 
-  /// factors the matrix unless that has been done for the present constraints.
+  /// factors the matrix, or updates its factor, unless that has been done for the present constraints.
   /// \throws std::runtime_error if the matrix is not positive definite to working precision.
   void factor()
   {
     std::vector<std::size_t> revisions;
     for(const auto& constraint : m_constraints)
       revisions.push_back(constraint->matrix_revision());
-    if(m_factor.is_factored() && revisions == m_factored_revisions)
+    if(m_factored_revisions == revisions)
       return;
-    m_matrix = assemble_matrix();
-    m_factor.factor(m_matrix, "the matrix of the registration");
+    m_factored_revisions.reset();
+    if(m_matrix.size() == 0)
+      m_matrix = assemble_matrix();
+    m_constraint_matrix = assemble_constraint_matrix();
+    if(!m_factor.is_factored() || !update_factor())
+    {
+      m_factor.factor(m_constraints.empty() ? m_matrix : constrained_matrix(),
+                      "the matrix of the registration");
+      m_factored_constraint_matrix = m_constraint_matrix;
+    }
     m_factored_revisions = revisions;
   }
 
@@ -212,7 +237,10 @@ public:
   const Registration_options& options() const { return m_options; }
 
 private:
-  typedef internal::Sparse_factor<
+  // From about here on a factorisation is cheaper than the solves and the products with an update.
+  static constexpr std::size_t MOST_ROWS_OF_AN_UPDATE = 64;
+
+  typedef internal::Updated_factor<
     typename Default::Get<FactorTraits, Default_factor_traits_d>::type>
     Factor;
 
@@ -225,24 +253,60 @@ private:
     summary.add_seconds(stage, timer.time());
   }
 
+  // The matrix without constraints.
   Eigen::SparseMatrix<double> assemble_matrix() const
   {
     std::vector<Eigen::Triplet<double>> entries;
     for(Eigen::Index i = 0; i < m_weights.size(); ++i)
       entries.emplace_back(static_cast<int>(i), static_cast<int>(i),
                            (1 + m_options.tikhonov) * m_weights[i]);
+    return m_arap.matrix(m_options.detail_length * m_options.detail_length)
+           + brought_to_body(surface_matrix(entries));
+  }
+
+  Eigen::SparseMatrix<double> assemble_constraint_matrix() const
+  {
+    std::vector<Eigen::Triplet<double>> entries;
     for(const auto& constraint : m_constraints)
       constraint->add_to_matrix(entries);
-    Eigen::SparseMatrix<double> surface(m_weights.size(), m_weights.size());
-    surface.setFromTriplets(entries.begin(), entries.end());
+    return surface_matrix(entries);
+  }
+
+  Eigen::SparseMatrix<double> constrained_matrix() const
+  {
+    return m_matrix + brought_to_body(m_constraint_matrix);
+  }
+
+  Eigen::SparseMatrix<double>
+  surface_matrix(const std::vector<Eigen::Triplet<double>>& entries) const
+  {
+    Eigen::SparseMatrix<double> result(m_weights.size(), m_weights.size());
+    result.setFromTriplets(entries.begin(), entries.end());
+    return result;
+  }
+
+  Eigen::SparseMatrix<double> brought_to_body(const Eigen::SparseMatrix<double>& surface) const
+  {
     const Eigen::SparseMatrix<double> surface_embedded = surface * m_body.embedding();
-    return m_arap.matrix(m_options.detail_length * m_options.detail_length)
-           + Eigen::SparseMatrix<double>(m_embedding_transposed * surface_embedded);
+    return m_embedding_transposed * surface_embedded;
+  }
+
+  // Updates the factor for the difference between the constraints that it was made with and the
+  // present ones. Returns false if a new factorisation is cheaper or more accurate.
+  bool update_factor()
+  {
+    const Eigen::SparseMatrix<double> change = m_constraint_matrix - m_factored_constraint_matrix;
+    Eigen::SparseMatrix<double> v;
+    Eigen::VectorXd d;
+    return internal::low_rank_factors(change, MOST_ROWS_OF_AN_UPDATE, v, d)
+           && m_factor.update(m_embedding_transposed * v, d);
   }
 
   Point_matrix start() const
   {
-    Point_matrix v = m_factor.solve((1 + m_options.tikhonov) * m_target_term);
+    Eigen::MatrixXd solution;
+    m_factor.solve((1 + m_options.tikhonov) * m_target_term, solution);
+    Point_matrix v = solution;
     for(Eigen::Index i = 0; i < m_weights.size(); ++i)
       if(m_weights[i] > 0)
       {
@@ -275,7 +339,8 @@ private:
     summary.volume_ratio = arap.volume_ratio;
   }
 
-  // The right-hand side for surface and rotations of the last local step.
+  // For surface and rotations of the last local step, the right-hand side minus what the constraints
+  // have on the left-hand side.
   const Point_matrix& right_hand_side()
   {
     m_right_hand_side = m_target_term;
@@ -285,6 +350,7 @@ private:
       Point_matrix sum = Point_matrix::Zero(points.rows(), 3), term;
       for(const auto& constraint : m_constraints)
         constraint->add_to_right_hand_side(points, sum);
+      sum -= m_constraint_matrix * points;
       internal::transposed_product(
         m_body.embedding(),
         m_options.tikhonov * (m_weights.asDiagonal() * m_surface) + sum / m_length_scale, term);
@@ -399,8 +465,10 @@ private:
   internal::Arap_energy<ClosestRotationTraits> m_arap;
   std::optional<internal::Taubin_fairing> m_fairing;
   std::vector<std::unique_ptr<internal::Registration_constraint_base>> m_constraints;
-  std::vector<std::size_t> m_factored_revisions;
-  Eigen::SparseMatrix<double> m_matrix;
+  std::optional<std::vector<std::size_t>> m_factored_revisions; // none: constraints came or went
+  Eigen::SparseMatrix<double> m_matrix;                         // without constraints
+  // on the surface: now, and in the factor without its update
+  Eigen::SparseMatrix<double> m_constraint_matrix, m_factored_constraint_matrix;
   Factor m_factor;
   Point_matrix m_target, m_target_term; // the target, and its term of the right-hand side
   Point_matrix m_surface, m_right_hand_side;

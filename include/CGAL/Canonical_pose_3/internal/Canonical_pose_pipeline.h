@@ -29,6 +29,7 @@
 #include <CGAL/Canonical_pose_3/front_landmarks.h>
 #include <CGAL/Canonical_pose_3/internal/Body_view.h>
 #include <CGAL/Canonical_pose_3/internal/Indexed_mesh.h>
+#include <CGAL/Canonical_pose_3/internal/Options_constraints.h>
 #include <CGAL/Canonical_pose_3/internal/check_registration.h>
 #include <CGAL/Canonical_pose_3/internal/flipped_faces.h>
 #include <CGAL/Canonical_pose_3/surface_measures.h>
@@ -182,13 +183,11 @@ private:
 #endif
   }
 
-  // Options are checked before anything that takes time. A spring may name one of n vertices.
+  // Options are checked before anything that takes time. Constraints may name one of n vertices.
   void prepare(const Eigen::Index n)
   {
     m_options.registration.check();
-    m_springs = Spring_constraint_adaptor_3(static_cast<std::size_t>(n));
-    for(const Spring_3& spring : m_options.springs)
-      m_springs.insert(spring);
+    m_constraints.emplace(m_options, static_cast<std::size_t>(n));
     check_factors(m_options.matching_weights, n, "matching weight", "vertex", true);
     if(m_options.number_of_landmarks == 0)
       throw std::invalid_argument("option number_of_landmarks is 0, but must be >= 1");
@@ -306,8 +305,7 @@ private:
 
     Tetrahedral_arap_registrar_3<Body_view, CGAL::Default, FactorTraits> registrar(
       body, weights, m_length_scale, registration_options(body), stiffness);
-    if(!m_springs.springs().empty())
-      registrar.add_constraint(m_springs);
+    m_constraints->add_to(registrar);
     registrar.set_target(target_of_body());
     Registration_visitor visitor;
     if(m_options.visitor)
@@ -407,7 +405,7 @@ private:
   Intermediate_results m_own_results;
   Intermediate_results& m_results;
   Registration_summary m_summary;
-  Spring_constraint_adaptor_3 m_springs{0};
+  std::optional<Options_constraints> m_constraints;
   double m_length_scale = 0;
 };
 

@@ -31,6 +31,7 @@ public:
   virtual void add_to_right_hand_side(const Point_matrix& points, Point_matrix& right_hand_side)
     = 0;
   virtual double energy(const Point_matrix& points) const = 0;
+  virtual bool is_model_of(const void* constraint) const = 0;
 };
 
 template <typename Constraint>
@@ -52,6 +53,8 @@ public:
   }
 
   double energy(const Point_matrix& points) const override { return m_constraint.energy(points); }
+
+  bool is_model_of(const void* constraint) const override { return constraint == &m_constraint; }
 
 private:
   Constraint& m_constraint;

@@ -15,6 +15,7 @@
 #include <CGAL/Canonical_pose_3/diagnose.h>
 #include <CGAL/Canonical_pose_3/internal/Canonical_pose_pipeline.h>
 #include <CGAL/Canonical_pose_3/internal/Disjoint_sets.h>
+#include <CGAL/Canonical_pose_3/internal/Options_constraints.h>
 #include <CGAL/Canonical_pose_3/internal/check_registration.h>
 #include <CGAL/Canonical_pose_3/internal/inline_definition.h>
 #include <CGAL/Canonical_pose_3/internal/with_solver.h>
@@ -148,7 +149,9 @@ private:
     Intermediate_results results;
     options.intermediate_results = &results;
     hand_in(surface, carried, is_largest, is_one_of_several, results);
-    options.springs = springs_of(copies, surface, is_one_of_several);
+    Options_constraints::for_each_list(options, [&](auto& elements) {
+      bring_to_surface(elements, copies, surface, is_one_of_several);
+    });
     for(Eigen::VectorXd* const factors : {&options.matching_weights, &options.stiffness})
       if(factors->size() > 0)
         *factors = of_copies(surface, *factors);
@@ -216,33 +219,35 @@ private:
                                   + std::to_string(m_points.rows()) + " vertices");
   }
 
-  // The springs in terms of the surface; of several components each takes those of its own.
-  std::vector<Spring_3> springs_of(const std::vector<std::size_t>& copies,
-                                   const Repaired_surface_3& surface,
-                                   const bool is_one_of_several) const
+  // Puts the vertices of the surface into the elements of a constraint; of several components each takes
+  // those of its own.
+  template <typename Element>
+  static void bring_to_surface(std::vector<Element>& elements,
+                               const std::vector<std::size_t>& copies,
+                               const Repaired_surface_3& surface, const bool is_one_of_several)
   {
-    std::vector<Spring_3> result;
-    for(std::size_t i = 0; i < m_options.springs.size(); ++i)
+    std::vector<Element> result;
+    for(std::size_t i = 0; i < elements.size(); ++i)
     {
-      const std::string name = "spring " + std::to_string(i);
-      Spring_3 spring = m_options.springs[i];
+      typedef Constraint_element_traits<Element> Traits;
+      const std::string name = Traits::name + (' ' + std::to_string(i));
       bool is_here = true;
-      for(std::size_t* const end : {&spring.p, &spring.q})
+      for(std::size_t* const vertex : Traits::pointers_to_vertices(elements[i]))
       {
-        if(*end >= copies.size())
-          throw std::invalid_argument(name + " names vertex " + std::to_string(*end)
+        if(*vertex >= copies.size())
+          throw std::invalid_argument(name + " names vertex " + std::to_string(*vertex)
                                       + ", but there are " + std::to_string(copies.size()));
-        const std::size_t copy = copies[*end];
+        const std::size_t copy = copies[*vertex];
         if(copy == surface.origins.size() && !is_one_of_several)
-          throw std::invalid_argument(name + " names vertex " + std::to_string(*end)
+          throw std::invalid_argument(name + " names vertex " + std::to_string(*vertex)
                                       + ", which is not on the surface");
         is_here = is_here && copy != surface.origins.size();
-        *end = copy;
+        *vertex = copy;
       }
       if(is_here)
-        result.push_back(spring);
+        result.push_back(elements[i]);
     }
-    return result;
+    elements = std::move(result);
   }
 
   // Copies of a vertex may have come apart a little: it lies in their middle.

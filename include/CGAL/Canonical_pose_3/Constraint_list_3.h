@@ -1,0 +1,126 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_CONSTRAINT_LIST_3_H
+#define CGAL_CANONICAL_POSE_3_CONSTRAINT_LIST_3_H
+
+#include <CGAL/Canonical_pose_3/internal/Constraint_element_traits.h>
+
+#include <CGAL/assertions.h>
+
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+
+/*!
+\ingroup PkgCanonicalPose3Ref
+
+\brief is the list that all constraint adaptors of this package are: elements of one kind, which may
+be added, changed and removed between two registrations.
+
+\tparam Element `Spring_3`, `Directed_pair_3`, `Handle_3` or `Symmetric_pair_3`
+*/
+template <typename Element>
+class Constraint_list_3
+{
+public:
+  /// constructs an empty list for a surface of `number_of_vertices` vertices.
+  explicit Constraint_list_3(const std::size_t number_of_vertices)
+    : m_number_of_vertices(number_of_vertices)
+  {}
+
+  /// adds an element and returns its index. The matrix changes.
+  /// \throws std::invalid_argument if a vertex does not exist, or a number is out of its bounds; the
+  ///         message names the element.
+  std::size_t insert(const Element& element)
+  {
+    check(element, m_elements.size());
+    m_elements.push_back(element);
+    ++m_matrix_revision;
+    return m_elements.size() - 1;
+  }
+
+  /// puts another element in the place of one. The matrix changes if vertices or stiffness do.
+  /// \pre `index < elements().size()`
+  /// \throws std::invalid_argument as `insert()`; nothing is changed then.
+  void replace(const std::size_t index, const Element& element)
+  {
+    CGAL_precondition(index < m_elements.size());
+    check(element, index);
+    Element& place = m_elements[index];
+    if(element.stiffness != place.stiffness
+       || internal::vertices_of(element) != internal::vertices_of(place))
+      ++m_matrix_revision;
+    place = element;
+  }
+
+  /// changes the stiffness of an element. The matrix changes.
+  /// \pre `index < elements().size()`
+  /// \throws std::invalid_argument if `stiffness` is not positive and finite.
+  void set_stiffness(const std::size_t index, const double stiffness)
+  {
+    Element changed = element(index);
+    changed.stiffness = stiffness;
+    replace(index, changed);
+  }
+
+  /// removes an element; the indices of those after it become smaller by one. The matrix changes.
+  /// \pre `index < elements().size()`
+  void erase(const std::size_t index)
+  {
+    CGAL_precondition(index < m_elements.size());
+    m_elements.erase(m_elements.begin() + static_cast<std::ptrdiff_t>(index));
+    ++m_matrix_revision;
+  }
+
+  /// returns the elements.
+  const std::vector<Element>& elements() const { return m_elements; }
+
+  /// returns an element.
+  /// \pre `index < elements().size()`
+  const Element& element(const std::size_t index) const
+  {
+    CGAL_precondition(index < m_elements.size());
+    return m_elements[index];
+  }
+
+  /// returns a number that changes whenever the matrix does.
+  std::size_t matrix_revision() const { return m_matrix_revision; }
+
+private:
+  void check(const Element& element, const std::size_t index) const
+  {
+    typedef internal::Constraint_element_traits<Element> Traits;
+    const auto refuse_if = [&](const bool condition, const std::string& defect) {
+      if(condition)
+        throw std::invalid_argument(Traits::name + (' ' + std::to_string(index)) + ' ' + defect);
+    };
+    for(const std::size_t v : internal::vertices_of(element))
+      refuse_if(v >= m_number_of_vertices, "names vertex " + std::to_string(v) + ", but there are "
+                                             + std::to_string(m_number_of_vertices));
+    refuse_if(!(element.stiffness > 0) || !std::isfinite(element.stiffness),
+              "has a stiffness that is not positive");
+    const std::string defect = Traits::defect(element);
+    refuse_if(!defect.empty(), defect);
+  }
+
+  std::size_t m_number_of_vertices;
+  std::size_t m_matrix_revision = 0;
+  std::vector<Element> m_elements;
+};
+
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_CONSTRAINT_LIST_3_H

@@ -1,0 +1,54 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_TEST_BAR_BODY_H
+#define CGAL_CANONICAL_POSE_3_TEST_BAR_BODY_H
+
+#include <CGAL/Canonical_pose_3/Conforming_body_3.h>
+#include <CGAL/Canonical_pose_3/Registration_options.h>
+
+#include "matchers.h"
+#include "shapes.h"
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace Canonical_pose_test {
+
+/// the points of `tetrahedral_bent_bar()`
+inline Point_matrix bar_points(std::size_t nx, std::size_t ny, std::size_t nz, double angle)
+{
+  return to_matrix(tetrahedral_bent_bar(nx, ny, nz, angle).points);
+}
+
+/// the straight bar as a body, all of whose vertices are surface vertices
+inline CGAL::Canonical_pose_3::Conforming_body_3 bar_body(std::size_t nx, std::size_t ny,
+                                                          std::size_t nz)
+{
+  std::vector<std::array<int, 4>> cells;
+  for(const auto& c : tetrahedral_bent_bar(nx, ny, nz, 0.).cells)
+    cells.push_back({int(c[0]), int(c[1]), int(c[2]), int(c[3])});
+  const Point_matrix points = bar_points(nx, ny, nz, 0.);
+  return CGAL::Canonical_pose_3::Conforming_body_3(points, cells, std::size_t(points.rows()));
+}
+
+/// iterates until nothing moves any more
+inline CGAL::Canonical_pose_3::Registration_options to_the_end()
+{
+  CGAL::Canonical_pose_3::Registration_options options;
+  options.number_of_iterations = 5000;
+  options.energy_tolerance = 1e-14;
+  options.move_tolerance = 1e-10;
+  return options;
+}
+
+} // namespace Canonical_pose_test
+
+#endif // CGAL_CANONICAL_POSE_3_TEST_BAR_BODY_H

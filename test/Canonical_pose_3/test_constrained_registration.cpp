@@ -1,0 +1,162 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#include <CGAL/Canonical_pose_3/Conforming_body_3.h>
+#include <CGAL/Canonical_pose_3/Direction_constraint_adaptor_3.h>
+#include <CGAL/Canonical_pose_3/Handle_constraint_adaptor_3.h>
+#include <CGAL/Canonical_pose_3/Symmetry_constraint_adaptor_3.h>
+#include <CGAL/Canonical_pose_3/Tetrahedral_arap_registrar_3.h>
+
+#include <gtest/gtest.h>
+
+#include "bar_body.h"
+#include "matchers.h"
+
+#include <Eigen/Geometry>
+
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CP = CGAL::Canonical_pose_3;
+using Canonical_pose_test::uniform_weights;
+using CP::Point_matrix;
+using Eigen::RowVector3d;
+
+namespace {
+
+typedef CP::Tetrahedral_arap_registrar_3<CP::Conforming_body_3> Registrar;
+
+// Two separate tetrahedra, each of which follows the target of its first vertex rigidly.
+struct Pair
+{
+  Pair()
+  {
+    points << 0, 0, 0, -1, 0, 0, 0, -1, 0, 0, 0, -1, 5, 0, 0, 6, 0, 0, 5, 1, 0, 5, 0, 1;
+    weights[0] = weights[4] = 1;
+  }
+
+  template <typename Constraint>
+  Point_matrix pose(Constraint& constraint, CP::Registration_summary& summary) const
+  {
+    const CP::Conforming_body_3 body(points, {{0, 1, 2, 3}, {4, 5, 6, 7}}, 8);
+    Registrar registrar(body, weights, 5., Canonical_pose_test::to_the_end());
+    registrar.add_constraint(constraint);
+    registrar.set_target(points);
+    Point_matrix result;
+    summary = registrar.register_to_target(result);
+    EXPECT_TRUE(summary.converged());
+    EXPECT_TRUE(Canonical_pose_test::never_rises(summary.energy_history));
+    EXPECT_LT(summary.energy_arap, 1e-12);
+    return result;
+  }
+
+  Point_matrix points{8, 3};
+  Eigen::VectorXd weights = Eigen::VectorXd::Zero(8);
+};
+
+// All points of the bar of 12 x 2 x 2 boxes, paired with their mirror images in its middle.
+CP::Symmetry_constraint_adaptor_3 symmetry_of_bar(const double stiffness)
+{
+  CP::Symmetry_constraint_adaptor_3 result(13 * 9);
+  for(std::size_t row = 0; row < 9; ++row)
+    for(std::size_t i = 0; i <= 6; ++i)
+      result.insert({13 * row + i, 13 * row + 12 - i, stiffness});
+  return result;
+}
+
+} // namespace
+
+// For targets P, Q of weight m each and a wished difference d, stationarity gives p - q = (m (P - Q) +
+// kappa d) / (m + kappa), and the middle stays where it is.
+TEST(Constrained_registration, direction_in_equilibrium_is_exact)
+{
+  const Pair pair;
+  const double m = 0.5;
+  const RowVector3d wished(1, 2, 3), rest = pair.points.row(0) - pair.points.row(4);
+  for(const double stiffness : {0.1, 1., 1e6})
+  {
+    CP::Direction_constraint_adaptor_3 directions(8);
+    directions.insert({0, 4, wished, stiffness});
+    CP::Registration_summary summary;
+    const Point_matrix pose = pair.pose(directions, summary);
+    const RowVector3d expected = (m * rest + stiffness * wished) / (m + stiffness);
+    EXPECT_LT((pose.row(0) - pose.row(4) - expected).norm(), 1e-8);
+    EXPECT_LT((pose.row(0) + pose.row(4) - pair.points.row(0) - pair.points.row(4)).norm(), 1e-8);
+    EXPECT_NEAR(summary.energy_constraints, stiffness / 2 * (expected - wished).squaredNorm() / 25,
+                1e-8);
+  }
+}
+
+// For a target P of weight m and the position x, p = (2 m P + kappa x) / (2 m + kappa); the other
+// tetrahedron does not move.
+TEST(Constrained_registration, handle_in_equilibrium_is_exact)
+{
+  const Pair pair;
+  const double m = 0.5;
+  const RowVector3d position(1, 2, 3);
+  for(const double stiffness : {0.1, 1., 1e6})
+  {
+    CP::Handle_constraint_adaptor_3 handles(8);
+    handles.insert({4, position, stiffness});
+    CP::Registration_summary summary;
+    const Point_matrix pose = pair.pose(handles, summary);
+    const RowVector3d expected
+      = (2 * m * pair.points.row(4) + stiffness * position) / (2 * m + stiffness);
+    EXPECT_LT((pose.row(4) - expected).norm(), 1e-8);
+    EXPECT_LT((pose.topRows<4>() - pair.points.topRows<4>()).norm(), 1e-8);
+  }
+}
+
+// A symmetric target is reached as if there were no constraint: energy 0, wherever it lies.
+TEST(Constrained_registration, symmetric_target_costs_nothing)
+{
+  const CP::Conforming_body_3 body = Canonical_pose_test::bar_body(12, 2, 2);
+  Registrar registrar(body, uniform_weights(body.points()), 8., Canonical_pose_test::to_the_end());
+  CP::Symmetry_constraint_adaptor_3 symmetric = symmetry_of_bar(0.1);
+  registrar.add_constraint(symmetric);
+  const Eigen::Matrix3d rotation
+    = Eigen::AngleAxisd(2., Eigen::Vector3d(1, 1, 0).normalized()).toRotationMatrix();
+  const Point_matrix target
+    = (body.points() * rotation.transpose()).rowwise() + RowVector3d(1, 2, 3);
+  registrar.set_target(target);
+  Point_matrix pose;
+  const CP::Registration_summary summary = registrar.register_to_target(pose);
+  EXPECT_LT(summary.energy, 1e-12);
+  EXPECT_LT((pose - target).norm(), 1e-4);
+}
+
+// An unsymmetric target: the stiffer the constraint, the more symmetric the pose.
+TEST(Constrained_registration, symmetry_grows_with_stiffness)
+{
+  const CP::Conforming_body_3 body = Canonical_pose_test::bar_body(12, 2, 2);
+  Point_matrix target = body.points();
+  for(Eigen::Index i = 0; i < target.rows(); ++i)
+    if(target(i, 0) < 4) // this half bends upwards
+    {
+      const auto p
+        = Canonical_pose_test::bend({4 - target(i, 0), target(i, 1), target(i, 2)}, 4, 2);
+      target.row(i) << 4 - p[0], p[1], p[2];
+    }
+  double previous = std::numeric_limits<double>::infinity();
+  for(const double stiffness : {1e-4, 1e-2, 1e2})
+  {
+    Registrar registrar(body, uniform_weights(body.points()), 8.,
+                        Canonical_pose_test::to_the_end());
+    CP::Symmetry_constraint_adaptor_3 symmetric = symmetry_of_bar(stiffness);
+    registrar.add_constraint(symmetric);
+    registrar.set_target(target);
+    Point_matrix pose;
+    const CP::Registration_summary summary = registrar.register_to_target(pose);
+    EXPECT_TRUE(Canonical_pose_test::never_rises(summary.energy_history));
+    const double energy = symmetric.energy(pose) / stiffness;
+    EXPECT_LT(energy, previous / 2);
+    previous = energy;
+  }
+}

@@ -1,0 +1,74 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#include <gtest/gtest.h>
+
+#include "constraint_samples.h"
+#include "matchers.h"
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+using namespace Canonical_pose_test;
+
+namespace {
+
+constexpr int n = number_of_points;
+
+} // namespace
+
+// What a list has become by changes is what it would be had it been made so.
+TEST(Constraints, changes_and_removals)
+{
+  CP::Spring_constraint_adaptor_3 changed = springs();
+  const std::size_t revision = changed.matrix_revision();
+  changed.set_rest_length(0, 5.);
+  EXPECT_EQ(changed.matrix_revision(), revision);
+  changed.set_stiffness(0, 0.3);
+  EXPECT_NE(changed.matrix_revision(), revision);
+  changed.replace(0, {2, 1, 3., 0.3});
+  Point_matrix x = Point_matrix::Zero(n, 3);
+  x.row(2) << 0, 1, 0;
+  right_hand_side_of(changed, x); // remembers the direction, for when the ends coincide
+  changed.erase(0);
+  CP::Spring_constraint_adaptor_3 made(n);
+  made.insert({2, 1, 3., 0.3});
+  EXPECT_EQ(matrix_of(changed), matrix_of(made));
+  EXPECT_EQ(changed.energy(x), made.energy(x));
+  x.row(2).setZero();
+  EXPECT_LT((right_hand_side_of(changed, x).row(2) - RowVector3d(0, 0.45, 0)).norm(), 1e-15);
+  changed.erase(0);
+  EXPECT_EQ(matrix_of(changed).norm(), 0);
+  EXPECT_THROW(changed.erase(0), CGAL::Precondition_exception);
+}
+
+TEST(Constraints, bad_elements_are_named)
+{
+  const double nan = std::nan(""), infinite = std::numeric_limits<double>::infinity();
+  auto d = directions();
+  auto h = handles();
+  auto s = symmetry();
+  EXPECT_THROW_WITH(d.insert({3, 3, RowVector3d(1, 0, 0), 1.}), std::invalid_argument,
+                    "direction 2 joins vertex 3 to itself");
+  EXPECT_THROW_WITH(d.insert({n, 3, RowVector3d(1, 0, 0), 1.}), std::invalid_argument,
+                    "direction 2 names vertex 8, but there are 8");
+  EXPECT_THROW_WITH(d.set_vector(1, RowVector3d(nan, 0, 0)), std::invalid_argument,
+                    "direction 1 has a vector");
+  EXPECT_THROW_WITH(h.insert({n, RowVector3d(1, 0, 0), 1.}), std::invalid_argument,
+                    "handle 2 names vertex 8");
+  EXPECT_THROW_WITH(h.set_position(0, RowVector3d(0, infinite, 0)), std::invalid_argument,
+                    "handle 0 has a position");
+  EXPECT_THROW_WITH(h.set_stiffness(0, 0.), std::invalid_argument, "handle 0 has a stiffness");
+  EXPECT_THROW_WITH(s.insert({0, n, 1.}), std::invalid_argument, "symmetric pair 4 names vertex 8");
+  EXPECT_THROW_WITH(s.set_stiffness(1, nan), std::invalid_argument, "symmetric pair 1");
+  EXPECT_THROW(s.set_stiffness(4, 1.), CGAL::Precondition_exception);
+  EXPECT_EQ(matrix_of(d), matrix_of(directions())); // unchanged
+  EXPECT_EQ(matrix_of(h), matrix_of(handles()));
+}
