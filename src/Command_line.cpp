@@ -32,7 +32,6 @@ struct Raw_arguments
   std::string geodesics = "heat", kernel = "classical", components = "refuse", solver = "auto",
               paper_weights;
   std::vector<std::string> springs, directions, handles, symmetric_pairs;
-  bool injective = false;
 };
 
 // Splits "1,2,0.5" into its numbers; there must be as many as `least` to `most`.
@@ -212,7 +211,8 @@ void add_pose(CLI::App& command, Arguments& arguments, Raw_arguments& raw)
     "--stiffness", arguments.stiffness,
     "file of factors of the stiffness, one per vertex of a surface, or per tetrahedron");
   add_constraints(command, raw);
-  command.add_flag("--injective", raw.injective, "no inverted cells");
+  command.add_flag("--injective", options.registration.injective,
+                   "no inverted cells in the elastic body");
   command
     .add_option("--components", raw.components,
                 "more than one connected component: refuse, largest, each")
@@ -256,7 +256,6 @@ void refuse_what_is_not_there_yet(const Raw_arguments& raw)
   };
   refuse_if(raw.geodesics != "heat" && raw.geodesics != "wavefront" && raw.geodesics != "exact",
             "--geodesics " + raw.geodesics);
-  refuse_if(raw.injective, "--injective");
 }
 
 void take(const Raw_arguments& raw, const std::string& body, Options& options)

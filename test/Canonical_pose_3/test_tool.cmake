@@ -39,7 +39,7 @@ expect_exit(2 geodesics ball.off -o out/a.txt --source -1)
 
 # ---- what cannot be done: exit 1, one line on stderr that says why, and no file ------------------------
 
-foreach(option IN ITEMS "--geodesics mmp" "--injective")
+foreach(option IN ITEMS "--geodesics mmp")
   separate_arguments(words UNIX_COMMAND "${option}")
   expect_refusal("${option}: not available yet" pose ball.off -o out/a.off ${words})
 endforeach()

@@ -64,6 +64,13 @@ struct Registration_options
   /// \f$ \mu \f$ of the fairing.
   double fairing_mu = -0.53;
 
+  /// whether the result is to have no inverted or flat cell: no cell that has another orientation
+  /// than at rest, where none is flat. Those that there are after the iteration are turned right side
+  /// out, with their surroundings, by foldover-free maps
+  /// \cgalCite{cgal:canonical-gkkprs-ffm-21}; then the energy is lowered with a barrier that no
+  /// cell crosses. Where there are none, the result is the same as without.
+  bool injective = false;
+
   /*!
   sets the weights as the paper prints them \cgalCite{cgal:canonical-s-sdacm-15} (Equation 13),
   which go with matching weights \f$ m_i = 1/n \f$.

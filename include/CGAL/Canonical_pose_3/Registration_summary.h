@@ -80,7 +80,8 @@ struct Registration_summary
   double energy_arap = 0;
   /// the terms of the constraints.
   double energy_constraints = 0;
-  /// the energy of the start and after each iteration.
+  /// the energy of the start and after each iteration; after these, where inverted cells were
+  /// repaired, that of the result, which may be higher.
   std::vector<double> energy_history;
   /// number of cells that are turned inside out (or flat) in the result.
   std::size_t inverted = 0;

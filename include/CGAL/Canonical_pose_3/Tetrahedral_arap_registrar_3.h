@@ -15,6 +15,7 @@
 #include <CGAL/Canonical_pose_3/Registration_progress.h>
 #include <CGAL/Canonical_pose_3/Registration_summary.h>
 #include <CGAL/Canonical_pose_3/internal/Arap_energy.h>
+#include <CGAL/Canonical_pose_3/internal/Injective_repair.h>
 #include <CGAL/Canonical_pose_3/internal/Quasi_newton_direction.h>
 #include <CGAL/Canonical_pose_3/internal/Registration_constraint_base.h>
 #include <CGAL/Canonical_pose_3/internal/Taubin_fairing.h>
@@ -35,6 +36,7 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -213,6 +215,8 @@ public:
     timed(summary, "local_steps", [&] { evaluate(v, summary); });
     summary.energy_history.push_back(summary.energy);
     iterate(v, body_points.rows() > 0, visitor, summary);
+    if(m_options.injective && summary.is_usable() && summary.inverted > 0)
+      repair(v, summary);
     if(summary.is_usable())
       body_points = v * m_length_scale;
     return summary;
@@ -240,9 +244,8 @@ private:
   // From about here on a factorisation is cheaper than the solves and the products with an update.
   static constexpr std::size_t MOST_ROWS_OF_AN_UPDATE = 64;
 
-  typedef internal::Updated_factor<
-    typename Default::Get<FactorTraits, Default_factor_traits_d>::type>
-    Factor;
+  typedef typename Default::Get<FactorTraits, Default_factor_traits_d>::type Factor_traits;
+  typedef internal::Updated_factor<Factor_traits> Factor;
 
   template <typename Function>
   static void timed(Registration_summary& summary, const char* stage, const Function& f)
@@ -343,6 +346,15 @@ private:
   // have on the left-hand side.
   const Point_matrix& right_hand_side()
   {
+    find_surface_terms();
+    m_arap.add_to_right_hand_side(m_options.detail_length * m_options.detail_length,
+                                  m_right_hand_side);
+    return m_right_hand_side;
+  }
+
+  // Its terms that do not depend on rotations.
+  void find_surface_terms()
+  {
     m_right_hand_side = m_target_term;
     if(m_options.tikhonov > 0 || !m_constraints.empty())
     {
@@ -356,9 +368,6 @@ private:
         m_options.tikhonov * (m_weights.asDiagonal() * m_surface) + sum / m_length_scale, term);
       m_right_hand_side += term;
     }
-    m_arap.add_to_right_hand_side(m_options.detail_length * m_options.detail_length,
-                                  m_right_hand_side);
-    return m_right_hand_side;
   }
 
   // Half the gradient of the energy at v, where the last local step was.
@@ -366,6 +375,29 @@ private:
   {
     internal::transposed_product(m_matrix, v, result); // which is symmetric
     result -= right_hand_side();
+  }
+
+  // Turns inverted cells right side out, from the last local step on.
+  void repair(Point_matrix& v, Registration_summary& summary)
+  {
+    timed(summary, "global_steps", [&] {
+      find_surface_terms();
+      Eigen::SparseMatrix<double> matrix = m_matrix;
+      if(!m_constraints.empty()) // which go to the left-hand side
+      {
+        const Eigen::SparseMatrix<double> constraints = brought_to_body(m_constraint_matrix);
+        matrix += constraints;
+        m_right_hand_side += constraints * v;
+      }
+      const internal::Injective_repair<ClosestRotationTraits, Factor_traits> repair(
+        m_arap, m_options.detail_length * m_options.detail_length, matrix);
+      repair(m_right_hand_side, m_body.points() / m_length_scale, v);
+    });
+    timed(summary, "local_steps", [&] { evaluate(v, summary); });
+    summary.energy_history.push_back(summary.energy);
+    if(summary.inverted > 0)
+      summary.warnings.push_back(std::to_string(summary.inverted)
+                                 + " cells are inverted although none should be");
   }
 
   // The largest way of a surface vertex when the body moves by `step`.

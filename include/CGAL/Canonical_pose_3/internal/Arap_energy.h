@@ -11,6 +11,7 @@
 #define CGAL_CANONICAL_POSE_3_INTERNAL_ARAP_ENERGY_H
 
 #include <CGAL/Canonical_pose_3/internal/Buckets.h>
+#include <CGAL/Canonical_pose_3/internal/Elastic_cell.h>
 #include <CGAL/Canonical_pose_3/internal/closest_rotation.h>
 #include <CGAL/Canonical_pose_3/internal/for_each_block.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
@@ -72,6 +73,18 @@ public:
         pack.vertices[k][lane] = cells[t][k];
     }
     assign_slots(static_cast<std::size_t>(rest.rows()));
+  }
+
+  std::size_t number_of_cells() const { return m_number_of_cells; }
+
+  Elastic_cell cell(const std::size_t t) const
+  {
+    const Cell_pack& pack = m_packs[t / pack_size];
+    const int lane = static_cast<int>(t % pack_size);
+    return {gradients(pack, lane),
+            pack.weights[lane],
+            {pack.vertices[0][lane], pack.vertices[1][lane], pack.vertices[2][lane],
+             pack.vertices[3][lane]}};
   }
 
   // Returns sum_t w_t G_t^t G_t times `factor`, columns in parallel.

@@ -380,7 +380,8 @@ private:
     registered.body.kind = m_summary.body.kind;
     registered.input = m_summary.input;
     registered.target = m_summary.target;
-    registered.warnings = m_summary.warnings;
+    registered.warnings.insert(registered.warnings.begin(), m_summary.warnings.begin(),
+                               m_summary.warnings.end());
     m_summary = std::move(registered);
   }
 

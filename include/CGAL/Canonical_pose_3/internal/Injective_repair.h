@@ -1,0 +1,194 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_INTERNAL_INJECTIVE_REPAIR_H
+#define CGAL_CANONICAL_POSE_3_INTERNAL_INJECTIVE_REPAIR_H
+
+#include <CGAL/Canonical_pose_3/internal/Arap_energy.h>
+#include <CGAL/Canonical_pose_3/internal/Buckets.h>
+#include <CGAL/Canonical_pose_3/internal/Disjoint_sets.h>
+#include <CGAL/Canonical_pose_3/internal/Elastic_cell.h>
+#include <CGAL/Canonical_pose_3/internal/Injective_patch.h>
+#include <CGAL/Canonical_pose_3/point_matrix.h>
+
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+namespace internal {
+
+// Turns inverted and flat cells of a registered body right side out where they are: patches of rings
+// around them are untangled one by one, see `Injective_patch`, larger and larger ones if need be. As a
+// last resort all starts from the rest pose, where no cell is inverted.
+template <typename ClosestRotationTraits, typename FactorTraits>
+class Injective_repair
+{
+public:
+  // `matrix`: of the registration, which must outlive this; `cell_factor`: of the term of the cells, as in `matrix`.
+  Injective_repair(const Arap_energy<ClosestRotationTraits>& arap, const double cell_factor,
+                   const Eigen::SparseMatrix<double>& matrix)
+    : m_matrix(matrix)
+  {
+    for(std::size_t t = 0; t < arap.number_of_cells(); ++t)
+      m_cells.push_back(arap.cell(t));
+    for(Elastic_cell& cell : m_cells)
+      cell.weight *= cell_factor;
+  }
+
+  // `right_hand_side`: of the registration without the term of the cells; `rest`: the rest pose, near
+  // which `points` need not be.
+  void operator()(const Point_matrix& right_hand_side, const Point_matrix& rest,
+                  Point_matrix& points) const
+  {
+    for(int rings = 1;; rings *= 2)
+    {
+      std::vector<bool> is_free = vertices_of_inverted_cells(points);
+      if(std::find(is_free.begin(), is_free.end(), true) == is_free.end())
+        return;
+      bool is_growing = true;
+      for(int ring = 0; ring < rings && is_growing; ++ring)
+        is_growing = grow(is_free);
+      if(!is_growing) // whole components
+        for(std::size_t v = 0; v < is_free.size(); ++v)
+          if(is_free[v])
+            points.row(static_cast<Eigen::Index>(v)) = rest.row(static_cast<Eigen::Index>(v));
+      untangle(is_free, right_hand_side, points);
+      if(!is_growing)
+        return;
+    }
+  }
+
+private:
+  std::vector<bool> vertices_of_inverted_cells(const Point_matrix& points) const
+  {
+    std::vector<bool> result(static_cast<std::size_t>(points.rows()), false);
+    for(const Elastic_cell& cell : m_cells)
+      if(!(cell.deformation(points).determinant() > 0))
+        for(const int v : cell.vertices)
+          result[static_cast<std::size_t>(v)] = true;
+    return result;
+  }
+
+  // Adds the vertices of all cells with one of the vertices; returns whether there were any.
+  bool grow(std::vector<bool>& vertices) const
+  {
+    const std::vector<bool> old = vertices;
+    for(const Elastic_cell& cell : m_cells)
+      if(std::any_of(cell.vertices.begin(), cell.vertices.end(),
+                     [&](const int v) { return old[v]; }))
+        for(const int v : cell.vertices)
+          vertices[v] = true;
+    return vertices != old;
+  }
+
+  void untangle(const std::vector<bool>& is_free, const Point_matrix& right_hand_side,
+                Point_matrix& points) const
+  {
+    // patches: vertices that the matrix connects
+    const std::size_t n = is_free.size();
+    Disjoint_sets sets(n);
+    for(int j = 0; j < m_matrix.outerSize(); ++j)
+      for(Eigen::SparseMatrix<double>::InnerIterator it(m_matrix, j); it; ++it)
+        if(is_free[j] && is_free[it.row()])
+          sets.unite(static_cast<std::size_t>(j), static_cast<std::size_t>(it.row()));
+    std::vector<int> patch(n, -1); // of each free vertex
+    int number_of_patches = 0;
+    for(std::size_t v = 0; v < n; ++v)
+      if(is_free[v])
+      {
+        int& p = patch[sets.representative(v)];
+        if(p < 0)
+          p = number_of_patches++;
+        patch[v] = p;
+      }
+    const Buckets<int> vertices(number_of_patches, [&](const auto& put) {
+      for(std::size_t v = 0; v < n; ++v)
+        if(patch[v] >= 0)
+          put(patch[v], static_cast<int>(v));
+    });
+    const Buckets<std::size_t> cells(number_of_patches, [&](const auto& put) {
+      for(std::size_t t = 0; t < m_cells.size(); ++t)
+        for(const int v : m_cells[t].vertices)
+          if(patch[v] >= 0) // then the other vertices are fixed or in the same patch
+          {
+            put(patch[v], t);
+            break;
+          }
+    });
+    std::vector<int> local(n, -1);
+    for(int p = 0; p < number_of_patches; ++p)
+      untangle(vertices[p], cells[p], right_hand_side, local, points);
+  }
+
+  // `local`: -1 for all vertices.
+  template <typename Vertices, typename Cells>
+  void untangle(const Vertices& free_vertices, const Cells& cells,
+                const Point_matrix& right_hand_side, std::vector<int>& local,
+                Point_matrix& points) const
+  {
+    std::vector<int> vertices(free_vertices.begin(), free_vertices.end());
+    const int m = static_cast<int>(vertices.size());
+    for(int i = 0; i < m; ++i)
+      local[vertices[i]] = i;
+
+    std::vector<Eigen::Triplet<double>> entries;
+    Point_matrix gradient(m, 3);
+    for(int j = 0; j < m; ++j)
+    {
+      gradient.row(j) = -right_hand_side.row(vertices[j]);
+      for(Eigen::SparseMatrix<double>::InnerIterator it(m_matrix, vertices[j]); it; ++it)
+      {
+        gradient.row(j) += it.value() * points.row(it.row());
+        if(local[it.row()] >= 0)
+          entries.emplace_back(local[it.row()], j, it.value());
+      }
+    }
+    Eigen::SparseMatrix<double> matrix(m, m);
+    matrix.setFromTriplets(entries.begin(), entries.end());
+
+    std::vector<Elastic_cell> patch_cells;
+    for(const std::size_t t : cells)
+    {
+      patch_cells.push_back(m_cells[t]);
+      for(int& v : patch_cells.back().vertices)
+      {
+        if(local[v] < 0)
+        {
+          local[v] = static_cast<int>(vertices.size());
+          vertices.push_back(v);
+        }
+        v = local[v];
+      }
+    }
+    Point_matrix patch_points(static_cast<Eigen::Index>(vertices.size()), 3);
+    for(std::size_t i = 0; i < vertices.size(); ++i)
+    {
+      patch_points.row(static_cast<Eigen::Index>(i)) = points.row(vertices[i]);
+      local[vertices[i]] = -1;
+    }
+    Injective_patch<ClosestRotationTraits, FactorTraits> patch(
+      std::move(patch_points), std::move(patch_cells), std::move(matrix), std::move(gradient));
+    if(patch.untangle())
+      for(int i = 0; i < m; ++i)
+        points.row(vertices[i]) = patch.points().row(i);
+  }
+
+  const Eigen::SparseMatrix<double>& m_matrix;
+  std::vector<Elastic_cell> m_cells;
+};
+
+} // namespace internal
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_INTERNAL_INJECTIVE_REPAIR_H

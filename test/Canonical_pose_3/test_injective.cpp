@@ -1,0 +1,170 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#include <CGAL/Canonical_pose_3/Conforming_body_3.h>
+#include <CGAL/Canonical_pose_3/Spring_constraint_adaptor_3.h>
+#include <CGAL/Canonical_pose_3/Tetrahedral_arap_registrar_3.h>
+
+#include <CGAL/Random.h>
+
+#include <gtest/gtest.h>
+
+#include "matchers.h"
+#include "shapes.h"
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#endif
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CP = CGAL::Canonical_pose_3;
+using Canonical_pose_test::uniform_weights;
+using CP::Point_matrix;
+using CP::Registration_summary;
+
+namespace {
+
+typedef CP::Tetrahedral_arap_registrar_3<CP::Conforming_body_3> Registrar;
+
+CP::Conforming_body_3 bar_body()
+{
+  const auto soup = Canonical_pose_test::tetrahedral_bent_bar(24, 4, 4, 0.);
+  std::vector<std::array<int, 4>> cells;
+  for(const auto& c : soup.cells)
+    cells.push_back({int(c[0]), int(c[1]), int(c[2]), int(c[3])});
+  return CP::Conforming_body_3(Canonical_pose_test::to_matrix(soup.points), cells,
+                               soup.points.size());
+}
+
+// Bent so far that the inner side folds.
+Point_matrix folding_target()
+{
+  return Canonical_pose_test::to_matrix(
+           Canonical_pose_test::tetrahedral_bent_bar(24, 4, 4, 3.).points)
+         * Eigen::Vector3d(0.6, 0.4, 1).asDiagonal();
+}
+
+// A folding target, shaken with the seed.
+Point_matrix shaken_target(const unsigned int seed, const double by)
+{
+  CGAL::Random random(seed);
+  Point_matrix target = folding_target();
+  for(Eigen::Index k = 0; k < target.size(); ++k)
+    target.data()[k] += random.get_double(-by, by);
+  return target;
+}
+
+Registration_summary run(const CP::Conforming_body_3& body, const Point_matrix& target,
+                         const bool injective, Point_matrix& pose,
+                         CP::Spring_constraint_adaptor_3* springs = nullptr)
+{
+  CP::Registration_options options;
+  options.detail_length = 0.05;
+  options.injective = injective;
+  Registrar registrar(body, uniform_weights(body.points()), 8., options);
+  if(springs != nullptr)
+    registrar.add_constraint(*springs);
+  registrar.set_target(target);
+  pose.resize(0, 3);
+  return registrar.register_to_target(pose);
+}
+
+// The cells that are not oriented as at rest, counted by volumes.
+std::size_t number_of_inverted_cells(const CP::Conforming_body_3& body, const Point_matrix& pose)
+{
+  const auto volume = [](const Point_matrix& points, const std::array<int, 4>& c) {
+    Eigen::Matrix3d edges;
+    for(int k = 0; k < 3; ++k)
+      edges.row(k) = points.row(c[k + 1]) - points.row(c[0]);
+    return edges.determinant();
+  };
+  std::size_t result = 0;
+  for(const auto& cell : body.cells())
+    result += volume(pose, cell) * volume(body.points(), cell) > 0 ? 0 : 1;
+  return result;
+}
+
+} // namespace
+
+// No fold is left, whether the target folds the bar or is noise on top; as counted by volumes. The
+// bound on the energy is the promise of the manual.
+TEST(Injective, no_cell_is_inverted)
+{
+  const CP::Conforming_body_3 body = bar_body();
+  for(const double by : {0., 0.1, 0.2})
+  {
+    Point_matrix plain, pose;
+    const Registration_summary before = run(body, shaken_target(1, by), false, plain);
+    const Registration_summary after = run(body, shaken_target(1, by), true, pose);
+    EXPECT_GT(number_of_inverted_cells(body, plain), 0u) << by;
+    EXPECT_EQ(before.inverted, number_of_inverted_cells(body, plain)) << by;
+    EXPECT_EQ(number_of_inverted_cells(body, pose), 0u) << by;
+    EXPECT_EQ(after.inverted, 0u) << by;
+    EXPECT_LE(after.energy, 1.05 * before.energy) << by;
+    ASSERT_EQ(after.energy_history.size(), before.energy_history.size() + 1);
+    EXPECT_TRUE(std::equal(before.energy_history.begin(), before.energy_history.end(),
+                           after.energy_history.begin()));
+    EXPECT_EQ(after.energy_history.back(), after.energy);
+    EXPECT_TRUE(after.warnings.empty());
+  }
+}
+
+// The target is the mirror image: all that follows it is inverted. What is left is the last resort.
+TEST(Injective, mirrored_target)
+{
+  const CP::Conforming_body_3 body = bar_body();
+  Point_matrix target = body.points(), pose;
+  target.col(1) *= -1;
+  EXPECT_GT(run(body, target, false, pose).inverted, body.cells().size() / 4);
+  EXPECT_EQ(run(body, target, true, pose).inverted, 0u);
+  EXPECT_EQ(number_of_inverted_cells(body, pose), 0u);
+}
+
+// A spring goes on pulling while cells are repaired.
+TEST(Injective, constraints_hold)
+{
+  const CP::Conforming_body_3 body = bar_body();
+  CP::Spring_constraint_adaptor_3 springs(static_cast<std::size_t>(body.points().rows()));
+  springs.insert({0, static_cast<std::size_t>(body.points().rows()) - 1, 0.5, 0.3});
+  Point_matrix pose;
+  const Registration_summary before = run(body, folding_target(), false, pose, &springs);
+  const Registration_summary after = run(body, folding_target(), true, pose, &springs);
+  EXPECT_GT(before.inverted, 0u);
+  EXPECT_EQ(after.inverted, 0u);
+  EXPECT_LE(after.energy, 1.05 * before.energy);
+}
+
+// A rigid motion of the rest pose has energy 0, and nothing to repair: bit by bit the same pose.
+TEST(Injective, nothing_changes_where_nothing_is_inverted)
+{
+  const CP::Conforming_body_3 body = bar_body();
+  const Eigen::Matrix3d rotation
+    = Eigen::AngleAxisd(2., Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
+  const Point_matrix target
+    = (body.points() * rotation.transpose()).rowwise() + Eigen::RowVector3d(1, 2, 3);
+  Point_matrix plain, pose;
+  run(body, target, false, plain);
+  EXPECT_LE(run(body, target, true, pose).energy, 1e-12);
+  EXPECT_EQ(pose, plain);
+}
+
+TEST(Injective, number_of_threads_does_not_matter)
+{
+  const CP::Conforming_body_3 body = bar_body();
+  Point_matrix pose, serial;
+  run(body, shaken_target(1, 0.2), true, pose);
+#ifdef CGAL_LINKED_WITH_TBB
+  const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
+#endif
+  run(body, shaken_target(1, 0.2), true, serial);
+  EXPECT_EQ(serial, pose);
+}

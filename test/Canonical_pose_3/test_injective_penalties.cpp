@@ -1,0 +1,59 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#include <CGAL/Canonical_pose_3/internal/Foldover_free_energy.h>
+#include <CGAL/Canonical_pose_3/internal/Inversion_barrier.h>
+
+#include <CGAL/Random.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace CP = CGAL::Canonical_pose_3;
+
+namespace {
+
+template <class Penalty>
+void expect_gradient_by_differences(const Penalty& penalty, const Eigen::Matrix3d& f)
+{
+  const Eigen::Matrix3d gradient = penalty.gradient(f);
+  const double h = 1e-6;
+  for(int k = 0; k < 9; ++k)
+  {
+    Eigen::Matrix3d a = f, b = f;
+    a(k) -= h;
+    b(k) += h;
+    EXPECT_NEAR((penalty.value(b) - penalty.value(a)) / (2 * h), gradient(k),
+                1e-6 * (1 + gradient.norm()));
+  }
+  // what takes the place of the Hessian matrix must give directions of descent
+  const Eigen::SelfAdjointEigenSolver<CP::internal::Matrix_9> solver(penalty.hessian(f));
+  EXPECT_GE(solver.eigenvalues()[0], -1e-12 * solver.eigenvalues()[8]);
+}
+
+} // namespace
+
+// Central differences are good to h^2 relative to the third derivatives, which are moderate for
+// determinants not much smaller than epsilon or the range of the barrier.
+TEST(Injective, gradients_of_the_penalties)
+{
+  CGAL::Random random(3);
+  for(int i = 0; i < 50; ++i)
+  {
+    Eigen::Matrix3d f;
+    for(int k = 0; k < 9; ++k)
+      f(k) = random.get_double(-1, 1);
+    for(const double epsilon : {1., 0.3, 0.1})
+      expect_gradient_by_differences(CP::internal::Foldover_free_energy(epsilon), f);
+    const double d = f.determinant();
+    f *= std::cbrt(random.get_double(0.02, 0.12) / d); // right side out, and near the barrier
+    expect_gradient_by_differences(CP::internal::Inversion_barrier(), f);
+  }
+}
