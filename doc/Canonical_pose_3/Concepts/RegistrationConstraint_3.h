@@ -18,6 +18,9 @@ registrar divides energies by \f$ L^2 \f$. Row \f$ i \f$ is surface vertex \f$ i
 the registrar brings \f$ C \f$ and \f$ D \f$ to the body vertices itself.
 
 \cgalHasModel `CGAL::Canonical_pose_3::Spring_constraint_adaptor_3`
+\cgalHasModel `CGAL::Canonical_pose_3::Direction_constraint_adaptor_3`
+\cgalHasModel `CGAL::Canonical_pose_3::Handle_constraint_adaptor_3`
+\cgalHasModel `CGAL::Canonical_pose_3::Symmetry_constraint_adaptor_3`
 
 \sa `CGAL::Canonical_pose_3::Tetrahedral_arap_registrar_3`
 */
@@ -27,9 +30,9 @@ public:
   /// \name Operations
   /// @{
 
-  /// returns a number that changes whenever \f$ C \f$ does. The registrar factors its matrix anew
-  /// when it has changed at the beginning of a registration; what changes \f$ D \f$ alone, a length
-  /// for instance, should leave it as it is.
+  /// returns a number that changes whenever \f$ C \f$ does. When it has changed at the beginning of a
+  /// registration, the registrar updates its factor if \f$ C \f$ changed in few rows, else it factors
+  /// anew; what changes \f$ D \f$ alone, a length for instance, should leave the number as it is.
   std::size_t matrix_revision() const;
 
   /// appends the entries of \f$ C \f$, those of both triangles. Entries at the same place are

@@ -118,7 +118,7 @@ public:
 
   /// adds a constraint, which must outlive the registrar or be removed before it ends. What it asks for
   /// may change between calls of `register_to_target()`. What does not change its matrix costs nothing;
-  /// what does costs a solve per vertex concerned, or a factorisation if there are many of them.
+  /// what does costs a solve per element concerned, or a factorisation if there are more than 32.
   /// \tparam Constraint a model of `RegistrationConstraint_3`
   template <typename Constraint>
   void add_constraint(Constraint& constraint)
@@ -241,8 +241,9 @@ public:
   const Registration_options& options() const { return m_options; }
 
 private:
-  // From about here on a factorisation is cheaper than the solves and the products with an update.
-  static constexpr std::size_t MOST_ROWS_OF_AN_UPDATE = 64;
+  // Beyond this rank a factorisation is cheaper than the solves for an update and the products with it
+  // in the iterations of one registration (measured on the armadillo in a body of TetGen).
+  static constexpr std::size_t MOST_RANK_OF_AN_UPDATE = 32;
 
   typedef typename Default::Get<FactorTraits, Default_factor_traits_d>::type Factor_traits;
   typedef internal::Updated_factor<Factor_traits> Factor;
@@ -301,7 +302,9 @@ private:
     const Eigen::SparseMatrix<double> change = m_constraint_matrix - m_factored_constraint_matrix;
     Eigen::SparseMatrix<double> v;
     Eigen::VectorXd d;
-    return internal::low_rank_factors(change, MOST_ROWS_OF_AN_UPDATE, v, d)
+    const std::size_t most = MOST_RANK_OF_AN_UPDATE;
+    return internal::low_rank_factors(change, 2 * most, v, d) // a spring has two rows
+           && d.size() <= static_cast<Eigen::Index>(most)
            && m_factor.update(m_embedding_transposed * v, d);
   }
 

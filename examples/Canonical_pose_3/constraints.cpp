@@ -1,0 +1,127 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+// A running figure in its canonical pose, and in a Vitruvian pose: arms sideways, legs apart.
+// Usage: constraints [prefix of the poses to write, as OFF]
+
+#include <CGAL/canonical_pose_3.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
+#include <CGAL/Surface_mesh.h>
+
+#include "Articulated_figure.h"
+
+#include <Eigen/Geometry>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdlib>
+#include <iostream>
+#include <string>
+#include <vector>
+
+namespace CP = CGAL::Canonical_pose_3;
+namespace Examples = Canonical_pose_examples;
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using Eigen::Vector3d;
+
+Vector3d point(const Mesh& mesh, const std::size_t v)
+{
+  const auto& p = mesh.point(Mesh::Vertex_index(v));
+  return {p.x(), p.y(), p.z()};
+}
+
+// Every third vertex of those for which `is_inside(point)` holds.
+template <typename Predicate>
+std::vector<std::size_t> sample(const Mesh& mesh, const Predicate& is_inside)
+{
+  std::vector<std::size_t> result;
+  for(std::size_t v = 0; v < mesh.number_of_vertices(); v += 3)
+    if(is_inside(point(mesh, v)))
+      result.push_back(v);
+  return result;
+}
+
+Vector3d center(const Mesh& mesh, const std::vector<std::size_t>& vertices)
+{
+  Vector3d sum = Vector3d::Zero();
+  for(const std::size_t v : vertices)
+    sum += point(mesh, v);
+  return sum / double(vertices.size());
+}
+
+struct Limb
+{
+  std::vector<std::size_t> vertices, joint; // joint: around its inner end
+  Vector3d direction;                       // in which it is to point
+};
+
+int main(int argc, char* argv[])
+{
+  const Examples::Articulated_figure figure(5000);
+  const Mesh rest = figure.make_mesh<Mesh>(); // the vertices are found on it by their place
+  const Mesh running = figure.make_mesh<Mesh>(figure.named_poses()[2].angles);
+  const auto trunk = sample(
+    rest, [](const Vector3d& p) { return std::abs(p.x()) < 0.15 && p.y() > 0.95 && p.y() < 1.4; });
+  std::vector<Limb> limbs;
+  for(const double side : {1., -1.})
+  {
+    const auto near = [&](const Vector3d& c) {
+      return sample(rest, [=](const Vector3d& p) { return (p - c).norm() < 0.1; });
+    };
+    limbs.push_back({sample(rest, [=](const Vector3d& p) { return side * p.x() > 0.3; }),
+                     near({0.2 * side, 1.41, 0}), Vector3d(side, 0, 0)});
+    limbs.push_back(
+      {sample(rest, [=](const Vector3d& p) { return side * p.x() > 0 && p.y() < 0.7; }),
+       near({0.12 * side, 0.9, 0}), Vector3d(0.5 * side, -1, 0)});
+  }
+
+  CP::Options options;
+  CP::Intermediate_results reused; // distances and target serve both poses
+  options.intermediate_results = &reused;
+  Mesh canonical = running;
+  if(!CGAL::canonical_pose_3(running, canonical.points(), options).is_usable())
+    return EXIT_FAILURE;
+
+  // Limbs are straight in the canonical pose; each is wished as it is there, turned about its joint.
+  for(const Limb& limb : limbs)
+  {
+    const Vector3d joint = center(canonical, limb.joint);
+    const auto turn = Eigen::Quaterniond::FromTwoVectors(center(canonical, limb.vertices) - joint,
+                                                         limb.direction);
+    for(std::size_t i = 0; i < limb.vertices.size(); ++i)
+    {
+      const std::size_t p = limb.vertices[i], q = trunk[i % trunk.size()];
+      const Vector3d wished = joint + turn * (point(canonical, p) - joint) - point(canonical, q);
+      options.directions.push_back({p, q, wished.transpose(), 1 / double(limb.vertices.size())});
+    }
+  }
+  Mesh vitruvian = running;
+  const auto summary = CGAL::canonical_pose_3(running, vitruvian.points(), options);
+  std::cout << summary << '\n';
+  if(!summary.is_usable())
+    return EXIT_FAILURE;
+
+  bool points_there = true;
+  for(const Limb& limb : limbs)
+  {
+    const Vector3d way = center(vitruvian, limb.vertices) - center(vitruvian, limb.joint);
+    const double cosine = way.normalized().dot(limb.direction.normalized());
+    std::cout << "cosine of the angle to the wished direction: " << cosine << '\n';
+    points_there = points_there && cosine > 0.9;
+  }
+  if(argc > 1
+     && (!CGAL::IO::write_polygon_mesh(std::string(argv[1]) + "input.off", running)
+         || !CGAL::IO::write_polygon_mesh(std::string(argv[1]) + "canonical.off", canonical)
+         || !CGAL::IO::write_polygon_mesh(std::string(argv[1]) + "vitruvian.off", vitruvian)))
+    return EXIT_FAILURE;
+  return points_there ? EXIT_SUCCESS : EXIT_FAILURE;
+}
