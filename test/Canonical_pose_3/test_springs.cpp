@@ -25,7 +25,7 @@ using CP::Point_matrix;
 
 namespace {
 
-// Counts how often it gives its matrix: that is once per factorisation.
+// Counts how often it gives its matrix: once per factorisation or update of the factor.
 struct Counting_springs : CP::Spring_constraint_adaptor_3
 {
   using CP::Spring_constraint_adaptor_3::Spring_constraint_adaptor_3;

@@ -58,8 +58,8 @@ struct Constraint_element_traits<Directed_pair_3> : Vertex_pair_traits
 
 \brief adds pairs of vertices to a registration whose difference, length and direction, is given.
 
-Limbs that point in given directions make a Vitruvian pose, as Section 9 of
-\cgalCite{cgal:canonical-s-sdacm-15} proposes. The energy of pair \f$ s \f$ with the vector
+Limbs that point in given directions make a Vitruvian pose, the future work of
+\cgalCite{cgal:canonical-s-sdacm-15}. The energy of pair \f$ s \f$ with the vector
 \f$ d_s \f$ is \f$ \frac{1}{2} \kappa_s |p_s - q_s - d_s|^2 \f$. It is quadratic, so that an
 iteration finds its minimum for given rotations of the cells.
 
