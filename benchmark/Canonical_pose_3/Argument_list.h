@@ -77,8 +77,8 @@ public:
   void take(CGAL::Canonical_pose_3::Options& options)
   {
     using Options = CGAL::Canonical_pose_3::Options;
-    options.geodesics = static_cast<Options::Geodesics>(
-      take_choice("--geodesics", {"heat", "wavefront", "exact"}));
+    options.geodesics
+      = static_cast<Options::Geodesics>(take_choice("--geodesics", {"heat", "wavefront", "exact"}));
     options.body
       = static_cast<Options::Body>(take_choice("--body", {"auto", "lattice", "tetgen", "mesh"}));
     options.components = static_cast<Options::Components>(
