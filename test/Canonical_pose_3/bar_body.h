@@ -28,15 +28,16 @@ inline Point_matrix bar_points(std::size_t nx, std::size_t ny, std::size_t nz, d
   return to_matrix(tetrahedral_bent_bar(nx, ny, nz, angle).points);
 }
 
-/// the straight bar as a body, all of whose vertices are surface vertices
+/// the bar as a body, all of whose vertices are surface vertices
 inline CGAL::Canonical_pose_3::Conforming_body_3 bar_body(std::size_t nx, std::size_t ny,
-                                                          std::size_t nz)
+                                                          std::size_t nz, double angle = 0)
 {
+  const Tetrahedral_soup soup = tetrahedral_bent_bar(nx, ny, nz, angle);
   std::vector<std::array<int, 4>> cells;
-  for(const auto& c : tetrahedral_bent_bar(nx, ny, nz, 0.).cells)
+  for(const auto& c : soup.cells)
     cells.push_back({int(c[0]), int(c[1]), int(c[2]), int(c[3])});
-  const Point_matrix points = bar_points(nx, ny, nz, 0.);
-  return CGAL::Canonical_pose_3::Conforming_body_3(points, cells, std::size_t(points.rows()));
+  return CGAL::Canonical_pose_3::Conforming_body_3(to_matrix(soup.points), cells,
+                                                   soup.points.size());
 }
 
 /// iterates until nothing moves any more

@@ -10,26 +10,16 @@
 #ifndef CGAL_CANONICAL_POSE_3_TEST_CONFORMING_BAR_H
 #define CGAL_CANONICAL_POSE_3_TEST_CONFORMING_BAR_H
 
-#include <CGAL/Canonical_pose_3/Conforming_body_3.h>
 #include <CGAL/Canonical_pose_3/Tetrahedral_arap_registrar_3.h>
 
-#include "matchers.h"
-#include "shapes.h"
-
-#include <array>
-#include <vector>
+#include "bar_body.h"
 
 namespace Canonical_pose_test {
 
 /// a bar of 12 times 2 times 2 boxes, 8 long and 1 thick, bent by an angle
 inline CGAL::Canonical_pose_3::Conforming_body_3 conforming_bar(const double angle)
 {
-  const Tetrahedral_soup soup = tetrahedral_bent_bar(12, 2, 2, angle);
-  std::vector<std::array<int, 4>> cells;
-  for(const auto& c : soup.cells)
-    cells.push_back({int(c[0]), int(c[1]), int(c[2]), int(c[3])});
-  return CGAL::Canonical_pose_3::Conforming_body_3(to_matrix(soup.points), cells,
-                                                   soup.points.size());
+  return bar_body(12, 2, 2, angle);
 }
 
 /// what the registrar gives

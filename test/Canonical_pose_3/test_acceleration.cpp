@@ -15,6 +15,7 @@
 
 #include <gtest/gtest.h>
 
+#include "bar_body.h"
 #include "matchers.h"
 #include "shapes.h"
 #include "threads.h"
@@ -31,20 +32,11 @@ namespace {
 typedef CP::Tetrahedral_arap_registrar_3<CP::Conforming_body_3> Registrar;
 
 // A long bar, of several blocks of cells.
-CP::Conforming_body_3 bar_body()
-{
-  const auto soup = Canonical_pose_test::tetrahedral_bent_bar(40, 3, 3, 0.);
-  std::vector<std::array<int, 4>> cells;
-  for(const auto& c : soup.cells)
-    cells.push_back({int(c[0]), int(c[1]), int(c[2]), int(c[3])});
-  return CP::Conforming_body_3(Canonical_pose_test::to_matrix(soup.points), cells,
-                               soup.points.size());
-}
+CP::Conforming_body_3 bar() { return Canonical_pose_test::bar_body(40, 3, 3); }
 
 Point_matrix bent_bar_points(const double angle)
 {
-  return Canonical_pose_test::to_matrix(
-    Canonical_pose_test::tetrahedral_bent_bar(40, 3, 3, angle).points);
+  return Canonical_pose_test::bar_points(40, 3, 3, angle);
 }
 
 // Bent and squeezed: the iteration has something to do.
@@ -71,7 +63,7 @@ Registration_summary run(const CP::Conforming_body_3& body, const Point_matrix& 
 // of many plain iterations by more than 2e-4.
 TEST(Acceleration, halves_the_iterations)
 {
-  const CP::Conforming_body_3 body = bar_body();
+  const CP::Conforming_body_3 body = bar();
   for(const double angle : {1., 2., 3.})
   {
     CP::Registration_options options;
@@ -93,7 +85,7 @@ TEST(Acceleration, halves_the_iterations)
 // Whatever the target is, also where cells turn over and with springs, the energy never rises.
 TEST(Acceleration, energy_never_rises)
 {
-  const CP::Conforming_body_3 body = bar_body();
+  const CP::Conforming_body_3 body = bar();
   CGAL::Random random(5);
   for(int i = 0; i < 8; ++i)
   {
@@ -120,7 +112,7 @@ TEST(Acceleration, energy_never_rises)
 // bit by bit.
 TEST(Acceleration, leaves_the_papers_scheme_alone)
 {
-  const CP::Conforming_body_3 body = bar_body();
+  const CP::Conforming_body_3 body = bar();
   for(const bool is_faired : {false, true})
   {
     CP::Registration_options options;
@@ -139,7 +131,7 @@ TEST(Acceleration, leaves_the_papers_scheme_alone)
 // All sums are taken in an order that does not depend on the threads: the same bytes.
 TEST(Acceleration, number_of_threads_does_not_matter)
 {
-  const CP::Conforming_body_3 body = bar_body();
+  const CP::Conforming_body_3 body = bar();
   Point_matrix pose;
   const Registration_summary summary = run(body, hard_target(), {}, pose);
   Canonical_pose_test::with_each_number_of_threads([&] {

@@ -15,12 +15,10 @@
 
 #include <gtest/gtest.h>
 
+#include "bar_body.h"
 #include "matchers.h"
 #include "shapes.h"
-
-#ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/global_control.h>
-#endif
+#include "threads.h"
 
 #include <array>
 #include <cstddef>
@@ -34,22 +32,12 @@ namespace {
 
 typedef CP::Tetrahedral_arap_registrar_3<CP::Conforming_body_3> Registrar;
 
-CP::Conforming_body_3 bar_body()
-{
-  const auto soup = Canonical_pose_test::tetrahedral_bent_bar(24, 4, 4, 0.);
-  std::vector<std::array<int, 4>> cells;
-  for(const auto& c : soup.cells)
-    cells.push_back({int(c[0]), int(c[1]), int(c[2]), int(c[3])});
-  return CP::Conforming_body_3(Canonical_pose_test::to_matrix(soup.points), cells,
-                               soup.points.size());
-}
+CP::Conforming_body_3 bar() { return Canonical_pose_test::bar_body(24, 4, 4); }
 
 // Bent so far that the inner side folds.
 Point_matrix folding_target()
 {
-  return Canonical_pose_test::to_matrix(
-           Canonical_pose_test::tetrahedral_bent_bar(24, 4, 4, 3.).points)
-         * Eigen::Vector3d(0.6, 0.4, 1).asDiagonal();
+  return Canonical_pose_test::bar_points(24, 4, 4, 3.) * Eigen::Vector3d(0.6, 0.4, 1).asDiagonal();
 }
 
 // A folding target, shaken with the seed.
@@ -98,7 +86,7 @@ std::size_t number_of_inverted_cells(const CP::Conforming_body_3& body, const Po
 // the energy is what is promised.
 TEST(Injective, no_cell_is_inverted)
 {
-  const CP::Conforming_body_3 body = bar_body();
+  const CP::Conforming_body_3 body = bar();
   for(const double by : {0.4, 0.5, 0.6})
   {
     Point_matrix plain, pose;
@@ -120,7 +108,7 @@ TEST(Injective, no_cell_is_inverted)
 // The target is the mirror image: cells all over the body are inverted.
 TEST(Injective, mirrored_target)
 {
-  const CP::Conforming_body_3 body = bar_body();
+  const CP::Conforming_body_3 body = bar();
   Point_matrix target = body.points(), pose;
   target.col(1) *= -1;
   EXPECT_GT(run(body, target, false, pose).inverted, body.cells().size() / 10);
@@ -131,7 +119,7 @@ TEST(Injective, mirrored_target)
 // A spring goes on pulling while cells are repaired.
 TEST(Injective, constraints_hold)
 {
-  const CP::Conforming_body_3 body = bar_body();
+  const CP::Conforming_body_3 body = bar();
   CP::Spring_constraint_adaptor_3 springs(static_cast<std::size_t>(body.points().rows()));
   springs.insert({0, static_cast<std::size_t>(body.points().rows()) - 1, 0.5, 0.3});
   Point_matrix pose;
@@ -145,7 +133,7 @@ TEST(Injective, constraints_hold)
 // A rigid motion of the rest pose has energy 0, and nothing to repair: bit by bit the same pose.
 TEST(Injective, nothing_changes_where_nothing_is_inverted)
 {
-  const CP::Conforming_body_3 body = bar_body();
+  const CP::Conforming_body_3 body = bar();
   const Eigen::Matrix3d rotation
     = Eigen::AngleAxisd(2., Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
   const Point_matrix target
@@ -158,12 +146,12 @@ TEST(Injective, nothing_changes_where_nothing_is_inverted)
 
 TEST(Injective, number_of_threads_does_not_matter)
 {
-  const CP::Conforming_body_3 body = bar_body();
-  Point_matrix pose, serial;
+  const CP::Conforming_body_3 body = bar();
+  Point_matrix pose;
   run(body, shaken_target(1, 0.5), true, pose);
-#ifdef CGAL_LINKED_WITH_TBB
-  const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
-#endif
-  run(body, shaken_target(1, 0.5), true, serial);
-  EXPECT_EQ(serial, pose);
+  Canonical_pose_test::with_each_number_of_threads([&] {
+    Point_matrix again;
+    run(body, shaken_target(1, 0.5), true, again);
+    EXPECT_EQ(again, pose);
+  });
 }
