@@ -56,16 +56,12 @@ public:
   const Point_matrix& points() const { return m_points; }
 
   // Gets rid of inverted and flat cells, then lowers the energy as far as a barrier against them
-  // allows. Returns whether that could be done.
+  // allows. Returns whether that could be done. Where it fails from the points as they are, folds are
+  // often knotted, which they are not in harmonic points.
   bool untangle()
   {
-    double epsilon = 1;
-    for(int i = 0; !(least_determinant() > POSITIVE); ++i)
-    {
-      if(i == MAXIMUM_OF_ITERATIONS || !descend(Foldover_free_energy(epsilon)))
-        return false;
-      epsilon *= 1 - EPSILON_DECAY * m_length;
-    }
+    if(!remove_foldovers() && !(make_harmonic() && remove_foldovers()))
+      return false;
     descend_to_the_barrier();
     return true;
   }
@@ -118,6 +114,52 @@ private:
   static constexpr double POSITIVE = 1e-3, EPSILON_DECAY = 0.4, TOLERANCE = 1e-4;
 
   int free() const { return static_cast<int>(m_gradient.rows()); }
+
+  bool remove_foldovers()
+  {
+    double epsilon = 1;
+    for(int i = 0; !(least_determinant() > POSITIVE); ++i)
+    {
+      if(i == MAXIMUM_OF_ITERATIONS || !descend(Foldover_free_energy(epsilon)))
+        return false;
+      epsilon *= 1 - EPSILON_DECAY * m_length;
+    }
+    return true;
+  }
+
+  // Moves the free points to where sum_t w_t |F_t|^2 is least. Returns false where the fixed ones do not
+  // determine it.
+  bool make_harmonic()
+  {
+    std::vector<Eigen::Triplet<double>> entries;
+    Point_matrix right_hand_side = Point_matrix::Zero(free(), 3);
+    for(const Elastic_cell& cell : m_cells)
+    {
+      const Eigen::Matrix4d products = cell.weight * cell.gradients * cell.gradients.transpose();
+      for(int k = 0; k < 4; ++k)
+        for(int l = 0; l < 4; ++l)
+        {
+          const int i = cell.vertices[k], j = cell.vertices[l];
+          if(i < free() && j < free())
+            entries.emplace_back(i, j, products(k, l));
+          else if(i < free())
+            right_hand_side.row(i) -= products(k, l) * m_points.row(j);
+        }
+    }
+    Eigen::SparseMatrix<double> laplacian(free(), free());
+    laplacian.setFromTriplets(entries.begin(), entries.end());
+    try
+    {
+      Sparse_factor<FactorTraits> factor;
+      factor.factor(laplacian, "the Laplacian of a part of the body");
+      m_points.topRows(free()) = factor.solve(right_hand_side);
+    }
+    catch(const std::runtime_error&)
+    {
+      return false;
+    }
+    return true;
+  }
 
   double least_determinant() const
   {

@@ -19,8 +19,14 @@
 
 #include <Eigen/SparseCore>
 
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/parallel_for.h>
+#endif
+
 #include <algorithm>
 #include <cstddef>
+#include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -125,21 +131,26 @@ private:
             break;
           }
     });
-    std::vector<int> local(n, -1);
+    const auto untangle_patch
+      = [&](const int p) { untangle(vertices[p], cells[p], right_hand_side, points); };
+#ifdef CGAL_LINKED_WITH_TBB
+    tbb::parallel_for(0, number_of_patches, untangle_patch);
+#else
     for(int p = 0; p < number_of_patches; ++p)
-      untangle(vertices[p], cells[p], right_hand_side, local, points);
+      untangle_patch(p);
+#endif
   }
 
-  // `local`: -1 for all vertices.
+  // Reads and writes points of this patch, and reads fixed ones.
   template <typename Vertices, typename Cells>
   void untangle(const Vertices& free_vertices, const Cells& cells,
-                const Point_matrix& right_hand_side, std::vector<int>& local,
-                Point_matrix& points) const
+                const Point_matrix& right_hand_side, Point_matrix& points) const
   {
     std::vector<int> vertices(free_vertices.begin(), free_vertices.end());
     const int m = static_cast<int>(vertices.size());
+    std::unordered_map<int, int> local;
     for(int i = 0; i < m; ++i)
-      local[vertices[i]] = i;
+      local.emplace(vertices[i], i);
 
     std::vector<Eigen::Triplet<double>> entries;
     Point_matrix gradient(m, 3);
@@ -149,8 +160,9 @@ private:
       for(Eigen::SparseMatrix<double>::InnerIterator it(m_matrix, vertices[j]); it; ++it)
       {
         gradient.row(j) += it.value() * points.row(it.row());
-        if(local[it.row()] >= 0)
-          entries.emplace_back(local[it.row()], j, it.value());
+        const auto free_row = local.find(static_cast<int>(it.row()));
+        if(free_row != local.end())
+          entries.emplace_back(free_row->second, j, it.value());
       }
     }
     Eigen::SparseMatrix<double> matrix(m, m);
@@ -162,20 +174,15 @@ private:
       patch_cells.push_back(m_cells[t]);
       for(int& v : patch_cells.back().vertices)
       {
-        if(local[v] < 0)
-        {
-          local[v] = static_cast<int>(vertices.size());
+        const auto [place, is_new] = local.emplace(v, static_cast<int>(vertices.size()));
+        if(is_new)
           vertices.push_back(v);
-        }
-        v = local[v];
+        v = place->second;
       }
     }
     Point_matrix patch_points(static_cast<Eigen::Index>(vertices.size()), 3);
     for(std::size_t i = 0; i < vertices.size(); ++i)
-    {
       patch_points.row(static_cast<Eigen::Index>(i)) = points.row(vertices[i]);
-      local[vertices[i]] = -1;
-    }
     Injective_patch<ClosestRotationTraits, FactorTraits> patch(
       std::move(patch_points), std::move(patch_cells), std::move(matrix), std::move(gradient));
     if(patch.untangle())
