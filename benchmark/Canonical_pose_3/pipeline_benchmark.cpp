@@ -28,6 +28,10 @@
 
 #include <CGAL/canonical_pose_3.h>
 
+#include <CGAL/Canonical_pose_3/Heat_geodesics_3.h>
+#include <CGAL/Canonical_pose_3/Tetrahedral_arap_registrar_3.h>
+#include <CGAL/Canonical_pose_3/front_landmarks.h>
+#include <CGAL/Canonical_pose_3/surface_measures.h>
 #include <CGAL/Canonical_pose_3/tetgen_body.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Heat_method_3/Surface_mesh_geodesic_distances_3.h>

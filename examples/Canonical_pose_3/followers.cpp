@@ -10,6 +10,7 @@
 // The pose applied to points near the surface: markers on a coarse figure are the vertices of a finer
 // one.
 
+#include <CGAL/Canonical_pose_3/surface_measures.h>
 #include <CGAL/canonical_pose_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
