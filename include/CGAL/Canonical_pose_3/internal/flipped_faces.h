@@ -52,17 +52,22 @@ public:
     for(Entry entry = main; entry; ++entry)
       if(std::abs(entry.value()) > std::abs(main.value()))
         main = entry;
+    int most = 0; // all of them
+    for(const std::size_t v : triangle)
+      for(Entry entry(m_embedding, static_cast<Eigen::Index>(v)); entry; ++entry)
+        most += entry.value() != 0 ? 1 : 0;
     std::size_t best = 0;
     int best_count = -1;
-    for(const std::size_t t : m_cells_of_vertex[static_cast<std::size_t>(main.col())])
+    const auto cells = m_cells_of_vertex[static_cast<std::size_t>(main.col())];
+    for(auto t = cells.begin(); t != cells.end() && best_count < most; ++t)
     {
       int count = 0;
       for(const std::size_t v : triangle)
         for(Entry entry(m_embedding, static_cast<Eigen::Index>(v)); entry; ++entry)
-          count += entry.value() != 0 && has(t, entry.col()) ? 1 : 0;
+          count += entry.value() != 0 && has(*t, entry.col()) ? 1 : 0;
       if(count > best_count)
       {
-        best = t;
+        best = *t;
         best_count = count;
       }
     }
