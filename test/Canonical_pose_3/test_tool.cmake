@@ -208,4 +208,12 @@ if(MAKE_FIGURE)
   expect_same_bytes(out/pose_1.off out/pose_2.off)
   expect_same_faces(figure.off out/pose_1.off)
   expect_match("${stdout}" "converged after [0-9]+ iterations, energy .*stress")
+
+  # Inverted cells, unless the mode is on.
+  execute_process(COMMAND ${MAKE_FIGURE} --vertices 2500 --pose sitting ${WORK}/sitting.off
+    COMMAND_ERROR_IS_FATAL ANY OUTPUT_QUIET)
+  expect_exit(0 pose sitting.off -o out/a.off)
+  expect_match("${stdout}" ", [1-9][0-9]* of [0-9]+ cells inverted")
+  expect_exit(0 pose sitting.off -o out/a.off --injective)
+  expect_match("${stdout}" ", 0 of [0-9]+ cells inverted")
 endif()
