@@ -33,7 +33,7 @@ namespace Canonical_pose_3 {
 namespace internal {
 
 // A part of a body some of whose vertices, the first m ones, are free to move while all others keep
-// their places; it turns its cells right side out. At positions d ahead of the start, the energy is
+// their places. At positions d ahead of the start, the energy is
 //   d^t A d / 2 + d^t g + sum_t w_t (p(F_t) - trace(R_t^t F_t)),
 // half of that of a registration up to a constant: A and g hold all quadratic terms, the |F_t|^2 of
 // the cells among them. The penalty p is a `Foldover_free_energy` or an `Inversion_barrier`.
@@ -55,24 +55,25 @@ public:
   // First free vertices, then fixed ones.
   const Point_matrix& points() const { return m_points; }
 
-  // Gets rid of inverted and flat cells, then lowers the energy as far as a barrier against them
-  // allows. Returns whether that could be done. Where it fails from the points as they are, folds are
-  // often knotted, which they are not in harmonic points.
-  bool untangle()
+  // Turns inverted and flat cells right side out, as many of them as it can.
+  void remove_foldovers()
   {
-    if(!remove_foldovers() && !(make_harmonic() && remove_foldovers()))
-      return false;
-    descend_to_the_barrier();
-    return true;
+    double epsilon = 1;
+    for(int i = 0; i < MAXIMUM_OF_FOLDOVER_STEPS && !(least_determinant() > POSITIVE); ++i)
+    {
+      if(!descend(Foldover_free_energy(epsilon)))
+        return;
+      epsilon *= 1 - EPSILON_DECAY * m_length;
+    }
   }
 
-  // Lowers the energy as far as the barrier allows.
-  // \pre No cell is inverted.
+  // Lowers the energy as far as the barrier allows, unless a cell is inverted or flat.
   void descend_to_the_barrier()
   {
-    for(int i = 0; i < MAXIMUM_OF_ITERATIONS; ++i)
-      if(!(descend(Inversion_barrier()) > TOLERANCE * m_total_weight))
-        return;
+    if(least_determinant() > 0)
+      for(int i = 0; i < MAXIMUM_OF_BARRIER_STEPS; ++i)
+        if(!(descend(Inversion_barrier()) > TOLERANCE * m_total_weight))
+          return;
   }
 
   // Half the energy with the penalty.
@@ -110,56 +111,10 @@ public:
   }
 
 private:
-  static constexpr int MAXIMUM_OF_ITERATIONS = 50;
+  static constexpr int MAXIMUM_OF_FOLDOVER_STEPS = 20, MAXIMUM_OF_BARRIER_STEPS = 50;
   static constexpr double POSITIVE = 1e-3, EPSILON_DECAY = 0.4, TOLERANCE = 1e-4;
 
   int free() const { return static_cast<int>(m_gradient.rows()); }
-
-  bool remove_foldovers()
-  {
-    double epsilon = 1;
-    for(int i = 0; !(least_determinant() > POSITIVE); ++i)
-    {
-      if(i == MAXIMUM_OF_ITERATIONS || !descend(Foldover_free_energy(epsilon)))
-        return false;
-      epsilon *= 1 - EPSILON_DECAY * m_length;
-    }
-    return true;
-  }
-
-  // Moves the free points to where sum_t w_t |F_t|^2 is least. Returns false where the fixed ones do not
-  // determine it.
-  bool make_harmonic()
-  {
-    std::vector<Eigen::Triplet<double>> entries;
-    Point_matrix right_hand_side = Point_matrix::Zero(free(), 3);
-    for(const Elastic_cell& cell : m_cells)
-    {
-      const Eigen::Matrix4d products = cell.weight * cell.gradients * cell.gradients.transpose();
-      for(int k = 0; k < 4; ++k)
-        for(int l = 0; l < 4; ++l)
-        {
-          const int i = cell.vertices[k], j = cell.vertices[l];
-          if(i < free() && j < free())
-            entries.emplace_back(i, j, products(k, l));
-          else if(i < free())
-            right_hand_side.row(i) -= products(k, l) * m_points.row(j);
-        }
-    }
-    Eigen::SparseMatrix<double> laplacian(free(), free());
-    laplacian.setFromTriplets(entries.begin(), entries.end());
-    try
-    {
-      Sparse_factor<FactorTraits> factor;
-      factor.factor(laplacian, "the Laplacian of a part of the body");
-      m_points.topRows(free()) = factor.solve(right_hand_side);
-    }
-    catch(const std::runtime_error&)
-    {
-      return false;
-    }
-    return true;
-  }
 
   double least_determinant() const
   {

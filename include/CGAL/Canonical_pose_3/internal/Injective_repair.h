@@ -25,6 +25,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -33,14 +34,16 @@ namespace CGAL {
 namespace Canonical_pose_3 {
 namespace internal {
 
-// Turns inverted and flat cells of a registered body right side out where they are: patches of rings
-// around them are untangled one by one, see `Injective_patch`, larger and larger ones if need be. As a
-// last resort all starts from the rest pose, where no cell is inverted.
+// Turns inverted and flat cells of a registered body right side out where they are, in patches of rings
+// around them, see `Injective_patch`; those that are left are tried again in larger ones. As a last
+// resort all starts from the rest pose, where no cell is inverted. In the end the energy of all patches
+// is lowered.
 template <typename ClosestRotationTraits, typename FactorTraits>
 class Injective_repair
 {
 public:
-  // `matrix`: of the registration, which must outlive this; `cell_factor`: of the term of the cells, as in `matrix`.
+  // `matrix`: of the registration, which must outlive this; `cell_factor`: of the term of the cells, as
+  // in `matrix`.
   Injective_repair(const Arap_energy<ClosestRotationTraits>& arap, const double cell_factor,
                    const Eigen::SparseMatrix<double>& matrix)
     : m_matrix(matrix)
@@ -56,25 +59,32 @@ public:
   void operator()(const Point_matrix& right_hand_side, const Point_matrix& rest,
                   Point_matrix& points) const
   {
-    for(int rings = 1;; rings *= 2)
+    std::vector<bool> was_free(static_cast<std::size_t>(points.rows()), false);
+    bool is_growing = true;
+    for(int rings = 1; is_growing; rings *= 2)
     {
       std::vector<bool> is_free = vertices_of_inverted_cells(points);
       if(std::find(is_free.begin(), is_free.end(), true) == is_free.end())
-        return;
-      bool is_growing = true;
+        break;
       for(int ring = 0; ring < rings && is_growing; ++ring)
         is_growing = grow(is_free);
-      if(!is_growing) // whole components
+      std::transform(is_free.begin(), is_free.end(), was_free.begin(), was_free.begin(),
+                     std::logical_or<bool>());
+      if(is_growing)
+        for_each_patch(is_free, right_hand_side, points,
+                       [](Patch& patch) { patch.remove_foldovers(); });
+      else // whole components
         for(std::size_t v = 0; v < is_free.size(); ++v)
           if(is_free[v])
             points.row(static_cast<Eigen::Index>(v)) = rest.row(static_cast<Eigen::Index>(v));
-      untangle(is_free, right_hand_side, points);
-      if(!is_growing)
-        return;
     }
+    for_each_patch(was_free, right_hand_side, points,
+                   [](Patch& patch) { patch.descend_to_the_barrier(); });
   }
 
 private:
+  typedef Injective_patch<ClosestRotationTraits, FactorTraits> Patch;
+
   std::vector<bool> vertices_of_inverted_cells(const Point_matrix& points) const
   {
     std::vector<bool> result(static_cast<std::size_t>(points.rows()), false);
@@ -97,54 +107,60 @@ private:
     return vertices != old;
   }
 
-  void untangle(const std::vector<bool>& is_free, const Point_matrix& right_hand_side,
-                Point_matrix& points) const
+  // Calls the function for each patch, vertices that the matrix connects, and takes over its points.
+  template <typename Function>
+  void for_each_patch(const std::vector<bool>& is_free, const Point_matrix& right_hand_side,
+                      Point_matrix& points, const Function& function) const
   {
-    // patches: vertices that the matrix connects
     const std::size_t n = is_free.size();
     Disjoint_sets sets(n);
     for(int j = 0; j < m_matrix.outerSize(); ++j)
       for(Eigen::SparseMatrix<double>::InnerIterator it(m_matrix, j); it; ++it)
         if(is_free[j] && is_free[it.row()])
           sets.unite(static_cast<std::size_t>(j), static_cast<std::size_t>(it.row()));
-    std::vector<int> patch(n, -1); // of each free vertex
+    std::vector<int> patch_of(n, -1); // of the free vertices
     int number_of_patches = 0;
     for(std::size_t v = 0; v < n; ++v)
       if(is_free[v])
       {
-        int& p = patch[sets.representative(v)];
+        int& p = patch_of[sets.representative(v)];
         if(p < 0)
           p = number_of_patches++;
-        patch[v] = p;
+        patch_of[v] = p;
       }
     const Buckets<int> vertices(number_of_patches, [&](const auto& put) {
       for(std::size_t v = 0; v < n; ++v)
-        if(patch[v] >= 0)
-          put(patch[v], static_cast<int>(v));
+        if(patch_of[v] >= 0)
+          put(patch_of[v], static_cast<int>(v));
     });
     const Buckets<std::size_t> cells(number_of_patches, [&](const auto& put) {
       for(std::size_t t = 0; t < m_cells.size(); ++t)
         for(const int v : m_cells[t].vertices)
-          if(patch[v] >= 0) // then the other vertices are fixed or in the same patch
+          if(patch_of[v] >= 0) // then the other vertices are fixed or in the same patch
           {
-            put(patch[v], t);
+            put(patch_of[v], t);
             break;
           }
     });
-    const auto untangle_patch
-      = [&](const int p) { untangle(vertices[p], cells[p], right_hand_side, points); };
+    // reads and writes points of this patch, and reads fixed ones
+    const auto change = [&](const int p) {
+      Patch patch = make_patch(vertices[p], cells[p], right_hand_side, points);
+      function(patch);
+      int i = 0;
+      for(const int v : vertices[p])
+        points.row(v) = patch.points().row(i++);
+    };
 #ifdef CGAL_LINKED_WITH_TBB
-    tbb::parallel_for(0, number_of_patches, untangle_patch);
+    tbb::parallel_for(0, number_of_patches, change);
 #else
     for(int p = 0; p < number_of_patches; ++p)
-      untangle_patch(p);
+      change(p);
 #endif
   }
 
-  // Reads and writes points of this patch, and reads fixed ones.
   template <typename Vertices, typename Cells>
-  void untangle(const Vertices& free_vertices, const Cells& cells,
-                const Point_matrix& right_hand_side, Point_matrix& points) const
+  Patch make_patch(const Vertices& free_vertices, const Cells& cells,
+                   const Point_matrix& right_hand_side, const Point_matrix& points) const
   {
     std::vector<int> vertices(free_vertices.begin(), free_vertices.end());
     const int m = static_cast<int>(vertices.size());
@@ -183,11 +199,8 @@ private:
     Point_matrix patch_points(static_cast<Eigen::Index>(vertices.size()), 3);
     for(std::size_t i = 0; i < vertices.size(); ++i)
       patch_points.row(static_cast<Eigen::Index>(i)) = points.row(vertices[i]);
-    Injective_patch<ClosestRotationTraits, FactorTraits> patch(
-      std::move(patch_points), std::move(patch_cells), std::move(matrix), std::move(gradient));
-    if(patch.untangle())
-      for(int i = 0; i < m; ++i)
-        points.row(vertices[i]) = patch.points().row(i);
+    return Patch(std::move(patch_points), std::move(patch_cells), std::move(matrix),
+                 std::move(gradient));
   }
 
   const Eigen::SparseMatrix<double>& m_matrix;
