@@ -12,13 +12,19 @@
 
 #include <CGAL/Canonical_pose_3/internal/Indexed_mesh.h>
 #include <CGAL/Canonical_pose_3/internal/Triangle_soup.h>
+#include <CGAL/Canonical_pose_3/internal/for_each_block.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <CGAL/box_intersection_d.h>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cstddef>
+#include <limits>
+#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -46,35 +52,30 @@ public:
   // where so many bounding boxes overlap that it gives up before it has found a pair.
   std::optional<std::vector<Face_pair>> run(const std::size_t maximum)
   {
-    std::vector<Box> boxes;
-    boxes.reserve(m_triangles.size());
-    for(std::size_t t = 0; t < m_triangles.size(); ++t)
-      boxes.emplace_back(m_triangles[t].bbox(), t);
-    std::vector<const Box*> pointers; // the address of a box is its name: boxes must not move
-    for(const Box& box : boxes)
-      pointers.push_back(&box);
-    const std::size_t maximum_of_overlaps = 10000000 + 200 * m_triangles.size();
-    std::size_t overlaps = 0;
-    std::vector<Face_pair> pairs;
-    bool has_given_up = false;
-    try
+    sort_boxes();
+    m_maximum_of_pairs = maximum;
+    m_maximum_of_overlaps = 10000000 + 200 * m_triangles.size();
+    std::vector<std::vector<Face_pair>> blocks(number_of_blocks(m_boxes.size(), BOXES_PER_BLOCK));
+    const auto search = [&](const std::size_t block, const std::size_t begin,
+                            const std::size_t end) { search_block(begin, end, blocks[block]); };
+    const bool is_complete
+      = search_all([&] { for_each_block(m_boxes.size(), search, BOXES_PER_BLOCK); });
+    if(!is_complete && blocks.size() > 1) // in order: what came first depended on the threads
     {
-      box_self_intersection_d(pointers.begin(), pointers.end(), [&](const Box* a, const Box* b) {
-        const std::size_t f = m_soup.face_of_triangle[a->info()],
-                          g = m_soup.face_of_triangle[b->info()];
-        if(f != g && do_intersect(a->info(), b->info()))
-          pairs.push_back(std::minmax({f, g}));
-        if(pairs.size() == maximum || ++overlaps == maximum_of_overlaps)
-          throw Enough();
+      blocks.assign(blocks.size(), {});
+      search_all([&] {
+        for(std::size_t b = 0; b < blocks.size(); ++b)
+          search(b, b * BOXES_PER_BLOCK, (std::min)(m_boxes.size(), (b + 1) * BOXES_PER_BLOCK));
       });
     }
-    catch(const Enough&)
-    {
-      has_given_up = pairs.empty();
-    }
+    std::vector<Face_pair> pairs;
+    for(const std::vector<Face_pair>& block : blocks)
+      pairs.insert(pairs.end(), block.begin(), block.end());
+    if(!is_complete && pairs.empty())
+      return std::nullopt;
     std::sort(pairs.begin(), pairs.end());
     pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-    return has_given_up ? std::nullopt : std::make_optional(std::move(pairs));
+    return pairs;
   }
 
 private:
@@ -84,6 +85,81 @@ private:
     Box;
   struct Enough
   {};
+  static constexpr std::size_t BOXES_PER_BLOCK = 16384, OVERLAPS_AT_A_TIME = 1024;
+
+  // By their low ends along the axis along which they are the shortest parts of the whole.
+  void sort_boxes()
+  {
+    m_boxes.clear();
+    m_boxes.reserve(m_triangles.size());
+    for(std::size_t t = 0; t < m_triangles.size(); ++t)
+      m_boxes.emplace_back(m_triangles[t].bbox(), t);
+    constexpr double infinity = (std::numeric_limits<double>::infinity)();
+    double least = infinity;
+    for(int k = 0; k < 3; ++k)
+    {
+      double sum = 0, low = infinity, high = -infinity;
+      for(const Box& box : m_boxes)
+      {
+        sum += box.max_coord(k) - box.min_coord(k);
+        low = (std::min)(low, box.min_coord(k));
+        high = (std::max)(high, box.max_coord(k));
+      }
+      if(sum / (high - low) < least) // not where all is flat
+      {
+        least = sum / (high - low);
+        m_axis = k;
+      }
+    }
+    std::sort(m_boxes.begin(), m_boxes.end(), [this](const Box& a, const Box& b) {
+      return std::make_pair(a.min_coord(m_axis), a.info())
+             < std::make_pair(b.min_coord(m_axis), b.info());
+    });
+  }
+
+  // Returns whether the search came to its end before there were enough pairs or overlaps. That
+  // does not depend on the order.
+  template <typename Function>
+  bool search_all(const Function& search)
+  {
+    m_number_of_pairs = m_number_of_overlaps = 0;
+    try
+    {
+      search();
+      return true;
+    }
+    catch(const Enough&)
+    {
+      return false;
+    }
+  }
+
+  // The boxes of a block with one another, and with those before that reach into it.
+  void search_block(const std::size_t begin, const std::size_t end, std::vector<Face_pair>& pairs)
+  {
+    std::vector<const Box*> own, before; // the address of a box is its name
+    for(std::size_t i = begin; i < end; ++i)
+      own.push_back(&m_boxes[i]);
+    for(std::size_t i = 0; i < begin; ++i)
+      if(m_boxes[i].max_coord(m_axis) >= m_boxes[begin].min_coord(m_axis))
+        before.push_back(&m_boxes[i]);
+    std::size_t overlaps = 0;
+    const auto visit = [&](const Box* a, const Box* b) {
+      const std::size_t f = m_soup.face_of_triangle[a->info()],
+                        g = m_soup.face_of_triangle[b->info()];
+      if(f != g && do_intersect(a->info(), b->info()))
+      {
+        pairs.push_back(std::minmax({f, g}));
+        if(++m_number_of_pairs >= m_maximum_of_pairs)
+          throw Enough();
+      }
+      if(++overlaps % OVERLAPS_AT_A_TIME == 0
+         && (m_number_of_overlaps += OVERLAPS_AT_A_TIME) >= m_maximum_of_overlaps)
+        throw Enough();
+    };
+    box_intersection_d(own.begin(), own.end(), before.begin(), before.end(), visit);
+    box_self_intersection_d(own.begin(), own.end(), visit);
+  }
 
   static Kernel::Point_3 point(const Point_matrix& points, const std::size_t v)
   {
@@ -96,6 +172,8 @@ private:
     const Kernel::Triangle_3 &a = m_triangles[s], &b = m_triangles[t];
     std::array<int, 3> i = {0, 1, 2}, j = {0, 1, 2}; // corners, those that are shared first
     const int shared = put_shared_corners_first(m_soup.triangles[s], m_soup.triangles[t], i, j);
+    if(are_surely_apart(a, b, i, j, shared))
+      return false;
     switch(shared)
     {
     case 0:
@@ -109,6 +187,48 @@ private:
     default:
       return false;
     }
+  }
+
+  // Most neighbours lie nearly in one plane, where exact tests take long. True is certain, by far
+  // more than rounding; false says nothing.
+  static bool are_surely_apart(const Kernel::Triangle_3& a, const Kernel::Triangle_3& b,
+                               const std::array<int, 3>& i, const std::array<int, 3>& j,
+                               const int shared)
+  {
+    const auto unit
+      = [](const Kernel::Point_3& from, const Kernel::Point_3& to) -> Eigen::Vector3d {
+      return Eigen::Vector3d(to.x() - from.x(), to.y() - from.y(), to.z() - from.z()).normalized();
+    };
+    if(shared == 2) // the third corners on opposite sides of the edge
+    {
+      const Eigen::Vector3d edge = unit(a[i[0]], a[i[1]]);
+      return edge.cross(unit(a[i[0]], a[i[2]])).dot(edge.cross(unit(a[i[0]], b[j[2]]))) < -1e-10;
+    }
+    // a direction along which all of b lies beyond all of a, but for the shared corner
+    std::array<Eigen::Vector3d, 9> ways;
+    std::size_t n = 0;
+    if(shared == 1)
+      for(int k = 1; k < 3; ++k)
+      {
+        ways[n++] = unit(a[i[k]], a[i[0]]);
+        ways[n++] = unit(b[j[0]], b[j[k]]);
+      }
+    else
+      for(int k = 0; k < 3; ++k)
+        for(int l = 0; l < 3; ++l)
+          ways[n++] = unit(a[k], b[l]);
+    Eigen::Vector3d direction = std::accumulate(ways.begin() + 1, ways.begin() + n, ways[0]);
+    for(int step = 0; step < 8; ++step) // of a perceptron
+    {
+      std::size_t worst = 0;
+      for(std::size_t k = 1; k < n; ++k)
+        if(ways[k].dot(direction) < ways[worst].dot(direction))
+          worst = k;
+      if(ways[worst].dot(direction) > 1e-10 * direction.norm())
+        return true;
+      direction += ways[worst];
+    }
+    return false;
   }
 
   static int put_shared_corners_first(const Index_triangle& s, const Index_triangle& t,
@@ -129,6 +249,10 @@ private:
 
   const Triangle_soup& m_soup;
   std::vector<Kernel::Triangle_3> m_triangles;
+  std::vector<Box> m_boxes;
+  int m_axis = 0;
+  std::size_t m_maximum_of_pairs = 0, m_maximum_of_overlaps = 0;
+  std::atomic<std::size_t> m_number_of_pairs{0}, m_number_of_overlaps{0};
 };
 
 } // namespace internal

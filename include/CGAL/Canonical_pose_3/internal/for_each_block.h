@@ -27,25 +27,24 @@ namespace internal {
 // not either.
 constexpr std::size_t block_size = 1024;
 
-inline std::size_t number_of_blocks(const std::size_t n)
+inline std::size_t number_of_blocks(const std::size_t n, const std::size_t size = block_size)
 {
-  return (n + block_size - 1) / block_size;
+  return (n + size - 1) / size;
 }
 
 template <typename Function>
-void for_each_block(const std::size_t n, const Function& f)
+void for_each_block(const std::size_t n, const Function& f, const std::size_t size = block_size)
 {
-  const auto call = [&](const std::size_t block) {
-    f(block, block * block_size, (std::min)(n, (block + 1) * block_size));
-  };
+  const auto call
+    = [&](const std::size_t block) { f(block, block * size, (std::min)(n, (block + 1) * size)); };
 #ifdef CGAL_LINKED_WITH_TBB
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, number_of_blocks(n)),
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, number_of_blocks(n, size)),
                     [&](const tbb::blocked_range<std::size_t>& blocks) {
                       for(std::size_t b = blocks.begin(); b != blocks.end(); ++b)
                         call(b);
                     });
 #else
-  for(std::size_t b = 0; b < number_of_blocks(n); ++b)
+  for(std::size_t b = 0; b < number_of_blocks(n, size); ++b)
     call(b);
 #endif
 }

@@ -1,0 +1,129 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#include <CGAL/Canonical_pose_3/internal/Indexed_mesh.h>
+#include <CGAL/Canonical_pose_3/internal/Self_intersections.h>
+#include <CGAL/Canonical_pose_3/internal/Triangle_soup.h>
+
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
+
+#include <gtest/gtest.h>
+
+#include "dirty_shapes.h"
+#include "matchers.h"
+#include "threads.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CP = CGAL::Canonical_pose_3;
+using namespace Canonical_pose_test;
+
+namespace {
+
+typedef CP::internal::Self_intersections::Face_pair Face_pair;
+typedef std::vector<Face_pair> Face_pairs;
+
+Face_pairs pairs(const Polygon_soup& soup, const std::size_t maximum)
+{
+  const CP::Point_matrix points = to_matrix(soup.points);
+  const auto triangles = CP::internal::triangle_soup(points, soup.polygons);
+  return CP::internal::Self_intersections(points, triangles).run(maximum).value();
+}
+
+Face_pairs all_pairs(const Polygon_soup& soup)
+{
+  return pairs(soup, (std::numeric_limits<std::size_t>::max)());
+}
+
+// The same by CGAL.
+Face_pairs expected_pairs(const Polygon_soup& soup)
+{
+  typedef CP::internal::Indexed_mesh Mesh;
+  std::vector<CP::internal::Index_triangle> triangles;
+  for(const auto& p : soup.polygons)
+    triangles.push_back({p[0], p[1], p[2]});
+  const Mesh mesh = CP::internal::indexed_mesh(to_matrix(soup.points), triangles);
+  std::vector<std::pair<Mesh::Face_index, Mesh::Face_index>> found;
+  CGAL::Polygon_mesh_processing::self_intersections(mesh, std::back_inserter(found));
+  Face_pairs result;
+  for(const auto& [f, g] : found)
+    result.push_back(std::minmax<std::size_t>({f, g}));
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+Polygon_soup two_balls()
+{
+  const Polygon_soup ball = to_polygons(icosphere_soup(5, 1.));
+  return merged(ball, ball, 0.5);
+}
+
+// All neighbours lie in a plane.
+Polygon_soup two_sheets()
+{
+  const Polygon_soup sheet = to_polygons(plane_grid_soup(100, 100, 1., 1.));
+  Polygon_soup standing = sheet;
+  for(auto& p : standing.points)
+    p = {{p[0], 0.503, p[1] - 0.5}};
+  return merged(sheet, standing, 0.2);
+}
+
+// Neighbours along the fold lie on one another.
+Polygon_soup folded_sheet()
+{
+  Polygon_soup sheet = to_polygons(plane_grid_soup(20, 20, 1., 1.));
+  for(auto& p : sheet.points)
+    p[0] = std::abs(p[0] - 0.5);
+  return sheet;
+}
+
+} // namespace
+
+TEST(Self_intersections, are_those_that_polygon_mesh_processing_finds)
+{
+  for(const Polygon_soup& soup : {two_balls(), two_sheets(), folded_sheet()})
+  {
+    const Face_pairs expected = expected_pairs(soup);
+    EXPECT_GT(expected.size(), 100u);
+    with_each_number_of_threads([&] { EXPECT_EQ(all_pairs(soup), expected); });
+  }
+}
+
+TEST(Self_intersections, where_there_are_too_many_the_same_are_found_by_any_number_of_threads)
+{
+  const Polygon_soup soup = two_balls();
+  const Face_pairs all = all_pairs(soup), first = pairs(soup, 10);
+  EXPECT_EQ(first.size(), 10u);
+  EXPECT_TRUE(std::includes(all.begin(), all.end(), first.begin(), first.end()));
+  with_each_number_of_threads([&] { EXPECT_EQ(pairs(soup, 10), first); });
+  EXPECT_EQ(pairs(soup, all.size() + 1), all);
+}
+
+// Parallel triangles, the bounding boxes of which all overlap: two hundred million pairs.
+TEST(Self_intersections, search_is_given_up_where_too_many_boxes_overlap)
+{
+  Polygon_soup soup;
+  for(std::size_t i = 0; i < 20000; ++i)
+  {
+    const double x = 1. + double(i) / 20000;
+    soup.points.push_back({{x, 0., 0.}});
+    soup.points.push_back({{0., x, 0.}});
+    soup.points.push_back({{0., 0., x}});
+    soup.polygons.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+  }
+  const CP::Point_matrix points = to_matrix(soup.points);
+  const auto triangles = CP::internal::triangle_soup(points, soup.polygons);
+  EXPECT_FALSE(CP::internal::Self_intersections(points, triangles).run(1000));
+}
