@@ -84,7 +84,8 @@ void run_pose(Arguments& arguments)
 
   say(arguments, "computing the pose");
   CGAL::Canonical_pose_3::Intermediate_results results;
-  arguments.options.intermediate_results = &results;
+  if(!arguments.target.empty())
+    arguments.options.intermediate_results = &results;
   Point_matrix pose;
   Registration_summary summary = compute_watched_pose(input, arguments, pose);
   summary.stages.insert(summary.stages.begin(), {"read", seconds_to_read});

@@ -10,6 +10,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_SURFACE_MEASURES_H
 #define CGAL_CANONICAL_POSE_3_SURFACE_MEASURES_H
 
+#include <CGAL/Canonical_pose_3/internal/Buckets.h>
 #include <CGAL/Canonical_pose_3/internal/Indexed_mesh.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
@@ -98,18 +99,24 @@ lengths of an edge at rest and in the pose. Edges of length 0 at rest are left o
 inline double median_edge_strain(const Point_matrix& rest, const Point_matrix& pose,
                                  const std::vector<std::array<std::size_t, 3>>& triangles)
 {
-  std::vector<std::array<std::size_t, 2>> edges;
-  for(const auto& t : triangles)
-    for(int k = 0; k < 3; ++k)
-      edges.push_back({(std::min)(t[k], t[(k + 1) % 3]), (std::max)(t[k], t[(k + 1) % 3])});
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  internal::Buckets<std::size_t> larger_ends(
+    static_cast<std::size_t>(rest.rows()), [&](const auto& put) {
+      for(const auto& t : triangles)
+        for(int k = 0; k < 3; ++k)
+          put((std::min)(t[k], t[(k + 1) % 3]), (std::max)(t[k], t[(k + 1) % 3]));
+    });
   std::vector<double> strains;
-  for(const auto& e : edges)
+  for(std::size_t v = 0; v < larger_ends.number_of_buckets(); ++v)
   {
-    const double length = (rest.row(e[0]) - rest.row(e[1])).norm();
-    if(length > 0)
-      strains.push_back(std::abs(std::log((pose.row(e[0]) - pose.row(e[1])).norm() / length)));
+    const auto ends = larger_ends[v];
+    std::sort(ends.begin(), ends.end());
+    const auto last = std::unique(ends.begin(), ends.end());
+    for(auto w = ends.begin(); w != last; ++w)
+    {
+      const double length = (rest.row(v) - rest.row(*w)).norm();
+      if(length > 0)
+        strains.push_back(std::abs(std::log((pose.row(v) - pose.row(*w)).norm() / length)));
+    }
   }
   if(strains.empty())
     return 0;

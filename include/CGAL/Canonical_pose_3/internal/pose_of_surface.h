@@ -161,7 +161,8 @@ private:
     if(summary.is_usable())
     {
       take_pose(surface, copies, pose, results, carried);
-      hand_out(surface, copies, results, carried, is_one_of_several);
+      if(m_options.intermediate_results != nullptr)
+        hand_out(surface, copies, results, carried, is_one_of_several);
     }
     return summary;
   }

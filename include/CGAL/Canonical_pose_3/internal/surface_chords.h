@@ -14,13 +14,17 @@
 #include <CGAL/Canonical_pose_3/internal/Surface_rays.h>
 #include <CGAL/Canonical_pose_3/internal/for_each_block.h>
 
+#include <boost/functional/hash.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <stdexcept>
-#include <tuple>
+#include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -100,9 +104,9 @@ inline std::vector<Surface_sample> sample_surface(const Row_points& points,
                                                   const std::vector<Index_triangle>& triangles,
                                                   const double side)
 {
-  typedef std::tuple<std::array<int, 4>, double, std::size_t> Ranked; // cube, distance, sample
-  std::vector<Surface_sample> samples;
-  std::vector<Ranked> ranked;
+  typedef std::array<int, 4> Cube;                         // and direction
+  typedef std::pair<double, Surface_sample> Ranked_sample; // by the distance from the middle
+  std::unordered_map<Cube, Ranked_sample, boost::hash<Cube>> nearest;
   for(std::size_t f = 0; f < triangles.size(); ++f)
   {
     const Index_triangle& t = triangles[f];
@@ -115,18 +119,19 @@ inline std::vector<Surface_sample> sample_surface(const Row_points& points,
     for_each_sample(points, t, 0.6 * side, [&](const Eigen::Vector3d& p) {
       const Eigen::Vector3d in_cubes = p / side;
       const Eigen::Vector3d cube = in_cubes.array().floor();
-      ranked.emplace_back(
-        std::array<int, 4>{static_cast<int>(cube[0]), static_cast<int>(cube[1]),
-                           static_cast<int>(cube[2]), 2 * axis + (normal[axis] > 0 ? 1 : 0)},
-        (in_cubes - cube - Eigen::Vector3d::Constant(0.5)).squaredNorm(), samples.size());
-      samples.push_back({f, p});
+      const double distance = (in_cubes - cube - Eigen::Vector3d::Constant(0.5)).squaredNorm();
+      const auto [found, is_new] = nearest.try_emplace(
+        Cube{static_cast<int>(cube[0]), static_cast<int>(cube[1]), static_cast<int>(cube[2]),
+             2 * axis + (normal[axis] > 0 ? 1 : 0)},
+        distance, Surface_sample{f, p});
+      if(!is_new && distance < found->second.first)
+        found->second = {distance, {f, p}};
     });
   }
-  std::sort(ranked.begin(), ranked.end());
+  const std::map<Cube, Ranked_sample> sorted(nearest.begin(), nearest.end());
   std::vector<Surface_sample> chosen;
-  for(std::size_t i = 0; i < ranked.size(); ++i)
-    if(i == 0 || std::get<0>(ranked[i]) != std::get<0>(ranked[i - 1]))
-      chosen.push_back(samples[std::get<2>(ranked[i])]);
+  for(const auto& [cube, sample] : sorted)
+    chosen.push_back(sample.second);
   return chosen;
 }
 
