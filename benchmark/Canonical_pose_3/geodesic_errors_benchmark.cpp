@@ -19,6 +19,7 @@
 
 #include "Argument_list.h"
 #include "setting.h"
+#include "spread_sources.h"
 
 #include "Cgal_types.h" // of the tool
 #include "Mesh_file.h"
@@ -98,9 +99,8 @@ void run(const std::string& file, const std::size_t number_of_sources)
 {
   const std::string name = file.substr(file.find_last_of('/') + 1);
   const Mesh mesh = read_mesh(file);
-  std::vector<Mesh::Vertex_index> sources;
-  for(std::size_t k = 0; k < number_of_sources; ++k)
-    sources.emplace_back(Mesh::size_type(k * mesh.number_of_vertices() / number_of_sources));
+  const std::vector<Mesh::Vertex_index> sources
+    = Canonical_pose_benchmark::spread_sources(mesh, number_of_sources);
   const Eigen::MatrixXd exact = CP::Exact_geodesics_3<Mesh>(mesh).distances(sources);
   print_errors(name, "heat", CP::Heat_geodesics_3<Mesh>(mesh).distances(sources), exact);
   print_errors(name, "CGAL", distances_of_cgal(mesh, sources), exact);

@@ -21,7 +21,9 @@
 // Without files: the articulated figure, sitting, with 50 000 and with 200 000 vertices.
 
 #include "Argument_list.h"
+#include "median.h"
 #include "setting.h"
+#include "spread_sources.h"
 
 #include "../../examples/Canonical_pose_3/Articulated_figure.h"
 
@@ -50,6 +52,8 @@
 
 namespace CP = CGAL::Canonical_pose_3;
 using Canonical_pose_benchmark::Argument_list;
+using Canonical_pose_benchmark::median;
+using Canonical_pose_benchmark::spread_sources;
 using Canonical_pose_examples::Articulated_figure;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
@@ -72,12 +76,6 @@ struct Seconds
   double total() const { return set_up + fields; }
 };
 
-double median(std::vector<double> values)
-{
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
-}
-
 template <typename Function>
 double median_of(const std::vector<Seconds>& runs, const Function& f)
 {
@@ -94,14 +92,6 @@ double seconds(const Function& f)
   timer.start();
   f();
   return timer.time();
-}
-
-std::vector<Mesh::Vertex_index> spread_sources(const Mesh& mesh, const std::size_t number)
-{
-  std::vector<Mesh::Vertex_index> sources;
-  for(std::size_t k = 0; k < number; ++k)
-    sources.emplace_back(Mesh::size_type(k * mesh.number_of_vertices() / number));
-  return sources;
 }
 
 Seconds run_ours(const Mesh& mesh, const std::vector<Mesh::Vertex_index>& sources)

@@ -21,7 +21,9 @@
 
 #include "Argument_list.h"
 #include "Child_process.h"
+#include "median.h"
 #include "setting.h"
+#include "spread_sources.h"
 
 #include "../../examples/Canonical_pose_3/Articulated_figure.h"
 
@@ -64,12 +66,6 @@ struct Measurement
   double bytes = 0;
 };
 
-double median(std::vector<double> values)
-{
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
-}
-
 Mesh figure(const std::size_t vertices, const std::size_t level)
 {
   Mesh mesh
@@ -105,9 +101,7 @@ Measurement measure(const std::function<Seconds()>& work, const std::size_t runs
 
 Seconds heat(const Mesh& mesh, const std::size_t number_of_sources)
 {
-  std::vector<Mesh::Vertex_index> sources;
-  for(std::size_t k = 0; k < number_of_sources; ++k)
-    sources.emplace_back(Mesh::size_type(k * mesh.number_of_vertices() / number_of_sources));
+  const std::vector<Mesh::Vertex_index> sources = spread_sources(mesh, number_of_sources);
   CGAL::Real_timer timer;
   timer.start();
   const CP::Heat_geodesics_3<Mesh> geodesics(mesh);

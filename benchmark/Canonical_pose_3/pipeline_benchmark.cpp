@@ -41,6 +41,7 @@
 
 #include "../../examples/Canonical_pose_3/Articulated_figure.h"
 #include "Literal_registration.h"
+#include "median.h"
 #include "setting.h"
 
 #include <algorithm>
@@ -53,6 +54,7 @@
 
 namespace CP = CGAL::Canonical_pose_3;
 using Canonical_pose_benchmark::Literal_registration;
+using Canonical_pose_benchmark::median;
 using Canonical_pose_examples::Articulated_figure;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
@@ -73,12 +75,6 @@ double seconds(const Function& f)
   timer.start();
   f();
   return timer.time();
-}
-
-double median(std::vector<double> values)
-{
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
 }
 
 // The first two columns.

@@ -1,0 +1,30 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_BENCHMARK_SPREAD_SOURCES_H
+#define CGAL_CANONICAL_POSE_3_BENCHMARK_SPREAD_SOURCES_H
+
+#include <cstddef>
+#include <vector>
+
+namespace Canonical_pose_benchmark {
+
+/// Vertices of a surface mesh, evenly spread over their numbers; the first is vertex 0.
+template <typename Mesh>
+std::vector<typename Mesh::Vertex_index> spread_sources(const Mesh& mesh, const std::size_t number)
+{
+  std::vector<typename Mesh::Vertex_index> sources;
+  for(std::size_t k = 0; k < number; ++k)
+    sources.emplace_back(typename Mesh::size_type(k * mesh.number_of_vertices() / number));
+  return sources;
+}
+
+} // namespace Canonical_pose_benchmark
+
+#endif // CGAL_CANONICAL_POSE_3_BENCHMARK_SPREAD_SOURCES_H
