@@ -106,8 +106,8 @@ TEST(Pipeline, bent_bar_becomes_straight)
   EXPECT_NEAR(largest_distance(pose), 8., 0.4);
 }
 
-// Geodesics on a ball are up to pi / 2 times as long as the straight ways, so that a target at their scale
-// has more than twice the volume; it is the body that has to keep its own.
+// Geodesics on a ball are up to pi / 2 times as long as the straight ways, so that a target at their
+// scale has more than twice the volume; it is the body that has to keep its own.
 TEST(Pipeline, ball_keeps_its_volume)
 {
   const Outcome outcome = canonical_pose(Canonical_pose_test::icosphere<Mesh>(4, 1.));
@@ -186,6 +186,38 @@ TEST(Pipeline, all_choices_run)
   const Outcome literal = canonical_pose(mesh, options);
   EXPECT_TRUE(literal.summary.is_usable());
   EXPECT_EQ(literal.summary.target.kernel, "gaussian-uncentred");
+}
+
+// The closer to what is wished, the stiffer; without constraints, both are far from it.
+TEST(Pipeline, handles_and_symmetric_pairs)
+{
+  const Mesh mesh = figure().make_mesh<Mesh>(Articulated_figure::named_poses()[1].angles);
+  const std::size_t left = figure().landmark(Canonical_pose_examples::Landmark::LEFT_HAND);
+  const std::size_t right = figure().landmark(Canonical_pose_examples::Landmark::RIGHT_HAND);
+  CP::Intermediate_results results;
+  CP::Options options;
+  options.intermediate_results = &results;
+  const Point_matrix free_pose = canonical_pose(mesh, options).pose;
+  const Eigen::RowVector3d place = free_pose.row(left) + Eigen::RowVector3d(0, 0.3, 0);
+  double previous = (free_pose.row(left) - place).norm();
+  for(const double stiffness : {0.01, 0.1})
+  {
+    options.handles = {{left, place, stiffness}};
+    const double distance = (canonical_pose(mesh, options).pose.row(left) - place).norm();
+    EXPECT_LT(distance, 0.8 * previous);
+    previous = distance;
+  }
+
+  options.handles.clear();
+  CP::Symmetry_constraint_adaptor_3 symmetry(mesh.number_of_vertices());
+  for(const CP::Symmetric_pair_3& pair :
+      {CP::Symmetric_pair_3{left, right, 0.1}, CP::Symmetric_pair_3{0, 0, 0.1},
+       CP::Symmetric_pair_3{100, 1000, 0.1}})
+  {
+    options.symmetric_pairs.push_back(pair);
+    symmetry.insert(pair);
+  }
+  EXPECT_LT(symmetry.energy(canonical_pose(mesh, options).pose), 0.5 * symmetry.energy(free_pose));
 }
 
 // A spring joins two hands: the stiffer, the nearer to its rest length.

@@ -51,10 +51,26 @@ Options read_options(Byte_source& bytes, const std::size_t number_of_points)
   options.registration.detail_length = one_of<6>({{0.1, 0.1, 0.1, 1e-6, 1e6, 0}}, bytes);
   options.registration.tikhonov = one_of<4>({{0, 0, 10, -1}}, bytes);
   options.registration.fairing_passes = int(bytes.below(2));
-  for(std::size_t i = bytes.below(3); i > 0; --i)
-    options.springs.push_back({bytes.below(number_of_points + 1), bytes.below(number_of_points + 1),
-                               one_of<4>({{0, 0.1, 10, 1e300}}, bytes),
-                               one_of<4>({{1, 0, 1e6, -1}}, bytes)});
+  options.registration.injective = bytes.below(2) == 1;
+  const auto vertex = [&] { return bytes.below(number_of_points + 1); };
+  const auto length = [&] { return one_of<4>({{0, 0.1, 10, 1e300}}, bytes); };
+  const auto vector = [&] { return Eigen::RowVector3d(length(), length(), length()); };
+  const auto stiffness = [&] { return one_of<4>({{1, 0, 1e6, -1}}, bytes); };
+  for(std::size_t i = bytes.below(4); i > 0; --i)
+    switch(bytes.below(4))
+    {
+    case 0:
+      options.springs.push_back({vertex(), vertex(), length(), stiffness()});
+      break;
+    case 1:
+      options.directions.push_back({vertex(), vertex(), vector(), stiffness()});
+      break;
+    case 2:
+      options.handles.push_back({vertex(), vector(), stiffness()});
+      break;
+    default:
+      options.symmetric_pairs.push_back({vertex(), vertex(), stiffness()});
+    }
   return options;
 }
 
@@ -64,8 +80,11 @@ void check_pose(const Mutated_soup& soup, const Options& options)
   for(const auto& p : soup.points)
     points.emplace_back(p[0], p[1], p[2]);
   is_accepted([&] {
-    if(!CGAL::canonical_pose_3(points, soup.polygons, pose, options).is_usable())
+    const auto summary = CGAL::canonical_pose_3(points, soup.polygons, pose, options);
+    if(!summary.is_usable())
       return;
+    require(!options.registration.injective || summary.inverted == 0 || !summary.warnings.empty(),
+            "no cell is inverted in injective mode, or there is a warning");
     require(pose.size() == points.size(), "each vertex has a pose");
     for(const Point_3& p : pose)
       require(std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z()),
