@@ -7,7 +7,8 @@
 //
 // Author(s) : The Canonical_pose_3 authors
 
-// A target by biharmonic distances, which are smooth and a metric. Usage: biharmonic_distances [input.off]
+// A target by biharmonic distances, which are smooth and a metric.
+// Usage: biharmonic_distances [input.off]
 
 #include <CGAL/Canonical_pose_3/Biharmonic_distances_3.h>
 #include <CGAL/Canonical_pose_3/Landmark_mds_target_builder_3.h>

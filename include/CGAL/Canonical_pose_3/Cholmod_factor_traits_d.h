@@ -44,7 +44,8 @@ Available where CHOLMOD is; the CMake target of the package says so by the macro
 
 Its results do not depend on the number of threads: inside its functions, OpenBLAS is held to one
 thread and set back afterwards, and the columns of a block are solved one or three at a time, without
-an effect on one another (in parallel, if `CGAL_LINKED_WITH_TBB` is defined). Solving from several threads at once is safe.
+an effect on one another (in parallel, if `CGAL_LINKED_WITH_TBB` is defined). Solving from several
+threads at once is safe.
 
 \cgalModels `SparseLinearAlgebraWithBlockFactorTraits_d`
 

@@ -56,10 +56,10 @@ by local and global steps in turn \cgalCite{cgal:canonical-sa-asap-07},
 cell weights (each with sum 1), \f$ F_t \f$ is the deformation gradient of cell \f$ t \f$ and
 \f$ R_t \f$ the rotation closest to it, always of determinant 1. The global step has the matrix
 \f[ A = \ell^2 L^2 \sum_t w_t G_t^t G_t + (1 + \beta) B^t M B + A_{constraints}, \f]
-which is factored once; where constraints on few vertices are added, changed or removed afterwards, the
-old factor stays in use with a low-rank update. The steps of earlier iterations correct those that it gives, by
-limited-memory BFGS \cgalCite{cgal:canonical-lbk-qnm-17}; where the corrected step does not lower the
-energy as it should, the plain one is taken. All lengths are divided by \f$ L \f$, hence neither
+which is factored once; where constraints on few vertices are added, changed or removed afterwards,
+the old factor stays in use with a low-rank update. The steps of earlier iterations correct those that
+it gives, by limited-memory BFGS \cgalCite{cgal:canonical-lbk-qnm-17}; where the corrected step does
+not lower the energy as it should, the plain one is taken. All lengths are divided by \f$ L \f$, hence neither
 units nor resolution matter. Without fairing the energy never rises. Iterations stop by the
 inequalities of `Registration_options`.
 

@@ -31,9 +31,9 @@ namespace Canonical_pose_3 {
 namespace internal {
 
 // The as-rigid-as-possible energy of the cells, sum_t w_t |F_t - R_t|^2 (w_t with stiffness), and
-// what its local and global steps need. Cells are computed with in packs. Each block of cells sums its own part of
-// sum_t w_t G_t^t R_t, in slots of its own, one per vertex that it touches; the parts are summed per
-// vertex. So the order of all sums is fixed.
+// what its local and global steps need. Cells are computed with in packs. Each block of cells sums
+// its own part of sum_t w_t G_t^t R_t, in slots of its own, one per vertex that it touches; the parts
+// are summed per vertex. So the order of all sums is fixed.
 // `ClosestRotationTraits`: a model of `DeformationClosestRotationTraits_3`, or `Default`.
 template <typename ClosestRotationTraits>
 class Arap_energy

@@ -306,8 +306,8 @@ private:
       }
   }
 
-  // Lists the copies that hang together with the surface. A chord of which a part was forgotten may leave
-  // others.
+  // Lists the copies that hang together with the surface. A chord of which a part was forgotten may
+  // leave others.
   void hold(Disjoint_sets& corners)
   {
     Disjoint_sets parts(8 * m_cells.size());

@@ -29,8 +29,8 @@ namespace CGAL {
 namespace Canonical_pose_3 {
 namespace internal {
 
-// The faces that belong to one cell only, oriented outwards, in the order of the cells. Faces of more than
-// two are an error unless they are allowed.
+// The faces that belong to one cell only, oriented outwards, in the order of the cells. Faces of more
+// than two are an error unless they are allowed.
 inline std::vector<Index_triangle> boundary_triangles(const Point_matrix& points,
                                                       const std::vector<std::array<int, 4>>& cells,
                                                       const bool are_branches_allowed = false)
