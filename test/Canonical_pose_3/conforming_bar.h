@@ -10,9 +10,8 @@
 #ifndef CGAL_CANONICAL_POSE_3_TEST_CONFORMING_BAR_H
 #define CGAL_CANONICAL_POSE_3_TEST_CONFORMING_BAR_H
 
-#include <CGAL/Canonical_pose_3/Tetrahedral_arap_registrar_3.h>
-
 #include "bar_body.h"
+#include "registrar.h"
 
 namespace Canonical_pose_test {
 
@@ -36,8 +35,7 @@ inline Bar_result register_bar(const CGAL::Canonical_pose_3::Conforming_body_3& 
                                = CGAL::Canonical_pose_3::Registration_options(),
                                const Eigen::VectorXd& stiffness = Eigen::VectorXd())
 {
-  CGAL::Canonical_pose_3::Tetrahedral_arap_registrar_3<CGAL::Canonical_pose_3::Conforming_body_3>
-    registrar(body, weights, 8, options, stiffness);
+  Registrar registrar(body, weights, 8, options, stiffness);
   registrar.set_target(target);
   Bar_result result = {CGAL::Canonical_pose_3::Registration_summary(), body.points()};
   result.summary = registrar.register_to_target(result.pose);

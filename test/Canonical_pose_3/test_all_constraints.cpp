@@ -11,8 +11,6 @@
 #include <CGAL/Canonical_pose_3/Handle_constraint_adaptor_3.h>
 #include <CGAL/Canonical_pose_3/Spring_constraint_adaptor_3.h>
 #include <CGAL/Canonical_pose_3/Symmetry_constraint_adaptor_3.h>
-#include <CGAL/Canonical_pose_3/Conforming_body_3.h>
-#include <CGAL/Canonical_pose_3/Tetrahedral_arap_registrar_3.h>
 
 #include <CGAL/Random.h>
 
@@ -20,6 +18,7 @@
 
 #include "bar_body.h"
 #include "matchers.h"
+#include "registrar.h"
 
 #include <Eigen/Geometry>
 
@@ -28,12 +27,11 @@
 #include <vector>
 
 namespace CP = CGAL::Canonical_pose_3;
+using Canonical_pose_test::Registrar;
 using Canonical_pose_test::uniform_weights;
 using CP::Point_matrix;
 
 namespace {
-
-typedef CP::Tetrahedral_arap_registrar_3<CP::Conforming_body_3> Registrar;
 
 // One constraint of each kind on the bar; `motion` moves what depends on the frame.
 struct All_kinds

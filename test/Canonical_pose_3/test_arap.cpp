@@ -7,16 +7,14 @@
 //
 // Author(s) : The Canonical_pose_3 authors
 
-#include <CGAL/Canonical_pose_3/Conforming_body_3.h>
 #include <CGAL/Canonical_pose_3/Eigen_factor_traits_d.h>
-#include <CGAL/Canonical_pose_3/Tetrahedral_arap_registrar_3.h>
 
-#include <CGAL/Deformation_Eigen_closest_rotation_traits_3.h>
 #include <CGAL/Random.h>
 
 #include <gtest/gtest.h>
 
 #include "matchers.h"
+#include "registrar.h"
 #include "shapes.h"
 
 #include <Eigen/Geometry>
@@ -31,8 +29,7 @@ using CP::Registration_summary;
 
 namespace {
 
-typedef CGAL::Deformation_Eigen_closest_rotation_traits_3 Svd_rotations;
-typedef CP::Tetrahedral_arap_registrar_3<CP::Conforming_body_3, Svd_rotations> Registrar;
+typedef Canonical_pose_test::Svd_registrar Registrar;
 
 CP::Conforming_body_3 to_body(const Canonical_pose_test::Tetrahedral_soup& soup)
 {
@@ -173,13 +170,10 @@ TEST(Arap, solvers_and_rotations_agree)
   };
   const Eigen::VectorXd weights = uniform_weights(body.points());
   const Point_matrix pose = pose_of(Registrar(body, weights, 8.));
-  using Eigen_registrar = CP::Tetrahedral_arap_registrar_3<CP::Conforming_body_3, Svd_rotations,
+  using Eigen_registrar = CP::Tetrahedral_arap_registrar_3<CP::Conforming_body_3, CGAL::Default,
                                                            CP::Eigen_factor_traits_d>;
   EXPECT_LT((pose_of(Eigen_registrar(body, weights, 8.)) - pose).norm(), 1e-9);
-  EXPECT_LT(
-    (pose_of(CP::Tetrahedral_arap_registrar_3<CP::Conforming_body_3>(body, weights, 8.)) - pose)
-      .norm(),
-    1e-9);
+  EXPECT_LT((pose_of(Canonical_pose_test::Registrar(body, weights, 8.)) - pose).norm(), 1e-9);
 }
 
 // A warm start from the result has nothing left to do; a smaller detail length comes nearer to the

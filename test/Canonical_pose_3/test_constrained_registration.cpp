@@ -7,16 +7,15 @@
 //
 // Author(s) : The Canonical_pose_3 authors
 
-#include <CGAL/Canonical_pose_3/Conforming_body_3.h>
 #include <CGAL/Canonical_pose_3/Direction_constraint_adaptor_3.h>
 #include <CGAL/Canonical_pose_3/Handle_constraint_adaptor_3.h>
 #include <CGAL/Canonical_pose_3/Symmetry_constraint_adaptor_3.h>
-#include <CGAL/Canonical_pose_3/Tetrahedral_arap_registrar_3.h>
 
 #include <gtest/gtest.h>
 
 #include "bar_body.h"
 #include "matchers.h"
+#include "registrar.h"
 
 #include <Eigen/Geometry>
 
@@ -25,13 +24,12 @@
 #include <vector>
 
 namespace CP = CGAL::Canonical_pose_3;
+using Canonical_pose_test::Registrar;
 using Canonical_pose_test::uniform_weights;
 using CP::Point_matrix;
 using Eigen::RowVector3d;
 
 namespace {
-
-typedef CP::Tetrahedral_arap_registrar_3<CP::Conforming_body_3> Registrar;
 
 // Two separate tetrahedra, each of which follows the target of its first vertex rigidly.
 struct Pair

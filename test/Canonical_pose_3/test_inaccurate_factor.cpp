@@ -7,15 +7,13 @@
 //
 // Author(s) : The Canonical_pose_3 authors
 
-#include <CGAL/Canonical_pose_3/Conforming_body_3.h>
-#include <CGAL/Canonical_pose_3/Tetrahedral_arap_registrar_3.h>
-
 #include <CGAL/Default.h>
 
 #include <gtest/gtest.h>
 
 #include "bar_body.h"
 #include "matchers.h"
+#include "registrar.h"
 
 namespace CP = CGAL::Canonical_pose_3;
 using CP::Point_matrix;
@@ -38,12 +36,11 @@ public:
   }
 };
 
-template <typename FactorTraits>
+template <typename Registrar>
 Point_matrix pose(const CP::Conforming_body_3& body, const Point_matrix& target)
 {
-  CP::Tetrahedral_arap_registrar_3<CP::Conforming_body_3, CGAL::Default, FactorTraits> registrar(
-    body, Canonical_pose_test::uniform_weights(body.points()), 8.,
-    Canonical_pose_test::to_the_end());
+  Registrar registrar(body, Canonical_pose_test::uniform_weights(body.points()), 8.,
+                      Canonical_pose_test::to_the_end());
   registrar.set_target(target);
   Point_matrix result;
   EXPECT_TRUE(registrar.register_to_target(result).converged());
@@ -58,8 +55,11 @@ TEST(Inaccurate_factor, leads_to_the_same_pose)
 {
   const CP::Conforming_body_3 body = Canonical_pose_test::bar_body(20, 3, 3);
   const Point_matrix target = Canonical_pose_test::bar_points(20, 3, 3, 1.);
-  const Point_matrix accurate = pose<CP::Default_factor_traits_d>(body, target),
-                     inaccurate = pose<Inaccurate_factor_traits_d>(body, target);
+  using Inaccurate_registrar
+    = CP::Tetrahedral_arap_registrar_3<CP::Conforming_body_3, CGAL::Default,
+                                       Inaccurate_factor_traits_d>;
+  const Point_matrix accurate = pose<Canonical_pose_test::Registrar>(body, target),
+                     inaccurate = pose<Inaccurate_registrar>(body, target);
   EXPECT_LT((inaccurate - accurate).cwiseAbs().maxCoeff(), 1e-6);
   EXPECT_GT((accurate - target).cwiseAbs().maxCoeff(), 1e-3);
 }

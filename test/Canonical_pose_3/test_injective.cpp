@@ -7,9 +7,7 @@
 //
 // Author(s) : The Canonical_pose_3 authors
 
-#include <CGAL/Canonical_pose_3/Conforming_body_3.h>
 #include <CGAL/Canonical_pose_3/Spring_constraint_adaptor_3.h>
-#include <CGAL/Canonical_pose_3/Tetrahedral_arap_registrar_3.h>
 
 #include <CGAL/Random.h>
 
@@ -17,6 +15,7 @@
 
 #include "bar_body.h"
 #include "matchers.h"
+#include "registrar.h"
 #include "shapes.h"
 #include "threads.h"
 
@@ -24,13 +23,12 @@
 #include <cstddef>
 
 namespace CP = CGAL::Canonical_pose_3;
+using Canonical_pose_test::Registrar;
 using Canonical_pose_test::uniform_weights;
 using CP::Point_matrix;
 using CP::Registration_summary;
 
 namespace {
-
-typedef CP::Tetrahedral_arap_registrar_3<CP::Conforming_body_3> Registrar;
 
 CP::Conforming_body_3 bar() { return Canonical_pose_test::bar_body(24, 4, 4); }
 

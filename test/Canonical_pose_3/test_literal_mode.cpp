@@ -11,13 +11,10 @@
 // after each iteration with paper_equations.h, a dense reference that shares no code with it. Both
 // differ by rounding alone, about 1e-14 here.
 
-#include <CGAL/Canonical_pose_3/Conforming_body_3.h>
 #include <CGAL/Canonical_pose_3/Gaussian_kernel.h>
 #include <CGAL/Canonical_pose_3/Landmark_mds_target_builder_3.h>
-#include <CGAL/Canonical_pose_3/Tetrahedral_arap_registrar_3.h>
 #include <CGAL/canonical_pose_3.h>
 
-#include <CGAL/Deformation_Eigen_closest_rotation_traits_3.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/property_map.h>
 
@@ -25,6 +22,7 @@
 
 #include "matchers.h"
 #include "paper_equations.h"
+#include "registrar.h"
 #include "shapes.h"
 
 #include <array>
@@ -77,9 +75,8 @@ void compare(const Tetrahedral_soup& box, const Spring& spring)
                             body.volume(), length_scale);
   options.fairing_passes = 1;
   options.energy_tolerance = options.move_tolerance = 0;
-  CP::Tetrahedral_arap_registrar_3<CP::Conforming_body_3,
-                                   CGAL::Deformation_Eigen_closest_rotation_traits_3>
-    registrar(body, Canonical_pose_test::uniform_weights(body.points()), length_scale, options);
+  Canonical_pose_test::Svd_registrar registrar(
+    body, Canonical_pose_test::uniform_weights(body.points()), length_scale, options);
   registrar.set_target(target);
   registrar.add_constraint(springs);
   registrar.set_number_of_iterations(0);

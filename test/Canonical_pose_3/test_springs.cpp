@@ -7,19 +7,19 @@
 //
 // Author(s) : The Canonical_pose_3 authors
 
-#include <CGAL/Canonical_pose_3/Conforming_body_3.h>
 #include <CGAL/Canonical_pose_3/Spring_constraint_adaptor_3.h>
-#include <CGAL/Canonical_pose_3/Tetrahedral_arap_registrar_3.h>
 
 #include <gtest/gtest.h>
 
 #include "bar_body.h"
 #include "matchers.h"
+#include "registrar.h"
 
 #include <cmath>
 #include <limits>
 
 namespace CP = CGAL::Canonical_pose_3;
+using Canonical_pose_test::Registrar;
 using Canonical_pose_test::uniform_weights;
 using CP::Point_matrix;
 
@@ -56,8 +56,7 @@ TEST(Springs, relaxed_spring_does_nothing)
 {
   const CP::Conforming_body_3 body = Canonical_pose_test::bar_body(12, 2, 2);
   ASSERT_NEAR((body.points().row(left) - body.points().row(right)).norm(), 8., 1e-12);
-  CP::Tetrahedral_arap_registrar_3<CP::Conforming_body_3> registrar(
-    body, uniform_weights(body.points()), 8.);
+  Registrar registrar(body, uniform_weights(body.points()), 8.);
   CP::Spring_constraint_adaptor_3 springs(static_cast<std::size_t>(body.points().rows()));
   springs.insert({left, right, 8., 100.});
   registrar.add_constraint(springs);
@@ -79,7 +78,7 @@ TEST(Springs, length_in_equilibrium_is_exact)
   weights[0] = weights[4] = 1;
   for(const double stiffness : {0.1, 1., 30.})
   {
-    CP::Tetrahedral_arap_registrar_3<CP::Conforming_body_3> registrar(body, weights, 5., exact());
+    Registrar registrar(body, weights, 5., exact());
     CP::Spring_constraint_adaptor_3 springs(8);
     springs.insert({0, 4, 2., stiffness});
     registrar.add_constraint(springs);
@@ -98,8 +97,7 @@ TEST(Springs, length_in_equilibrium_is_exact)
 TEST(Springs, rest_length_needs_no_factorisation)
 {
   const CP::Conforming_body_3 body = Canonical_pose_test::bar_body(12, 2, 2);
-  CP::Tetrahedral_arap_registrar_3<CP::Conforming_body_3> registrar(
-    body, uniform_weights(body.points()), 8.);
+  Registrar registrar(body, uniform_weights(body.points()), 8.);
   Counting_springs springs(static_cast<std::size_t>(body.points().rows()));
   const std::size_t index = springs.insert({left, right, 8., 10.});
   registrar.add_constraint(springs);
@@ -127,8 +125,7 @@ TEST(Springs, rest_length_needs_no_factorisation)
 TEST(Springs, coinciding_ends)
 {
   const CP::Conforming_body_3 body = Canonical_pose_test::bar_body(12, 2, 2);
-  CP::Tetrahedral_arap_registrar_3<CP::Conforming_body_3> registrar(
-    body, uniform_weights(body.points()), 8.);
+  Registrar registrar(body, uniform_weights(body.points()), 8.);
   CP::Spring_constraint_adaptor_3 springs(static_cast<std::size_t>(body.points().rows()));
   springs.insert({left, right, 2., 10.});
   registrar.add_constraint(springs);

@@ -8,26 +8,25 @@
 // Author(s) : The Canonical_pose_3 authors
 
 #include <CGAL/Canonical_pose_3/Spring_constraint_adaptor_3.h>
-#include <CGAL/Canonical_pose_3/Tetrahedral_arap_registrar_3.h>
 
 #include <gtest/gtest.h>
 
 #include "conforming_bar.h"
 #include "matchers.h"
+#include "registrar.h"
 
 #include <memory>
 #include <stdexcept>
 #include <vector>
 
 namespace CP = CGAL::Canonical_pose_3;
+using Canonical_pose_test::Registrar;
 using Canonical_pose_test::uniform_weights;
 using CP::Point_matrix;
 using CP::Registration_progress;
 using CP::Registration_summary;
 
 namespace {
-
-typedef CP::Tetrahedral_arap_registrar_3<CP::Conforming_body_3> Registrar;
 
 const double length_scale = 8;
 

@@ -154,25 +154,7 @@ public:
 
   /// factors the matrix, or updates its factor, unless that has been done for the present constraints.
   /// \throws std::runtime_error if the matrix is not positive definite to working precision.
-  void factor()
-  {
-    std::vector<std::size_t> revisions;
-    for(const auto& constraint : m_constraints)
-      revisions.push_back(constraint->matrix_revision());
-    if(m_factored_revisions == revisions)
-      return;
-    m_factored_revisions.reset();
-    if(m_matrix.size() == 0)
-      m_matrix = assemble_matrix();
-    m_constraint_matrix = assemble_constraint_matrix();
-    if(!m_factor.is_factored() || !update_factor())
-    {
-      m_factor.factor(m_constraints.empty() ? m_matrix : constrained_matrix(),
-                      "the matrix of the registration");
-      m_factored_constraint_matrix = m_constraint_matrix;
-    }
-    m_factored_revisions = revisions;
-  }
+  void factor();
 
   /*!
   runs the iteration.
@@ -196,31 +178,7 @@ public:
   */
   Registration_summary register_to_target(Point_matrix& body_points,
                                           const Registration_visitor& visitor
-                                          = Registration_visitor())
-  {
-    CGAL_precondition(m_target.rows() == m_weights.size());
-    CGAL_precondition(body_points.rows() == 0 || body_points.rows() == m_body.points().rows());
-    Registration_summary summary;
-    summary.solver = Factor::name();
-    for(const char* stage : {"factorization", "local_steps", "global_steps"})
-      summary.add_seconds(stage, 0);
-    summary.body.vertices = static_cast<std::size_t>(m_body.points().rows());
-    summary.body.tetrahedra = m_body.cells().size();
-    timed(summary, "factorization", [&] { factor(); });
-
-    Point_matrix v;
-    timed(summary, "global_steps", [&] {
-      v = body_points.rows() == 0 ? start() : Point_matrix(body_points / m_length_scale);
-    });
-    timed(summary, "local_steps", [&] { evaluate(v, summary); });
-    summary.energy_history.push_back(summary.energy);
-    iterate(v, body_points.rows() > 0, visitor, summary);
-    if(m_options.injective && summary.is_usable() && summary.inverted > 0)
-      repair(v, summary);
-    if(summary.is_usable())
-      body_points = v * m_length_scale;
-    return summary;
-  }
+                                          = Registration_visitor());
 
   /// returns the surface vertices \f$ Bv \f$ (\f$ n \times 3 \f$) at body positions \f$ v \f$ (\f$
   /// N \times 3 \f$).
@@ -508,6 +466,58 @@ private:
   Point_matrix m_target, m_target_term; // the target, and its term of the right-hand side
   Point_matrix m_surface, m_right_hand_side;
 };
+
+// Outside of the class: it is not inline, hence not compiled again where an instance is declared extern.
+
+template <typename ElasticBody, typename ClosestRotationTraits, typename FactorTraits>
+void Tetrahedral_arap_registrar_3<ElasticBody, ClosestRotationTraits, FactorTraits>::factor()
+{
+  std::vector<std::size_t> revisions;
+  for(const auto& constraint : m_constraints)
+    revisions.push_back(constraint->matrix_revision());
+  if(m_factored_revisions == revisions)
+    return;
+  m_factored_revisions.reset();
+  if(m_matrix.size() == 0)
+    m_matrix = assemble_matrix();
+  m_constraint_matrix = assemble_constraint_matrix();
+  if(!m_factor.is_factored() || !update_factor())
+  {
+    m_factor.factor(m_constraints.empty() ? m_matrix : constrained_matrix(),
+                    "the matrix of the registration");
+    m_factored_constraint_matrix = m_constraint_matrix;
+  }
+  m_factored_revisions = revisions;
+}
+
+template <typename ElasticBody, typename ClosestRotationTraits, typename FactorTraits>
+Registration_summary
+Tetrahedral_arap_registrar_3<ElasticBody, ClosestRotationTraits, FactorTraits>::register_to_target(
+  Point_matrix& body_points, const Registration_visitor& visitor)
+{
+  CGAL_precondition(m_target.rows() == m_weights.size());
+  CGAL_precondition(body_points.rows() == 0 || body_points.rows() == m_body.points().rows());
+  Registration_summary summary;
+  summary.solver = Factor::name();
+  for(const char* stage : {"factorization", "local_steps", "global_steps"})
+    summary.add_seconds(stage, 0);
+  summary.body.vertices = static_cast<std::size_t>(m_body.points().rows());
+  summary.body.tetrahedra = m_body.cells().size();
+  timed(summary, "factorization", [&] { factor(); });
+
+  Point_matrix v;
+  timed(summary, "global_steps", [&] {
+    v = body_points.rows() == 0 ? start() : Point_matrix(body_points / m_length_scale);
+  });
+  timed(summary, "local_steps", [&] { evaluate(v, summary); });
+  summary.energy_history.push_back(summary.energy);
+  iterate(v, body_points.rows() > 0, visitor, summary);
+  if(m_options.injective && summary.is_usable() && summary.inverted > 0)
+    repair(v, summary);
+  if(summary.is_usable())
+    body_points = v * m_length_scale;
+  return summary;
+}
 
 } // namespace Canonical_pose_3
 } // namespace CGAL
