@@ -145,6 +145,7 @@ private:
     return deform_in("lattice", *body, pose);
   }
 
+  // Not beside the distances: TetGen and METIS, which CHOLMOD may call, draw from the same std::rand().
   Registration_summary run_in_tetgen_body(Point_matrix& pose)
   {
 #ifdef CGAL_CANONICAL_POSE_3_USE_TETGEN
