@@ -45,8 +45,8 @@ int main()
 
   Mesh fine_pose = fine;
   CP::put_points(results.pose_of_followers, fine, fine_pose.points(), Kernel());
-  const double strain = CP::median_edge_strain(results.followers, results.pose_of_followers,
-                                               fine_figure.triangles());
+  const double strain
+    = CP::median_edge_strain(results.followers, results.pose_of_followers, fine_figure.triangles());
   std::cout << "median edge strain of the finer surface: " << strain << '\n';
   return strain < 0.1 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -82,7 +82,8 @@ public:
     cholmod_sparse view = internal::lower_triangle(compressed);
     const auto result = internal::own_cholmod_factor(cholmod_analyze(&view, common.get()));
     if(result == nullptr || !cholmod_factorize(&view, result.get(), common.get())
-       || result->minor < result->n || !internal::has_positive_pivots(*result, compressed.diagonal()))
+       || result->minor < result->n
+       || !internal::has_positive_pivots(*result, compressed.diagonal()))
       return false;
     m_factor = result;
     return true;
