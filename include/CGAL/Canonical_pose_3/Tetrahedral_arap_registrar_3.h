@@ -467,7 +467,8 @@ private:
   Point_matrix m_surface, m_right_hand_side;
 };
 
-// Outside of the class: it is not inline, hence not compiled again where an instance is declared extern.
+// The long parts, outside of the class: they are not inline, so they are not compiled again where an
+// instance is declared extern.
 
 template <typename ElasticBody, typename ClosestRotationTraits, typename FactorTraits>
 void Tetrahedral_arap_registrar_3<ElasticBody, ClosestRotationTraits, FactorTraits>::factor()
