@@ -28,16 +28,21 @@ inline Point_matrix bar_points(std::size_t nx, std::size_t ny, std::size_t nz, d
   return to_matrix(tetrahedral_bent_bar(nx, ny, nz, angle).points);
 }
 
-/// the bar as a body, all of whose vertices are surface vertices
-inline CGAL::Canonical_pose_3::Conforming_body_3 bar_body(std::size_t nx, std::size_t ny,
-                                                          std::size_t nz, double angle = 0)
+/// tetrahedra as a body, all of whose vertices are surface vertices
+inline CGAL::Canonical_pose_3::Conforming_body_3 to_body(const Tetrahedral_soup& soup)
 {
-  const Tetrahedral_soup soup = tetrahedral_bent_bar(nx, ny, nz, angle);
   std::vector<std::array<int, 4>> cells;
   for(const auto& c : soup.cells)
     cells.push_back({int(c[0]), int(c[1]), int(c[2]), int(c[3])});
   return CGAL::Canonical_pose_3::Conforming_body_3(to_matrix(soup.points), cells,
                                                    soup.points.size());
+}
+
+/// the bar as such a body
+inline CGAL::Canonical_pose_3::Conforming_body_3 bar_body(std::size_t nx, std::size_t ny,
+                                                          std::size_t nz, double angle = 0)
+{
+  return to_body(tetrahedral_bent_bar(nx, ny, nz, angle));
 }
 
 /// iterates until nothing moves any more

@@ -13,6 +13,7 @@
 
 #include <gtest/gtest.h>
 
+#include "bar_body.h"
 #include "matchers.h"
 #include "registrar.h"
 #include "shapes.h"
@@ -31,24 +32,11 @@ namespace {
 
 typedef Canonical_pose_test::Svd_registrar Registrar;
 
-CP::Conforming_body_3 to_body(const Canonical_pose_test::Tetrahedral_soup& soup)
-{
-  std::vector<std::array<int, 4>> cells;
-  for(const auto& c : soup.cells)
-    cells.push_back({int(c[0]), int(c[1]), int(c[2]), int(c[3])});
-  return CP::Conforming_body_3(Canonical_pose_test::to_matrix(soup.points), cells,
-                               soup.points.size());
-}
-
-CP::Conforming_body_3 bar_body()
-{
-  return to_body(Canonical_pose_test::tetrahedral_bent_bar(12, 2, 2, 0.));
-}
+CP::Conforming_body_3 bar_body() { return Canonical_pose_test::bar_body(12, 2, 2); }
 
 Point_matrix bent_bar_points(const double angle)
 {
-  return Canonical_pose_test::to_matrix(
-    Canonical_pose_test::tetrahedral_bent_bar(12, 2, 2, angle).points);
+  return Canonical_pose_test::bar_points(12, 2, 2, angle);
 }
 
 } // namespace
@@ -81,11 +69,8 @@ TEST(Arap, rigid_target_is_reached_with_energy_zero)
 // right-hand side would show.
 TEST(Arap, result_is_a_stationary_point_of_the_reported_energy)
 {
-  const CP::Conforming_body_3 body
-    = to_body(Canonical_pose_test::tetrahedral_bent_bar(3, 1, 1, 0.));
-  const Point_matrix target
-    = Canonical_pose_test::to_matrix(Canonical_pose_test::tetrahedral_bent_bar(3, 1, 1, 2.).points)
-      * 1.1;
+  const CP::Conforming_body_3 body = Canonical_pose_test::bar_body(3, 1, 1);
+  const Point_matrix target = Canonical_pose_test::bar_points(3, 1, 1, 2.) * 1.1;
   CP::Registration_options options;
   options.number_of_iterations = 5000;
   options.energy_tolerance = 0;
@@ -143,7 +128,7 @@ TEST(Arap, units_do_not_matter)
     for(auto& p : soup.points)
       for(double& x : p)
         x *= unit;
-    const CP::Conforming_body_3 body = to_body(soup);
+    const CP::Conforming_body_3 body = Canonical_pose_test::to_body(soup);
     Registrar registrar(body, uniform_weights(body.points()), 8. * unit);
     registrar.set_target(unit * bent_bar_points(2.5));
     Point_matrix pose;
@@ -170,8 +155,10 @@ TEST(Arap, solvers_and_rotations_agree)
   };
   const Eigen::VectorXd weights = uniform_weights(body.points());
   const Point_matrix pose = pose_of(Registrar(body, weights, 8.));
-  using Eigen_registrar = CP::Tetrahedral_arap_registrar_3<CP::Conforming_body_3, CGAL::Default,
-                                                           CP::Eigen_factor_traits_d>;
+  using Eigen_registrar
+    = CP::Tetrahedral_arap_registrar_3<CP::Conforming_body_3,
+                                       CGAL::Deformation_Eigen_closest_rotation_traits_3,
+                                       CP::Eigen_factor_traits_d>;
   EXPECT_LT((pose_of(Eigen_registrar(body, weights, 8.)) - pose).norm(), 1e-9);
   EXPECT_LT((pose_of(Canonical_pose_test::Registrar(body, weights, 8.)) - pose).norm(), 1e-9);
 }

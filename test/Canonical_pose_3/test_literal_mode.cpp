@@ -20,6 +20,7 @@
 
 #include <gtest/gtest.h>
 
+#include "bar_body.h"
 #include "matchers.h"
 #include "paper_equations.h"
 #include "registrar.h"
@@ -34,20 +35,13 @@ namespace CP = CGAL::Canonical_pose_3;
 using Canonical_pose_test::Paper_equations;
 using Canonical_pose_test::Spring;
 using Canonical_pose_test::Tetrahedral_soup;
+using Canonical_pose_test::to_body;
 using Canonical_pose_test::to_matrix;
 using CP::Point_matrix;
 
 namespace {
 
 using Spring = std::optional<CP::Spring_3>;
-
-CP::Conforming_body_3 to_body(const Tetrahedral_soup& soup)
-{
-  std::vector<std::array<int, 4>> cells;
-  for(const auto& c : soup.cells)
-    cells.push_back({int(c[0]), int(c[1]), int(c[2]), int(c[3])});
-  return CP::Conforming_body_3(to_matrix(soup.points), cells, soup.points.size());
-}
 
 // Bent, squeezed to a fifth across and creased, one corner pulled in: some cells come inverted.
 Point_matrix bent_target(const Tetrahedral_soup& body)
