@@ -34,6 +34,7 @@
 
 #include "Argument_list.h"
 #include "Child_process.h"
+#include "median.h"
 #include "setting.h"
 
 #include "compute_pose.h" // of the tool
@@ -333,11 +334,11 @@ void print_summary(const std::string& folder, const std::vector<Result>& results
               + std::regex_replace(r.reason, std::regex("[0-9.]*[0-9]"), "#")]
         .push_back(r.file.filename().string());
   }
-  std::sort(seconds.begin(), seconds.end());
   std::printf("\n%s: %zu meshes, %zu solved, %zu refused, %zu failed; seconds: median %.2f, "
               "largest %.2f\n",
               folder.c_str(), results.size(), numbers[Result::SOLVED], numbers[Result::REFUSED],
-              numbers[Result::FAILED], seconds[seconds.size() / 2], seconds.back());
+              numbers[Result::FAILED], Canonical_pose_benchmark::median(seconds),
+              *std::max_element(seconds.begin(), seconds.end()));
   for(const auto& [reason, meshes] : reasons)
     std::printf("%5zu %s (%s%s)\n", meshes.size(), reason.c_str(), meshes.front().c_str(),
                 meshes.size() > 1 ? ", ..." : "");
