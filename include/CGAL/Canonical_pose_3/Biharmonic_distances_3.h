@@ -11,6 +11,7 @@
 #define CGAL_CANONICAL_POSE_3_BIHARMONIC_DISTANCES_3_H
 
 #include <CGAL/Canonical_pose_3/Default_factor_traits_d.h>
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/Delaunay_surface.h>
 #include <CGAL/Canonical_pose_3/internal/Laplace_spectrum.h>
 #include <CGAL/Canonical_pose_3/internal/cotangent_operators.h>
@@ -36,6 +37,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 /*!
 \ingroup PkgCanonicalPose3Ref
@@ -293,6 +295,7 @@ private:
   Embedding m_embedding;
 };
 
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

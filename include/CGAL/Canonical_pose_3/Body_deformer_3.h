@@ -11,6 +11,7 @@
 #define CGAL_CANONICAL_POSE_3_BODY_DEFORMER_3_H
 
 #include <CGAL/Canonical_pose_3/internal/body_cells.h>
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 #include <CGAL/Canonical_pose_3/surface_measures.h>
 
@@ -37,6 +38,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 /*!
 \ingroup PkgCanonicalPose3Ref
@@ -218,6 +220,7 @@ private:
   Tree m_tree;
 };
 
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

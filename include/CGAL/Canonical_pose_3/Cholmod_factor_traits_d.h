@@ -13,6 +13,8 @@
 #include <CGAL/Canonical_pose_3/Eigen_factor_traits_d.h>
 #include <CGAL/Canonical_pose_3/internal/Cholmod_factor.h>
 #include <CGAL/Canonical_pose_3/internal/Cholmod_workspace.h>
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
+#include <CGAL/Canonical_pose_3/internal/state_of_the_process.h>
 #include <CGAL/Eigen_sparse_matrix.h>
 #include <CGAL/Eigen_vector.h>
 #include <CGAL/assertions.h>
@@ -32,6 +34,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 /*!
 \ingroup PkgCanonicalPose3Ref
@@ -80,7 +83,7 @@ public:
     Eigen::SparseMatrix<double> compressed = matrix.eigen_object();
     compressed.makeCompressed();
     cholmod_sparse view = internal::lower_triangle(compressed);
-    const auto result = internal::own_cholmod_factor(cholmod_analyze(&view, common.get()));
+    const auto result = internal::analyzed(view, common);
     if(result == nullptr || !cholmod_factorize(&view, result.get(), common.get())
        || result->minor < result->n
        || !internal::has_positive_pivots(*result, compressed.diagonal()))
@@ -148,6 +151,7 @@ private:
   internal::Cholmod_factor_pointer m_factor;
 };
 
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

@@ -11,6 +11,7 @@
 #define CGAL_CANONICAL_POSE_3_CONFORMING_BODY_3_H
 
 #include <CGAL/Canonical_pose_3/Embedded_body_3.h>
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <CGAL/assertions.h>
@@ -24,6 +25,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 /*!
 \ingroup PkgCanonicalPose3Ref
@@ -78,6 +80,7 @@ private:
   }
 };
 
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

@@ -10,6 +10,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_CONSTRAINT_LIST_3_H
 #define CGAL_CANONICAL_POSE_3_CONSTRAINT_LIST_3_H
 
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/Constraint_element_traits.h>
 
 #include <CGAL/assertions.h>
@@ -22,6 +23,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 /*!
 \ingroup PkgCanonicalPose3Ref
@@ -120,6 +122,7 @@ private:
   std::vector<Element> m_elements;
 };
 
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

@@ -10,6 +10,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_DEFAULT_FACTOR_TRAITS_D_H
 #define CGAL_CANONICAL_POSE_3_DEFAULT_FACTOR_TRAITS_D_H
 
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #ifdef CGAL_CANONICAL_POSE_3_USE_CHOLMOD
 #include <CGAL/Canonical_pose_3/Cholmod_factor_traits_d.h>
 #else
@@ -18,6 +19,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 /*!
 \ingroup PkgCanonicalPose3Ref
@@ -33,6 +35,7 @@ using Default_factor_traits_d = Cholmod_factor_traits_d;
 using Default_factor_traits_d = Eigen_factor_traits_d;
 #endif
 
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

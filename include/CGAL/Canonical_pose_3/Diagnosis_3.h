@@ -10,6 +10,8 @@
 #ifndef CGAL_CANONICAL_POSE_3_DIAGNOSIS_3_H
 #define CGAL_CANONICAL_POSE_3_DIAGNOSIS_3_H
 
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
+
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -17,6 +19,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 /*!
 \ingroup PkgCanonicalPose3Ref
@@ -99,6 +102,7 @@ struct Diagnosis_3
   }
 };
 
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

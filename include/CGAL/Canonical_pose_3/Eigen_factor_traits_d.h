@@ -10,6 +10,8 @@
 #ifndef CGAL_CANONICAL_POSE_3_EIGEN_FACTOR_TRAITS_D_H
 #define CGAL_CANONICAL_POSE_3_EIGEN_FACTOR_TRAITS_D_H
 
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
+
 #include <CGAL/Eigen_solver_traits.h>
 #include <CGAL/assertions.h>
 
@@ -20,6 +22,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 namespace internal {
 
@@ -122,6 +125,7 @@ private:
   bool m_is_factored = false;
 };
 
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

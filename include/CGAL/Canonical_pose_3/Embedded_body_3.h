@@ -10,6 +10,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_EMBEDDED_BODY_3_H
 #define CGAL_CANONICAL_POSE_3_EMBEDDED_BODY_3_H
 
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <Eigen/Dense>
@@ -25,6 +26,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 /*!
 \ingroup PkgCanonicalPose3Ref
@@ -124,6 +126,7 @@ private:
   double m_volume = 0;
 };
 
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

@@ -10,6 +10,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_EXACT_GEODESICS_3_H
 #define CGAL_CANONICAL_POSE_3_EXACT_GEODESICS_3_H
 
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/Intrinsic_triangulation.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
@@ -38,6 +39,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 /*!
 \ingroup PkgCanonicalPose3Ref
@@ -277,6 +279,7 @@ private:
   std::vector<Copied_vertex> m_copied; // of each row
 };
 
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

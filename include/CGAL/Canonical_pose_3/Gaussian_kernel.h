@@ -10,10 +10,13 @@
 #ifndef CGAL_CANONICAL_POSE_3_GAUSSIAN_KERNEL_H
 #define CGAL_CANONICAL_POSE_3_GAUSSIAN_KERNEL_H
 
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
+
 #include <cmath>
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 /*!
 \ingroup PkgCanonicalPose3Ref
@@ -49,6 +52,7 @@ private:
   bool m_centered;
 };
 
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

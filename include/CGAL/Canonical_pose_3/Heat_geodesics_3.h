@@ -11,6 +11,7 @@
 #define CGAL_CANONICAL_POSE_3_HEAT_GEODESICS_3_H
 
 #include <CGAL/Canonical_pose_3/Default_factor_traits_d.h>
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/Heat_solver.h>
 #include <CGAL/Canonical_pose_3/internal/Intrinsic_triangulation.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
@@ -29,6 +30,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 /*!
 \ingroup PkgCanonicalPose3Ref
@@ -257,6 +259,7 @@ private:
   internal::Heat_solver<Solver_traits> m_solver;
 };
 
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

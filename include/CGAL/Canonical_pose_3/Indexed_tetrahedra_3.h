@@ -10,12 +10,15 @@
 #ifndef CGAL_CANONICAL_POSE_3_INDEXED_TETRAHEDRA_3_H
 #define CGAL_CANONICAL_POSE_3_INDEXED_TETRAHEDRA_3_H
 
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
+
 #include <array>
 #include <cstddef>
 #include <vector>
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 /*!
 \ingroup PkgCanonicalPose3Ref
@@ -40,6 +43,7 @@ struct Indexed_tetrahedra_3
   std::vector<std::array<std::size_t, 4>> cells;
 };
 
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

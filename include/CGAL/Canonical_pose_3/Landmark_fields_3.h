@@ -10,6 +10,8 @@
 #ifndef CGAL_CANONICAL_POSE_3_LANDMARK_FIELDS_3_H
 #define CGAL_CANONICAL_POSE_3_LANDMARK_FIELDS_3_H
 
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
+
 #include <Eigen/Core>
 
 #include <cstddef>
@@ -17,6 +19,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 /*!
 \ingroup PkgCanonicalPose3Ref
@@ -44,6 +47,7 @@ struct Landmark_fields_3
   double covering_radius = 0;
 };
 
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

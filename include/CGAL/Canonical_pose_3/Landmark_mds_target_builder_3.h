@@ -10,6 +10,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_LANDMARK_MDS_TARGET_BUILDER_3_H
 #define CGAL_CANONICAL_POSE_3_LANDMARK_MDS_TARGET_BUILDER_3_H
 
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/Landmark_fields_3.h>
 #include <CGAL/Canonical_pose_3/Squared_distance_kernel.h>
 
@@ -26,6 +27,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 /*!
 \ingroup PkgCanonicalPose3Ref
@@ -223,6 +225,7 @@ private:
   int m_number_of_positive_eigenvalues = 0;
 };
 
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

@@ -10,6 +10,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_LATTICE_BODY_3_H
 #define CGAL_CANONICAL_POSE_3_LATTICE_BODY_3_H
 
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/Lattice_copies.h>
 #include <CGAL/Canonical_pose_3/internal/Principal_axes.h>
 #include <CGAL/Canonical_pose_3/internal/surface_chords.h>
@@ -31,6 +32,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 /*!
 \ingroup PkgCanonicalPose3Ref
@@ -341,6 +343,7 @@ private:
   Eigen::SparseMatrix<double> m_embedding;
 };
 
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

@@ -12,6 +12,7 @@
 
 #include <CGAL/Canonical_pose_3/Direction_constraint_adaptor_3.h>
 #include <CGAL/Canonical_pose_3/Handle_constraint_adaptor_3.h>
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/Landmark_fields_3.h>
 #include <CGAL/Canonical_pose_3/Registration_options.h>
 #include <CGAL/Canonical_pose_3/Registration_progress.h>
@@ -27,6 +28,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 /*!
 \ingroup PkgCanonicalPose3Ref
@@ -162,6 +164,7 @@ struct Options
   Intermediate_results* intermediate_results = nullptr;
 };
 
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

@@ -10,6 +10,8 @@
 #ifndef CGAL_CANONICAL_POSE_3_REGISTRATION_OPTIONS_H
 #define CGAL_CANONICAL_POSE_3_REGISTRATION_OPTIONS_H
 
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
+
 #include <cmath>
 #include <cstddef>
 #include <stdexcept>
@@ -17,6 +19,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 /*!
 \ingroup PkgCanonicalPose3Ref
@@ -112,6 +115,7 @@ private:
   }
 };
 
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

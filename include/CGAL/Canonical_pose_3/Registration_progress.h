@@ -10,10 +10,13 @@
 #ifndef CGAL_CANONICAL_POSE_3_REGISTRATION_PROGRESS_H
 #define CGAL_CANONICAL_POSE_3_REGISTRATION_PROGRESS_H
 
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
+
 #include <functional>
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 /*!
 \ingroup PkgCanonicalPose3Ref
@@ -43,6 +46,7 @@ struct Registration_progress
 */
 using Registration_visitor = std::function<bool(const Registration_progress&)>;
 
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

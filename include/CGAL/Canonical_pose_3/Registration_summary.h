@@ -11,6 +11,7 @@
 #define CGAL_CANONICAL_POSE_3_REGISTRATION_SUMMARY_H
 
 #include <CGAL/Canonical_pose_3/Diagnosis_3.h>
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -22,6 +23,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 /*!
 \ingroup PkgCanonicalPose3Ref
@@ -157,6 +159,7 @@ inline std::ostream& operator<<(std::ostream& out, const Registration_summary& s
   return out << summary.brief_report();
 }
 
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

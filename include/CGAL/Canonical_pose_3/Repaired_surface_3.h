@@ -10,6 +10,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_REPAIRED_SURFACE_3_H
 #define CGAL_CANONICAL_POSE_3_REPAIRED_SURFACE_3_H
 
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <array>
@@ -18,6 +19,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 /*!
 \ingroup PkgCanonicalPose3Ref
@@ -54,6 +56,7 @@ struct Repaired_surface_3
   std::size_t number_of_components = 0;
 };
 
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

@@ -10,8 +10,11 @@
 #ifndef CGAL_CANONICAL_POSE_3_SQUARED_DISTANCE_KERNEL_H
 #define CGAL_CANONICAL_POSE_3_SQUARED_DISTANCE_KERNEL_H
 
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
+
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 /*!
 \ingroup PkgCanonicalPose3Ref
@@ -39,6 +42,7 @@ struct Squared_distance_kernel
   const char* name() const { return "classical"; }
 };
 
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

@@ -11,6 +11,7 @@
 #define CGAL_CANONICAL_POSE_3_SYMMETRY_CONSTRAINT_ADAPTOR_3_H
 
 #include <CGAL/Canonical_pose_3/Constraint_list_3.h>
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <Eigen/Eigenvalues>
@@ -24,6 +25,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 /*!
 \ingroup PkgCanonicalPose3Ref
@@ -165,6 +167,7 @@ private:
   }
 };
 
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

@@ -11,6 +11,7 @@
 #define CGAL_CANONICAL_POSE_3_TETRAHEDRAL_ARAP_REGISTRAR_3_H
 
 #include <CGAL/Canonical_pose_3/Default_factor_traits_d.h>
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/Registration_options.h>
 #include <CGAL/Canonical_pose_3/Registration_progress.h>
 #include <CGAL/Canonical_pose_3/Registration_summary.h>
@@ -41,6 +42,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 /*!
 \ingroup PkgCanonicalPose3Ref
@@ -520,6 +522,7 @@ Tetrahedral_arap_registrar_3<ElasticBody, ClosestRotationTraits, FactorTraits>::
   return summary;
 }
 
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

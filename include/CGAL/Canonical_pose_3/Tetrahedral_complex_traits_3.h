@@ -11,6 +11,7 @@
 #define CGAL_CANONICAL_POSE_3_TETRAHEDRAL_COMPLEX_TRAITS_3_H
 
 #include <CGAL/Canonical_pose_3/Indexed_tetrahedra_3.h>
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 
 #include <boost/range/irange.hpp>
 
@@ -22,6 +23,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 template <typename...>
@@ -166,6 +168,7 @@ struct Tetrahedral_complex_traits_3<Indexed_tetrahedra_3<Point>>
 
 /// \endcond
 
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

@@ -10,6 +10,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_WAVEFRONT_GEODESICS_3_H
 #define CGAL_CANONICAL_POSE_3_WAVEFRONT_GEODESICS_3_H
 
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/Intrinsic_triangulation.h>
 #include <CGAL/Canonical_pose_3/internal/Wavefront_solver.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
@@ -28,6 +29,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 /*!
 \ingroup PkgCanonicalPose3Ref
@@ -234,6 +236,7 @@ private:
   internal::Wavefront_solver m_solver;
 };
 
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

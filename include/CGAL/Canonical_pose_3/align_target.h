@@ -11,6 +11,7 @@
 #define CGAL_CANONICAL_POSE_3_ALIGN_TARGET_H
 
 #include <CGAL/Canonical_pose_3/internal/closest_rotation.h>
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <CGAL/Deformation_Eigen_closest_rotation_traits_3.h>
@@ -18,6 +19,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 /*!
 \ingroup PkgCanonicalPose3Ref
@@ -63,6 +65,7 @@ inline Point_matrix align_target(const Point_matrix& target, const Point_matrix&
   return moved;
 }
 
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

@@ -11,6 +11,7 @@
 #define CGAL_CANONICAL_POSE_3_CELL_STIFFNESS_H
 
 #include <CGAL/Canonical_pose_3/internal/check_registration.h>
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 
 #include <CGAL/assertions.h>
 
@@ -24,6 +25,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 /*!
 \ingroup PkgCanonicalPose3Ref
@@ -101,6 +103,7 @@ Eigen::VectorXd cell_stiffness(const ElasticBody& body, const Eigen::VectorXd& a
   return result;
 }
 
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

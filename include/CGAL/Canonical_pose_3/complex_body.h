@@ -11,6 +11,7 @@
 #define CGAL_CANONICAL_POSE_3_COMPLEX_BODY_H
 
 #include <CGAL/Canonical_pose_3/Conforming_body_3.h>
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/Indexed_complex.h>
 
 #include <cstddef>
@@ -18,6 +19,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 /*!
 \ingroup PkgCanonicalPose3Ref
@@ -44,6 +46,7 @@ Conforming_body_3 complex_body(const Complex& complex, const Traits& traits = Tr
   return Conforming_body_3(std::move(indexed.points), std::move(indexed.cells), n);
 }
 
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

@@ -11,6 +11,7 @@
 #define CGAL_CANONICAL_POSE_3_DIAGNOSE_H
 
 #include <CGAL/Canonical_pose_3/Diagnosis_3.h>
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/Indexed_mesh.h>
 #include <CGAL/Canonical_pose_3/internal/Soup_diagnosis.h>
 #include <CGAL/Canonical_pose_3/internal/Triangle_soup.h>
@@ -22,6 +23,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 template <typename Polygons>
@@ -90,6 +92,7 @@ Diagnosis_3 diagnose(const PolygonMesh& mesh, VertexPointMap vertex_point_map)
   return diagnose(point_matrix(mesh, vertex_point_map), internal::index_polygons(mesh));
 }
 
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

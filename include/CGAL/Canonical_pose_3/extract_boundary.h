@@ -10,6 +10,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_EXTRACT_BOUNDARY_H
 #define CGAL_CANONICAL_POSE_3_EXTRACT_BOUNDARY_H
 
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/Indexed_complex.h>
 #include <CGAL/Canonical_pose_3/internal/boundary_triangles.h>
 
@@ -22,6 +23,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 /*!
 \ingroup PkgCanonicalPose3Ref
@@ -78,6 +80,7 @@ void extract_boundary(const Complex& complex, TriangleMesh& tmesh, OriginMap ori
                     tmesh);
 }
 
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

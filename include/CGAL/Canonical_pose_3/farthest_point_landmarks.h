@@ -10,6 +10,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_FARTHEST_POINT_LANDMARKS_H
 #define CGAL_CANONICAL_POSE_3_FARTHEST_POINT_LANDMARKS_H
 
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/Landmark_fields_3.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
@@ -23,6 +24,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 /*!
 \ingroup PkgCanonicalPose3Ref
@@ -120,6 +122,7 @@ farthest_point_landmarks(const GeodesicDistances& geodesics, const std::size_t l
   return result;
 }
 
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

@@ -10,6 +10,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_FRONT_LANDMARKS_H
 #define CGAL_CANONICAL_POSE_3_FRONT_LANDMARKS_H
 
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/Landmark_fields_3.h>
 #include <CGAL/Canonical_pose_3/internal/Delaunay_surface.h>
 #include <CGAL/Canonical_pose_3/internal/Intrinsic_triangulation.h>
@@ -28,6 +29,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 namespace internal {
 
@@ -127,6 +129,7 @@ Landmark_fields_3 front_landmarks(const GeodesicDistances& geodesics, const std:
   return result;
 }
 
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

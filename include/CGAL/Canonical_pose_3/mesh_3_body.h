@@ -12,6 +12,7 @@
 
 #include <CGAL/Canonical_pose_3/Embedded_body_3.h>
 #include <CGAL/Canonical_pose_3/diagnose.h>
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/Indexed_mesh.h>
 #include <CGAL/Canonical_pose_3/internal/Mesh_3_embedder.h>
 #include <CGAL/Canonical_pose_3/internal/mesh_3_complex.h>
@@ -25,6 +26,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 constexpr double MESH_3_CELL_SIZE = 1. / 60;
@@ -108,6 +110,7 @@ Embedded_body_3 mesh_3_body(const TriangleMesh& tmesh, VertexPointMap vertex_poi
                      length_scale, cell_size);
 }
 
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

@@ -10,6 +10,8 @@
 #ifndef CGAL_CANONICAL_POSE_3_POINT_MATRIX_H
 #define CGAL_CANONICAL_POSE_3_POINT_MATRIX_H
 
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
+
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/assertions.h>
 #include <CGAL/boost/graph/properties.h>
@@ -28,6 +30,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 /*!
 \ingroup PkgCanonicalPose3Ref
@@ -190,6 +193,7 @@ void put_points(const Point_matrix& points, const TriangleMesh& tmesh,
     put(vertex_point_map, v, internal::from_row(traits, points.row(row++)));
 }
 
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

@@ -10,6 +10,8 @@
 #ifndef CGAL_CANONICAL_POSE_3_PROPERTY_VALUES_H
 #define CGAL_CANONICAL_POSE_3_PROPERTY_VALUES_H
 
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
+
 #include <CGAL/number_utils.h>
 
 #include <boost/property_map/property_map.hpp>
@@ -20,6 +22,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 /*!
 \ingroup PkgCanonicalPose3Ref
@@ -47,6 +50,7 @@ Eigen::VectorXd property_values(const Range& range, PropertyMap map)
   return values;
 }
 
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

@@ -10,6 +10,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_REPAIR_SURFACE_H
 #define CGAL_CANONICAL_POSE_3_REPAIR_SURFACE_H
 
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/Repaired_surface_3.h>
 #include <CGAL/Canonical_pose_3/internal/Component_orienter.h>
 #include <CGAL/Canonical_pose_3/internal/Manifold_builder.h>
@@ -25,6 +26,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 template <typename Polygons>
@@ -162,6 +164,7 @@ inline Repaired_surface_3 component_of_surface(const Repaired_surface_3& surface
   return result;
 }
 
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

@@ -11,6 +11,7 @@
 #define CGAL_CANONICAL_POSE_3_SURFACE_MEASURES_H
 
 #include <CGAL/Canonical_pose_3/internal/Buckets.h>
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/Indexed_mesh.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
@@ -25,6 +26,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 namespace internal {
 
@@ -125,6 +127,7 @@ inline double median_edge_strain(const Point_matrix& rest, const Point_matrix& p
   return *middle;
 }
 
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

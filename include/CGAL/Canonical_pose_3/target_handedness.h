@@ -10,6 +10,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_TARGET_HANDEDNESS_H
 #define CGAL_CANONICAL_POSE_3_TARGET_HANDEDNESS_H
 
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/Indexed_mesh.h>
 #include <CGAL/Canonical_pose_3/internal/Principal_axes.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
@@ -26,6 +27,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // Six times the volume inside the triangles; summed in units of the extent, so that it is accurate in
@@ -122,6 +124,7 @@ double target_handedness(const Point_matrix& target, const TriangleMesh& tmesh,
   return target_handedness(target, points, triangles, vertex_area_shares(points, triangles));
 }
 
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

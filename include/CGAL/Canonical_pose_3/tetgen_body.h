@@ -16,6 +16,8 @@
 
 #include <CGAL/Canonical_pose_3/Conforming_body_3.h>
 #include <CGAL/Canonical_pose_3/diagnose.h>
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
+#include <CGAL/Canonical_pose_3/internal/state_of_the_process.h>
 
 #ifndef TETLIBRARY
 #define TETLIBRARY
@@ -25,6 +27,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
+#include <mutex>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -32,6 +36,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // `points` are scaled by a power of two to about unit size, as TetGen has absolute tolerances.
@@ -71,6 +76,8 @@ inline Conforming_body_3 tetgen_body_of_clean_surface(const Point_matrix& points
   {
     // p: the given facets, Y: without a new vertex on them, Q: quiet
     char switches[] = "pYQ";
+    const std::lock_guard<std::mutex> lock(mutex_of_random_numbers());
+    std::srand(1); // the numbers that a new process draws
     tetrahedralize(switches, &in, &out);
   }
   catch(const int code)
@@ -129,6 +136,7 @@ Conforming_body_3 tetgen_body(const TriangleMesh& tmesh, VertexPointMap vertex_p
   return internal::tetgen_body_of_clean_surface(points, triangles);
 }
 
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

@@ -11,6 +11,7 @@
 #define CGAL_CANONICAL_POSE_3_INTERNAL_ARAP_ENERGY_H
 
 #include <CGAL/Canonical_pose_3/internal/Buckets.h>
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/Elastic_cell.h>
 #include <CGAL/Canonical_pose_3/internal/closest_rotation.h>
 #include <CGAL/Canonical_pose_3/internal/for_each_block.h>
@@ -28,6 +29,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // The as-rigid-as-possible energy of the cells, sum_t w_t |F_t - R_t|^2 (w_t with stiffness), and
@@ -286,6 +288,7 @@ private:
 };
 
 } // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

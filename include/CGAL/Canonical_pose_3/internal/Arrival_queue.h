@@ -11,6 +11,7 @@
 #define CGAL_CANONICAL_POSE_3_INTERNAL_ARRIVAL_QUEUE_H
 
 #include <CGAL/Canonical_pose_3/internal/Beam.h>
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 
 #include <array>
 #include <cstddef>
@@ -21,6 +22,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // The beams on their way, by the time of their arrival; at equal times by the place where they are
@@ -80,6 +82,7 @@ private:
 };
 
 } // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

@@ -11,10 +11,12 @@
 #define CGAL_CANONICAL_POSE_3_INTERNAL_BEAM_PASSAGE_H
 
 #include <CGAL/Canonical_pose_3/internal/Beam.h>
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/Virtual_source.h>
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // How a beam passes the third corner of the face that it has entered: either one of its sources
@@ -86,6 +88,7 @@ private:
 };
 
 } // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

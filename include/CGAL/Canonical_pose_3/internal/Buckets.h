@@ -10,6 +10,8 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_BUCKETS_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_BUCKETS_H
 
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
+
 #include <CGAL/Iterator_range.h>
 
 #include <cstddef>
@@ -18,6 +20,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // Values bucket by bucket in one piece of memory, in each bucket in the order in which they came.
@@ -62,6 +65,7 @@ private:
 };
 
 } // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

@@ -15,6 +15,7 @@
 #include <CGAL/Canonical_pose_3/Exact_geodesics_3.h>
 #include <CGAL/Canonical_pose_3/Gaussian_kernel.h>
 #include <CGAL/Canonical_pose_3/Heat_geodesics_3.h>
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/Landmark_mds_target_builder_3.h>
 #include <CGAL/Canonical_pose_3/Lattice_body_3.h>
 #include <CGAL/Canonical_pose_3/Options.h>
@@ -57,6 +58,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // The steps of canonical_pose_3() on a connected oriented 2-manifold.
@@ -412,6 +414,7 @@ private:
 };
 
 } // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

@@ -12,6 +12,8 @@
 
 #include <CGAL/Canonical_pose_3/Eigen_factor_traits_d.h>
 #include <CGAL/Canonical_pose_3/internal/Cholmod_workspace.h>
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
+#include <CGAL/Canonical_pose_3/internal/state_of_the_process.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
@@ -20,9 +22,11 @@
 
 #include <cstddef>
 #include <memory>
+#include <mutex>
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 using Cholmod_factor_pointer = std::shared_ptr<cholmod_factor>;
@@ -52,6 +56,23 @@ inline cholmod_sparse lower_triangle(const Eigen::SparseMatrix<double>& matrix)
   view.sorted = 1;
   view.packed = 1;
   return view;
+}
+
+// The symbolic factor, in the order that CHOLMOD chooses by default: that of AMD, or that of METIS where AMD
+// is not good and METIS is better. CHOLMOD's own choice would call METIS from several threads at once.
+inline Cholmod_factor_pointer analyzed(cholmod_sparse& matrix, Cholmod_common& common)
+{
+  cholmod_common& c = *common.get();
+  c.nmethods = 1;
+  c.method[0].ordering = CHOLMOD_AMD;
+  Cholmod_factor_pointer by_amd = own_cholmod_factor(cholmod_analyze(&matrix, &c));
+  if(by_amd == nullptr || c.fl < 500 * c.lnz || c.lnz < 5 * c.anz)
+    return by_amd;
+  const double nonzeros = c.lnz;
+  c.method[0].ordering = CHOLMOD_METIS;
+  const std::lock_guard<std::mutex> lock(mutex_of_random_numbers());
+  Cholmod_factor_pointer by_metis = own_cholmod_factor(cholmod_analyze(&matrix, &c));
+  return by_metis != nullptr && c.lnz < nonzeros ? by_metis : by_amd;
 }
 
 // `diagonal`: that of the matrix, in its own order.
@@ -85,6 +106,7 @@ inline bool has_positive_pivots(const cholmod_factor& factor, const Eigen::Vecto
 }
 
 } // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

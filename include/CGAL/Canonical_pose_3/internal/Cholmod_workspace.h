@@ -10,56 +10,18 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_CHOLMOD_WORKSPACE_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_CHOLMOD_WORKSPACE_H
 
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
+
 #include <Eigen/Core>
 
 #include <cholmod.h>
 
 #include <cstddef>
-#include <mutex>
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
-
-#if defined(__GNUC__) && !defined(_WIN32)
-extern "C" {
-int openblas_get_num_threads(void) __attribute__((weak));
-void openblas_set_num_threads(int number_of_threads) __attribute__((weak));
-}
-#define CGAL_CANONICAL_POSE_3_HAS_WEAK_OPENBLAS
-#endif
-
-// While one of these lives, OpenBLAS, if it is the BLAS of this process, uses one thread: its sums,
-// and so the bytes, depend on the number. The first one saves the user's number, the last one
-// restores it.
-class Single_threaded_blas
-{
-public:
-  Single_threaded_blas() { count(+1); }
-  ~Single_threaded_blas() { count(-1); }
-  Single_threaded_blas(const Single_threaded_blas&) = delete;
-  Single_threaded_blas& operator=(const Single_threaded_blas&) = delete;
-
-private:
-  static void count([[maybe_unused]] int step)
-  {
-#ifdef CGAL_CANONICAL_POSE_3_HAS_WEAK_OPENBLAS
-    static std::mutex mutex;
-    static int living = 0, saved = 1;
-    if(openblas_get_num_threads == nullptr || openblas_set_num_threads == nullptr)
-      return;
-    const std::lock_guard<std::mutex> lock(mutex);
-    if(step > 0 && living == 0)
-    {
-      saved = openblas_get_num_threads();
-      openblas_set_num_threads(1);
-    }
-    living += step;
-    if(living == 0)
-      openblas_set_num_threads(saved);
-#endif
-  }
-};
 
 // CHOLMOD's settings and memory statistics. Everybody makes one of his own, since a common one
 // would be written to by each call.
@@ -130,6 +92,7 @@ private:
 
 } // namespace internal
 
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

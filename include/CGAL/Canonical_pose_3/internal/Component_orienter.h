@@ -10,6 +10,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_COMPONENT_ORIENTER_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_COMPONENT_ORIENTER_H
 
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/Repaired_surface_3.h>
 #include <CGAL/Canonical_pose_3/internal/Indexed_mesh.h>
 #include <CGAL/Canonical_pose_3/internal/Loop_triangulation.h>
@@ -28,6 +29,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // Finds the components of an oriented 2-manifold, closes its holes, and orients it outwards.
@@ -163,6 +165,7 @@ private:
 };
 
 } // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

@@ -10,6 +10,8 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_CONSTRAINT_ELEMENT_TRAITS_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_CONSTRAINT_ELEMENT_TRAITS_H
 
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
+
 #include <array>
 #include <cstddef>
 #include <string>
@@ -17,6 +19,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // What `Constraint_list_3` and the one call have to know of the elements of a constraint; specialised
@@ -55,6 +58,7 @@ auto vertices_of(Element e)
 }
 
 } // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

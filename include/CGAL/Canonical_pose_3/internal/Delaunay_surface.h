@@ -10,6 +10,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_DELAUNAY_SURFACE_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_DELAUNAY_SURFACE_H
 
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/Intrinsic_triangulation.h>
 #include <CGAL/Canonical_pose_3/internal/Vertex_components.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
@@ -26,6 +27,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // Throws when no face has an area. A face counts as flat when rounding alone explains its height.
@@ -86,6 +88,7 @@ private:
 };
 
 } // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

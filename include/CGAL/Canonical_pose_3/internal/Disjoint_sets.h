@@ -10,6 +10,8 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_DISJOINT_SETS_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_DISJOINT_SETS_H
 
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
+
 #include <boost/pending/disjoint_sets.hpp>
 
 #include <cstddef>
@@ -18,6 +20,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // Disjoint sets of the numbers from 0 to n - 1.
@@ -41,6 +44,7 @@ private:
 };
 
 } // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

@@ -10,6 +10,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_ELASTIC_CELL_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_ELASTIC_CELL_H
 
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <Eigen/Dense>
@@ -18,6 +19,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 typedef Eigen::Matrix<double, 9, 1> Vector_9;
@@ -72,6 +74,7 @@ struct Elastic_cell
 };
 
 } // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

@@ -10,6 +10,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_FOLDOVER_FREE_ENERGY_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_FOLDOVER_FREE_ENERGY_H
 
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/Elastic_cell.h>
 
 #include <Eigen/Dense>
@@ -19,6 +20,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // The energy of Garanzha et al., Foldover-free maps in 50 lines of code, ACM TOG 2021 (Equation 3), of
@@ -79,6 +81,7 @@ private:
 };
 
 } // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

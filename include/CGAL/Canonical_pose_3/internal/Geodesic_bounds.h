@@ -10,6 +10,8 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_GEODESIC_BOUNDS_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_GEODESIC_BOUNDS_H
 
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
+
 #include <Eigen/Core>
 
 #include <algorithm>
@@ -17,6 +19,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // Lower bounds of the geodesic distance between vertices by the triangle inequality: the largest
@@ -45,6 +48,7 @@ private:
 };
 
 } // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

@@ -11,6 +11,7 @@
 #define CGAL_CANONICAL_POSE_3_INTERNAL_GRADIENT_FIELD_H
 
 #include <CGAL/Canonical_pose_3/internal/Buckets.h>
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/Intrinsic_triangulation.h>
 #include <CGAL/Canonical_pose_3/internal/Lanes.h>
 
@@ -22,6 +23,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // A face laid out in the plane with its corners at (0,0), (base,0), (x,y).
@@ -142,6 +144,7 @@ private:
 };
 
 } // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

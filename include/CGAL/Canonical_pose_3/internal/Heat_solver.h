@@ -10,6 +10,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_HEAT_SOLVER_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_HEAT_SOLVER_H
 
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/Delaunay_surface.h>
 #include <CGAL/Canonical_pose_3/internal/Gradient_field.h>
 #include <CGAL/Canonical_pose_3/internal/Intrinsic_triangulation.h>
@@ -42,6 +43,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // The heat method on an intrinsic Delaunay triangulation: heat spreads for a short time from the
@@ -240,6 +242,7 @@ private:
 };
 
 } // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

@@ -10,6 +10,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_INDEXED_COMPLEX_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_INDEXED_COMPLEX_H
 
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/Tetrahedral_complex_traits_3.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
@@ -25,6 +26,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // A complex as numbers: row i is the i-th vertex of the traits' range.
@@ -89,6 +91,7 @@ auto indexed_complex(const Complex& complex, const Traits& traits)
 }
 
 } // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

@@ -10,6 +10,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_INDEXED_MESH_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_INDEXED_MESH_H
 
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -27,6 +28,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // The mesh on which everything inside runs, whatever the user's is: vertex i is row i.
@@ -96,6 +98,7 @@ inline Indexed_mesh indexed_mesh(const Point_matrix& points,
 }
 
 } // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

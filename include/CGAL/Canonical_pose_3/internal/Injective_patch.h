@@ -10,6 +10,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_INJECTIVE_PATCH_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_INJECTIVE_PATCH_H
 
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/Elastic_cell.h>
 #include <CGAL/Canonical_pose_3/internal/Foldover_free_energy.h>
 #include <CGAL/Canonical_pose_3/internal/Inversion_barrier.h>
@@ -30,6 +31,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // A part of a body some of whose vertices, the first m ones, are free to move while all others keep
@@ -226,6 +228,7 @@ private:
 };
 
 } // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

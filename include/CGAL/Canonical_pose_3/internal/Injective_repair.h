@@ -12,6 +12,7 @@
 
 #include <CGAL/Canonical_pose_3/internal/Arap_energy.h>
 #include <CGAL/Canonical_pose_3/internal/Buckets.h>
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/Disjoint_sets.h>
 #include <CGAL/Canonical_pose_3/internal/Elastic_cell.h>
 #include <CGAL/Canonical_pose_3/internal/Injective_patch.h>
@@ -32,6 +33,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // Turns inverted and flat cells of a registered body right side out where they are, in patches of rings
@@ -208,6 +210,7 @@ private:
 };
 
 } // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

@@ -12,6 +12,7 @@
 
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/assertions.h>
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -29,6 +30,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // A triangulation known by its edge lengths only. Face `f` has the halfedges 3f, 3f+1, 3f+2 in this
@@ -327,6 +329,7 @@ inline std::vector<double> side_lengths(const Face_corners& corners, const Point
 }
 
 } // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

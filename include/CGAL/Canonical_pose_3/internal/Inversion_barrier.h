@@ -10,6 +10,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_INVERSION_BARRIER_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_INVERSION_BARRIER_H
 
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/Elastic_cell.h>
 
 #include <Eigen/Dense>
@@ -19,6 +20,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // A function of the deformation gradient F of a cell that keeps its determinant positive:
@@ -58,6 +60,7 @@ public:
 };
 
 } // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

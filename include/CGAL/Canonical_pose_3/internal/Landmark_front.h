@@ -10,6 +10,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_LANDMARK_FRONT_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_LANDMARK_FRONT_H
 
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/Intrinsic_triangulation.h>
 #include <CGAL/Canonical_pose_3/internal/vertex_corners.h>
 
@@ -24,6 +25,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // Fronts that spread from one source after the other, each as far as it lowers the distance to the
@@ -124,6 +126,7 @@ private:
 };
 
 } // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

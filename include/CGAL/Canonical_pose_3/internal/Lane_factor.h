@@ -10,6 +10,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_LANE_FACTOR_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_LANE_FACTOR_H
 
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/Lanes.h>
 #include <CGAL/Canonical_pose_3/internal/Sparse_factor.h>
 #ifdef CGAL_CANONICAL_POSE_3_USE_CHOLMOD
@@ -26,6 +27,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // A factorization of a symmetric positive definite matrix that is solved for right-hand sides in
@@ -82,6 +84,7 @@ class Lane_factor<Cholmod_factor_traits_d> : public Supernodal_factor
 #endif
 
 } // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

@@ -10,6 +10,8 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_LANES_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_LANES_H
 
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
+
 #include <cstddef>
 #include <vector>
 
@@ -33,6 +35,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 constexpr std::size_t NUMBER_OF_LANES = 8;
@@ -103,6 +106,7 @@ void run_kernel(Arguments... arguments)
 }
 
 } // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

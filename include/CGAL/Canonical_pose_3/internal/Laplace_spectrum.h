@@ -10,6 +10,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_LAPLACE_SPECTRUM_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_LAPLACE_SPECTRUM_H
 
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/Sparse_factor.h>
 
 #include <Eigen/Core>
@@ -23,6 +24,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // The smallest positive eigenvalues of L phi = lambda M phi on a connected surface, L the cotangent
@@ -114,6 +116,7 @@ private:
 };
 
 } // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

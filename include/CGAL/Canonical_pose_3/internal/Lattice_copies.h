@@ -10,6 +10,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_LATTICE_COPIES_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_LATTICE_COPIES_H
 
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/Disjoint_sets.h>
 #include <CGAL/Canonical_pose_3/internal/Geodesic_bounds.h>
 #include <CGAL/Canonical_pose_3/internal/Lattice_pieces.h>
@@ -25,6 +26,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // Copies of the cubes of a lattice, one for each part of the solid that passes through a cube, and
@@ -339,6 +341,7 @@ private:
 };
 
 } // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

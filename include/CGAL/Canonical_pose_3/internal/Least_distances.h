@@ -12,6 +12,7 @@
 
 #include <CGAL/Canonical_pose_3/internal/Arrival_queue.h>
 #include <CGAL/Canonical_pose_3/internal/Beam.h>
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -20,6 +21,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // For each halfedge, the least distances that any beam over it had to evenly spaced points of it,
@@ -85,6 +87,7 @@ private:
 };
 
 } // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

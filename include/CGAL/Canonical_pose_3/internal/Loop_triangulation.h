@@ -10,6 +10,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_LOOP_TRIANGULATION_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_LOOP_TRIANGULATION_H
 
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/Indexed_mesh.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
@@ -26,6 +27,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // Fills a closed polygon of rows of `points` with triangles over the same rows, oriented as it is:
@@ -138,6 +140,7 @@ private:
 };
 
 } // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

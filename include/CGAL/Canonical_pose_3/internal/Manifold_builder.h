@@ -10,6 +10,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_MANIFOLD_BUILDER_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_MANIFOLD_BUILDER_H
 
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/Repaired_surface_3.h>
 #include <CGAL/Canonical_pose_3/internal/Disjoint_sets.h>
 #include <CGAL/Canonical_pose_3/internal/Indexed_mesh.h>
@@ -25,6 +26,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // Makes an oriented 2-manifold of triangles: sews, orients, and splits vertices. Corner 3t+k is
@@ -227,6 +229,7 @@ private:
 };
 
 } // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

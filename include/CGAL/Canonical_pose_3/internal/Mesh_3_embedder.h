@@ -12,6 +12,7 @@
 
 #include <CGAL/Canonical_pose_3/Embedded_body_3.h>
 #include <CGAL/Canonical_pose_3/internal/body_cells.h>
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/mesh_3_complex.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
@@ -33,6 +34,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // Hangs points in the cells of a complex.
@@ -158,6 +160,7 @@ private:
 };
 
 } // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

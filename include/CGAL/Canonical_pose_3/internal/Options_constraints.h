@@ -10,12 +10,14 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_OPTIONS_CONSTRAINTS_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_OPTIONS_CONSTRAINTS_H
 
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/Options.h>
 
 #include <cstddef>
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // The constraints that options name, as the registrar takes them.
@@ -73,6 +75,7 @@ private:
 };
 
 } // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

@@ -10,12 +10,14 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_PRINCIPAL_AXES_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_PRINCIPAL_AXES_H
 
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <Eigen/Eigenvalues>
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // The frame of weighted points: centroid, and principal axes as columns, the longest first.
@@ -49,6 +51,7 @@ struct Principal_axes
 };
 
 } // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

@@ -10,6 +10,8 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_QUASI_NEWTON_DIRECTION_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_QUASI_NEWTON_DIRECTION_H
 
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
+
 #include <Eigen/Core>
 
 #include <algorithm>
@@ -18,6 +20,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // Directions of descent by limited-memory BFGS with a constant factored matrix in the place of the
@@ -85,6 +88,7 @@ private:
 };
 
 } // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

@@ -10,6 +10,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_REGISTRATION_CONSTRAINT_BASE_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_REGISTRATION_CONSTRAINT_BASE_H
 
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <Eigen/SparseCore>
@@ -19,6 +20,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // Lets the registrar hold constraints of any type; see the concept `RegistrationConstraint_3`.
@@ -61,6 +63,7 @@ private:
 };
 
 } // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

@@ -10,6 +10,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_SELF_INTERSECTIONS_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_SELF_INTERSECTIONS_H
 
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/Indexed_mesh.h>
 #include <CGAL/Canonical_pose_3/internal/Triangle_soup.h>
 #include <CGAL/Canonical_pose_3/internal/for_each_block.h>
@@ -31,6 +32,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // Searches triangles, manifold or not, for pairs that intersect elsewhere than in the vertices that
@@ -256,6 +258,7 @@ private:
 };
 
 } // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

@@ -10,6 +10,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_SIDE_PAIRING_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_SIDE_PAIRING_H
 
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/Corner_table.h>
 #include <CGAL/Canonical_pose_3/internal/Indexed_mesh.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
@@ -25,6 +26,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // Pairs the sides of triangles to an oriented surface: each side has at most one twin, on the same
@@ -267,6 +269,7 @@ private:
 };
 
 } // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

@@ -11,6 +11,7 @@
 #define CGAL_CANONICAL_POSE_3_INTERNAL_SOUP_DIAGNOSIS_H
 
 #include <CGAL/Canonical_pose_3/Diagnosis_3.h>
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/Corner_table.h>
 #include <CGAL/Canonical_pose_3/internal/Disjoint_sets.h>
 #include <CGAL/Canonical_pose_3/internal/Indexed_mesh.h>
@@ -31,6 +32,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // The examinations of diagnose(), one function each, the worst defect first.
@@ -344,6 +346,7 @@ private:
 };
 
 } // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

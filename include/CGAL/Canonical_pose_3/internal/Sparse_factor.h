@@ -11,6 +11,7 @@
 #define CGAL_CANONICAL_POSE_3_INTERNAL_SPARSE_FACTOR_H
 
 #include <CGAL/Canonical_pose_3/Default_factor_traits_d.h>
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/assertions.h>
 
 #include <Eigen/Core>
@@ -21,6 +22,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // A factorization of a symmetric positive definite matrix, kept for any number of solves.
@@ -74,6 +76,7 @@ private:
 };
 
 } // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

@@ -11,7 +11,9 @@
 #define CGAL_CANONICAL_POSE_3_INTERNAL_SUPERNODAL_FACTOR_H
 
 #include <CGAL/Canonical_pose_3/internal/Cholmod_factor.h>
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/Supernodal_kernels.h>
+#include <CGAL/Canonical_pose_3/internal/state_of_the_process.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
@@ -24,6 +26,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // CHOLMOD's supernodal factor of a symmetric positive definite matrix, with substitutions of our own
@@ -42,7 +45,7 @@ public:
     // factoring faster, and each substitution slower.
     common.get()->zrelax[0] = 0.3;
     cholmod_sparse view = lower_triangle(matrix);
-    m_analysis = own_cholmod_factor(cholmod_analyze(&view, common.get()));
+    m_analysis = analyzed(view, common);
     return m_analysis != nullptr;
   }
 
@@ -110,6 +113,7 @@ private:
 };
 
 } // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

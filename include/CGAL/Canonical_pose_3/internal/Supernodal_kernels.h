@@ -10,12 +10,14 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_SUPERNODAL_KERNELS_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_SUPERNODAL_KERNELS_H
 
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/Lanes.h>
 
 #include <cstddef>
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // A lower triangular matrix in dense blocks of columns with the same rows below the diagonal, as
@@ -196,6 +198,7 @@ private:
 };
 
 } // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

@@ -11,6 +11,7 @@
 #define CGAL_CANONICAL_POSE_3_INTERNAL_TRIANGLE_SOUP_H
 
 #include <CGAL/Canonical_pose_3/internal/Buckets.h>
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/Indexed_mesh.h>
 #include <CGAL/Canonical_pose_3/internal/Loop_triangulation.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
@@ -27,6 +28,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // Throws std::invalid_argument if a coordinate is not finite or a polygon names a row that does not
@@ -156,6 +158,7 @@ places_of_boundary(const Point_matrix& points, const std::vector<std::size_t>& b
 }
 
 } // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

@@ -11,6 +11,7 @@
 #define CGAL_CANONICAL_POSE_3_INTERNAL_UNFOLDED_SIDES_H
 
 #include <CGAL/Canonical_pose_3/internal/Buckets.h>
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/Intrinsic_triangulation.h>
 #include <CGAL/Canonical_pose_3/internal/Virtual_source.h>
 
@@ -20,6 +21,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // The faces of an intrinsic triangulation, ready to be laid out in the plane one after the other:
@@ -135,6 +137,7 @@ private:
 };
 
 } // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

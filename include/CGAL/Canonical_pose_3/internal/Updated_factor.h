@@ -10,6 +10,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_UPDATED_FACTOR_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_UPDATED_FACTOR_H
 
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/Sparse_factor.h>
 
 #include <Eigen/Dense>
@@ -17,6 +18,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // A factorization of a symmetric positive definite matrix A0 that also solves for A = A0 + U D U^t,
@@ -90,6 +92,7 @@ private:
 };
 
 } // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

@@ -10,6 +10,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_VERTEX_COMPONENTS_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_VERTEX_COMPONENTS_H
 
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/Intrinsic_triangulation.h>
 
 #include <Eigen/Core>
@@ -20,6 +21,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // The connected components of the vertices, numbered in the order of their first vertices.
@@ -66,6 +68,7 @@ private:
 };
 
 } // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

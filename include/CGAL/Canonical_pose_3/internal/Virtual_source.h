@@ -10,11 +10,14 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_VIRTUAL_SOURCE_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_VIRTUAL_SOURCE_H
 
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
+
 #include <algorithm>
 #include <cmath>
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // A source as it is seen from a face: where the true source, or the vertex at which the path bent
@@ -61,6 +64,7 @@ struct Unfolded_side
 };
 
 } // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

@@ -13,6 +13,7 @@
 #include <CGAL/Canonical_pose_3/internal/Arrival_queue.h>
 #include <CGAL/Canonical_pose_3/internal/Beam.h>
 #include <CGAL/Canonical_pose_3/internal/Beam_passage.h>
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/Least_distances.h>
 #include <CGAL/Canonical_pose_3/internal/Unfolded_sides.h>
 
@@ -26,6 +27,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // A wave that runs over the faces from a source, by increasing distance, and lowers the distances of
@@ -219,6 +221,7 @@ private:
 };
 
 } // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

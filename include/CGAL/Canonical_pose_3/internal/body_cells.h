@@ -11,6 +11,7 @@
 #define CGAL_CANONICAL_POSE_3_INTERNAL_BODY_CELLS_H
 
 #include <CGAL/Canonical_pose_3/internal/Buckets.h>
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 
 #include <Eigen/Dense>
 
@@ -20,6 +21,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // The cells around each of the vertices of a body, in their order.
@@ -47,6 +49,7 @@ inline Eigen::Vector4d barycentric_coordinates(const std::array<Eigen::Vector3d,
 }
 
 } // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

@@ -10,6 +10,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_BOUNDARY_TRIANGLES_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_BOUNDARY_TRIANGLES_H
 
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/Indexed_mesh.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
@@ -27,6 +28,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // The faces that belong to one cell only, oriented outwards, in the order of the cells. Faces of more
@@ -103,6 +105,7 @@ inline void make_boundary_manifold(std::vector<Index_triangle>& triangles,
 }
 
 } // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

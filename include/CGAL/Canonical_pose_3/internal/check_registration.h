@@ -10,6 +10,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_CHECK_REGISTRATION_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_CHECK_REGISTRATION_H
 
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/Disjoint_sets.h>
 
 #include <CGAL/assertions.h>
@@ -24,6 +25,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 inline double checked_length_scale(const double length_scale)
@@ -98,6 +100,7 @@ Eigen::VectorXd checked_matching_weights(const ElasticBody& body, const Eigen::V
 }
 
 } // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

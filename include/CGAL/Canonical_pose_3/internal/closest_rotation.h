@@ -10,6 +10,8 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_CLOSEST_ROTATION_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_CLOSEST_ROTATION_H
 
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
+
 #include <CGAL/Default.h>
 #include <CGAL/Deformation_Eigen_closest_rotation_traits_3.h>
 
@@ -22,6 +24,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // Eight numbers that are computed with at once.
@@ -177,6 +180,7 @@ void closest_rotations(const Matrix_3<Pack>& f, Matrix_3<Pack>& r)
 }
 
 } // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

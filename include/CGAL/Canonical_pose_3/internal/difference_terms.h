@@ -10,6 +10,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_DIFFERENCE_TERMS_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_DIFFERENCE_TERMS_H
 
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/Constraint_element_traits.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
@@ -20,6 +21,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // The terms of constraints with the energy sum_s kappa_s/2 |b_s^t x - d_s|^2, where b_s^t x is x_p - x_q
@@ -87,6 +89,7 @@ double difference_energy(const std::vector<Element>& elements, const Wished& wis
 }
 
 } // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

@@ -10,6 +10,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_FLIPPED_FACES_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_FLIPPED_FACES_H
 
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/Indexed_mesh.h>
 #include <CGAL/Canonical_pose_3/internal/body_cells.h>
 #include <CGAL/Canonical_pose_3/internal/closest_rotation.h>
@@ -28,6 +29,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // Finds the cell that has most of the body vertices on which the corners of a triangle hang, among those
@@ -117,6 +119,7 @@ std::size_t flipped_faces(const ElasticBody& body, const std::vector<Index_trian
 }
 
 } // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

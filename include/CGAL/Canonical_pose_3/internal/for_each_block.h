@@ -10,6 +10,8 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_FOR_EACH_BLOCK_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_FOR_EACH_BLOCK_H
 
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
+
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -20,6 +22,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // Calls f(block, begin, end) for the blocks of fixed size that [0, n) is cut into, in parallel if
@@ -50,6 +53,7 @@ void for_each_block(const std::size_t n, const Function& f, const std::size_t si
 }
 
 } // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

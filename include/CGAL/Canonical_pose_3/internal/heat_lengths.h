@@ -10,6 +10,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_HEAT_LENGTHS_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_HEAT_LENGTHS_H
 
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/Intrinsic_triangulation.h>
 #include <CGAL/Canonical_pose_3/internal/Vertex_components.h>
 #include <CGAL/Canonical_pose_3/internal/vertex_corners.h>
@@ -24,6 +25,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // Calls f(vertex, length) for the other ends of the edges at `vertex`, twice for inner edges.
@@ -112,6 +114,7 @@ inline std::vector<double> heat_lengths(const Intrinsic_triangulation& triangula
 }
 
 } // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

@@ -10,12 +10,15 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_IN_PARALLEL_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_IN_PARALLEL_H
 
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
+
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/parallel_invoke.h>
 #endif
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // Calls both functions, side by side if TBB is there.
@@ -31,6 +34,7 @@ void in_parallel(const First& first, const Second& second)
 }
 
 } // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

@@ -10,6 +10,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_LOW_RANK_FACTORS_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_LOW_RANK_FACTORS_H
 
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/Disjoint_sets.h>
 
 #include <Eigen/Dense>
@@ -22,6 +23,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // Finds V and d with V diag(d) V^t = `matrix`, which is symmetric, V of orthonormal columns and d
@@ -80,6 +82,7 @@ inline bool low_rank_factors(const Eigen::SparseMatrix<double>& matrix, const st
 }
 
 } // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

@@ -10,6 +10,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_MESH_3_COMPLEX_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_MESH_3_COMPLEX_H
 
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/Indexed_mesh.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
@@ -32,6 +33,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 typedef Polyhedral_mesh_domain_3<Indexed_mesh, Indexed_mesh_kernel> Mesh_3_domain;
@@ -158,6 +160,7 @@ inline Mesh_3_complex mesh_3_complex(const Point_matrix& points,
 }
 
 } // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

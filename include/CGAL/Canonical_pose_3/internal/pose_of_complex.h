@@ -11,6 +11,7 @@
 #define CGAL_CANONICAL_POSE_3_INTERNAL_POSE_OF_COMPLEX_H
 
 #include <CGAL/Canonical_pose_3/Conforming_body_3.h>
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/Options.h>
 #include <CGAL/Canonical_pose_3/Registration_summary.h>
 #include <CGAL/Canonical_pose_3/Repaired_surface_3.h>
@@ -31,6 +32,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // canonical_pose_3() for tetrahedra, which are the body; its boundary must be connected. `pose`: of all
@@ -66,6 +68,7 @@ pose_of_complex(const Point_matrix& points, const std::vector<std::array<int, 4>
 }
 
 } // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

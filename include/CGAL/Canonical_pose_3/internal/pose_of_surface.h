@@ -10,6 +10,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_POSE_OF_SURFACE_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_POSE_OF_SURFACE_H
 
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/Options.h>
 #include <CGAL/Canonical_pose_3/Registration_summary.h>
 #include <CGAL/Canonical_pose_3/diagnose.h>
@@ -35,6 +36,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // canonical_pose_3() for any polygons: examines and repairs them, brings the components wished into
@@ -360,6 +362,7 @@ pose_of_surface(const Point_matrix& points, const std::vector<std::vector<std::s
 }
 
 } // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

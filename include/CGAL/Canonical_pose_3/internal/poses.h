@@ -14,6 +14,7 @@
 // compile. A program of several sources may do so once: where CGAL_CANONICAL_POSE_3_COMPILED_APART is
 // defined there are declarations only, and another source has the definitions.
 #ifndef CGAL_CANONICAL_POSE_3_COMPILED_APART
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/pose_of_complex.h>
 #include <CGAL/Canonical_pose_3/internal/pose_of_surface.h>
 #else
@@ -27,6 +28,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 Registration_summary pose_of_surface(const Point_matrix& points,
@@ -38,6 +40,7 @@ Registration_summary pose_of_complex(const Point_matrix& points,
                                      const Options& options, Point_matrix& pose);
 
 } // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 #endif

@@ -10,6 +10,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_SURFACE_CHORDS_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_SURFACE_CHORDS_H
 
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/Geodesic_bounds.h>
 #include <CGAL/Canonical_pose_3/internal/Surface_rays.h>
 #include <CGAL/Canonical_pose_3/internal/for_each_block.h>
@@ -29,6 +30,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // A point of a face, and the way from there through the solid, against the normal, to where it is
@@ -269,6 +271,7 @@ inline std::vector<Chord> thinned(std::vector<Chord> chords, const double total_
 }
 
 } // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

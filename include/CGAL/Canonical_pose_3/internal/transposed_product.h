@@ -10,6 +10,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_TRANSPOSED_PRODUCT_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_TRANSPOSED_PRODUCT_H
 
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/for_each_block.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
@@ -19,6 +20,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // y = A^t x, in parallel: a row of y is gathered by a column of A.
@@ -41,6 +43,7 @@ inline void transposed_product(const Eigen::SparseMatrix<double>& a,
 }
 
 } // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

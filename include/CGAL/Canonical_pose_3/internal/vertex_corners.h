@@ -11,12 +11,14 @@
 #define CGAL_CANONICAL_POSE_3_INTERNAL_VERTEX_CORNERS_H
 
 #include <CGAL/Canonical_pose_3/internal/Buckets.h>
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/Intrinsic_triangulation.h>
 
 #include <cstddef>
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // The corners of the faces around each vertex, that is, the halfedges with this origin. Across them,
@@ -30,6 +32,7 @@ inline Buckets<int> vertex_corners(const Intrinsic_triangulation& triangulation)
 }
 
 } // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

@@ -12,6 +12,7 @@
 
 #include <CGAL/Canonical_pose_3/Default_factor_traits_d.h>
 #include <CGAL/Canonical_pose_3/Eigen_factor_traits_d.h>
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/Options.h>
 #ifdef CGAL_CANONICAL_POSE_3_USE_CHOLMOD
 #include <CGAL/Canonical_pose_3/Cholmod_factor_traits_d.h>
@@ -27,6 +28,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // Calls f with an object of the factor traits that the options name, on no more threads than they
@@ -59,6 +61,7 @@ auto with_solver(const Options& options, const Function& f)
 }
 
 } // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 
