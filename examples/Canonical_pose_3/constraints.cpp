@@ -86,7 +86,7 @@ int main(int argc, char* argv[])
 
   CP::Options options;
   CP::Intermediate_results reused; // distances and target serve both poses
-  options.intermediate_results = &reused;
+  options.given = options.intermediate_results = &reused;
   Mesh canonical = running;
   if(!CGAL::canonical_pose_3(running, canonical.points(), options).is_usable())
     return EXIT_FAILURE;

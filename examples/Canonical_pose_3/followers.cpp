@@ -34,8 +34,8 @@ int main()
   const Mesh fine = fine_figure.make_mesh<Mesh>(sitting);
 
   CP::Intermediate_results results;
-  results.followers = CP::point_matrix(fine);
   CP::Options options;
+  options.followers = CP::point_matrix(fine);
   options.intermediate_results = &results;
   Mesh pose = coarse;
   const auto summary = CGAL::canonical_pose_3(coarse, pose.points(), options);
@@ -46,7 +46,7 @@ int main()
   Mesh fine_pose = fine;
   CP::put_points(results.pose_of_followers, fine, fine_pose.points(), Kernel());
   const double strain
-    = CP::median_edge_strain(results.followers, results.pose_of_followers, fine_figure.triangles());
+    = CP::median_edge_strain(options.followers, results.pose_of_followers, fine_figure.triangles());
   std::cout << "median edge strain of the finer surface: " << strain << '\n';
   return strain < 0.1 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

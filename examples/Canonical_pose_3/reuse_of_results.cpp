@@ -32,7 +32,7 @@ int main()
   const Mesh mesh = figure.make_mesh<Mesh>(named_poses[1].angles); // sitting
   Mesh pose = mesh;
 
-  CP::Intermediate_results results; // empty: filled by the first call
+  CP::Intermediate_results results;
   CP::Options options;
   options.intermediate_results = &results;
   const auto first = CGAL::canonical_pose_3(mesh, pose.points(), options);
@@ -40,6 +40,8 @@ int main()
             << "landmarks " << results.landmark_fields->landmarks.size() << ", largest distance "
             << results.landmark_fields->distances.maxCoeff() << '\n';
 
+  options.intermediate_results = nullptr;
+  options.given = &results;                  // neither distances nor target are computed anew
   options.registration.detail_length = 0.05; // the target is followed more closely
   const auto second = CGAL::canonical_pose_3(mesh, pose.points(), options);
   std::cout << "detail length 0.05: " << second << '\n';

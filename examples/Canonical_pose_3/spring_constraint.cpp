@@ -62,7 +62,7 @@ int main(int argc, char* argv[])
       std::map<std::string, double>{{"none", 0}, {"soft", 0.02}, {"stiff", 1}})
   {
     CP::Options options;
-    options.intermediate_results = &reused;
+    options.given = options.intermediate_results = &reused;
     for(std::size_t i = 0; i < n && stiffness > 0; ++i)
       options.springs.push_back({left[i], right[i], 0.1 /* metres */, stiffness / double(n)});
     Mesh pose = mesh;

@@ -14,6 +14,7 @@
 
 #include <CGAL/Simple_cartesian.h>
 
+#include "dirty_shapes.h"
 #include "matchers.h"
 #include "shapes.h"
 
@@ -29,16 +30,28 @@ struct Pose_result
   Point_matrix pose;
 };
 
+template <class Polygons>
+Pose_result pose_of(const Points& points, const Polygons& polygons,
+                    const CGAL::Canonical_pose_3::Options& options)
+{
+  std::vector<CGAL::Simple_cartesian<double>::Point_3> input, pose;
+  for(const auto& p : points)
+    input.emplace_back(p[0], p[1], p[2]);
+  Pose_result result;
+  result.summary = CGAL::canonical_pose_3(input, polygons, pose, options);
+  result.pose = to_matrix(pose);
+  return result;
+}
+
 inline Pose_result pose_of(const Triangle_soup& soup,
                            const CGAL::Canonical_pose_3::Options& options)
 {
-  std::vector<CGAL::Simple_cartesian<double>::Point_3> points, pose;
-  for(const auto& p : soup.points)
-    points.emplace_back(p[0], p[1], p[2]);
-  Pose_result result;
-  result.summary = CGAL::canonical_pose_3(points, soup.triangles, pose, options);
-  result.pose = to_matrix(pose);
-  return result;
+  return pose_of(soup.points, soup.triangles, options);
+}
+
+inline Pose_result pose_of(const Polygon_soup& soup, const CGAL::Canonical_pose_3::Options& options)
+{
+  return pose_of(soup.points, soup.polygons, options);
 }
 
 inline Triangle_soup bent_bar() { return boundary(tetrahedral_bent_bar(24, 3, 3, 2.)); }
@@ -54,6 +67,20 @@ inline Triangle_soup two_bars()
     soup.triangles.push_back(
       {soup.triangles[t][0] + n, soup.triangles[t][1] + n, soup.triangles[t][2] + n});
   return soup;
+}
+
+/// a soup with that many vertices of no face in front
+inline Polygon_soup with_isolated_vertices(const Polygon_soup& soup, const std::size_t number)
+{
+  Polygon_soup result;
+  for(std::size_t i = 0; i < number; ++i)
+    result.points.push_back({{0.01 * double(i), 0.3, 0.2}});
+  result.points.insert(result.points.end(), soup.points.begin(), soup.points.end());
+  result.polygons = soup.polygons;
+  for(auto& polygon : result.polygons)
+    for(std::size_t& v : polygon)
+      v += number;
+  return result;
 }
 
 inline CGAL::Canonical_pose_3::Options each_component()

@@ -18,6 +18,7 @@
 #include "matchers.h"
 #include "shapes.h"
 
+#include <cmath>
 #include <limits>
 #include <string>
 #include <vector>
@@ -137,6 +138,33 @@ TEST(Bad_input, options_are_refused_by_name)
   expect_refused(mesh, "spring 0 names vertex 1000000", options);
 }
 
+// Squares and cubes of lengths neither overflow nor vanish: in units far from those of anything, refused; in others
+// powers of two change nothing but the unit.
+TEST(Bad_input, unit_of_length)
+{
+  const auto scaled = [](const double factor) {
+    Mesh mesh = Canonical_pose_test::bent_bar<Mesh>(16, 2, 2, 2.);
+    for(const auto v : mesh.vertices())
+      mesh.point(v) = CGAL::ORIGIN + factor * (mesh.point(v) - CGAL::ORIGIN);
+    return mesh;
+  };
+  expect_refused(scaled(1e160), "the largest coordinate is");
+  expect_refused(scaled(1e-160), "choose another unit");
+  Mesh plain = scaled(1);
+  CGAL::canonical_pose_3(plain, plain.points());
+  for(const int exponent : {-290, 290})
+  {
+    Mesh mesh = scaled(std::ldexp(1., exponent));
+    CGAL::canonical_pose_3(mesh, mesh.points());
+    for(const auto v : mesh.vertices())
+      EXPECT_LT(std::sqrt(CGAL::squared_distance(
+                  plain.point(v),
+                  CGAL::ORIGIN + std::ldexp(1., -exponent) * (mesh.point(v) - CGAL::ORIGIN))),
+                1e-9)
+        << exponent;
+  }
+}
+
 // A target so far away that squared distances overflow has no pose; the map stays as it was,
 // nothing is NaN.
 TEST(Bad_input, overflow_is_reported_by_the_summary)
@@ -145,7 +173,7 @@ TEST(Bad_input, overflow_is_reported_by_the_summary)
   CP::Intermediate_results results;
   results.target = CP::point_matrix(mesh) * 1e200;
   CP::Options options;
-  options.intermediate_results = &results;
+  options.given = &results;
   std::vector<Kernel::Point_3> pose(mesh.num_vertices(), untouched);
   const auto summary = CGAL::canonical_pose_3(
     mesh, boost::make_iterator_property_map(pose.begin(), get(boost::vertex_index, mesh)), options);

@@ -103,7 +103,7 @@ Point_matrix complex_pose(Complex_case c)
 {
   std::vector<Kernel::Point_3> pose(c.complex.points.size());
   CP::Options options;
-  options.intermediate_results = &c.results;
+  options.given = &c.results;
   options.registration.energy_tolerance = 1e-12;
   options.registration.move_tolerance = 1e-9;
   options.registration.number_of_iterations = 3000;

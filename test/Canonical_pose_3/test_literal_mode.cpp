@@ -110,7 +110,7 @@ TEST(Literal_mode, one_call)
   options.paper_weights = CP::Paper_weights();
   options.registration.number_of_iterations = 10;
   options.registration.energy_tolerance = options.registration.move_tolerance = 0;
-  options.intermediate_results = &results;
+  options.given = &results;
   std::vector<Point_3> pose(box.points.size());
   CGAL::canonical_pose_3(complex, CGAL::make_property_map(pose), options);
 

@@ -125,40 +125,6 @@ TEST(Pipeline, number_of_threads_does_not_matter)
     [&] { EXPECT_EQ(canonical_pose(mesh).pose, first.pose); });
 }
 
-// What was computed on the way can be handed in again, and then gives the same pose, without being
-// computed anew.
-TEST(Pipeline, intermediate_results_are_used_again)
-{
-  const Mesh mesh = Canonical_pose_test::bent_bar<Mesh>(20, 3, 3, 2.);
-  CP::Intermediate_results results;
-  CP::Options options;
-  options.intermediate_results = &results;
-  const Outcome first = canonical_pose(mesh, options);
-  ASSERT_TRUE(results.landmark_fields && results.target);
-  EXPECT_EQ(results.landmark_fields->landmarks.size(), 80u);
-
-  results.target.reset();
-  const Outcome second = canonical_pose(mesh, options);
-  EXPECT_EQ(second.pose, first.pose);
-
-  const Outcome third = canonical_pose(mesh, options);
-  EXPECT_EQ(third.summary.target.kernel, "given");
-  EXPECT_LT((third.pose - first.pose).norm(), 1e-3 * first.pose.norm());
-
-  *results.target = CP::point_matrix(mesh);
-  const Outcome at_rest = canonical_pose(mesh, options);
-  EXPECT_LT(at_rest.summary.energy, 1e-16);
-
-  results.target->conservativeResize(5, 3);
-  EXPECT_THROW_WITH(canonical_pose(mesh, options), std::invalid_argument,
-                    "target handed in has 5 rows");
-  results.landmark_fields->distances.conservativeResize(7, 80);
-  EXPECT_THROW_WITH(canonical_pose(mesh, options), std::invalid_argument,
-                    "distances handed in have 7 rows");
-  results.landmark_fields = CP::Landmark_fields_3();
-  EXPECT_THROW_WITH(canonical_pose(mesh, options), std::invalid_argument, "no column");
-}
-
 // Kernels, distances and solvers are choices of the same method: each straightens the bar.
 TEST(Pipeline, all_choices_run)
 {
@@ -196,7 +162,7 @@ TEST(Pipeline, handles_and_symmetric_pairs)
   const std::size_t right = figure().landmark(Canonical_pose_examples::Landmark::RIGHT_HAND);
   CP::Intermediate_results results;
   CP::Options options;
-  options.intermediate_results = &results;
+  options.given = options.intermediate_results = &results;
   const Point_matrix free_pose = canonical_pose(mesh, options).pose;
   const Eigen::RowVector3d place = free_pose.row(left) + Eigen::RowVector3d(0, 0.3, 0);
   double previous = (free_pose.row(left) - place).norm();
@@ -228,7 +194,7 @@ TEST(Pipeline, springs_pull_the_hands_together)
   const std::size_t right = figure().landmark(Canonical_pose_examples::Landmark::RIGHT_HAND);
   CP::Intermediate_results results;
   CP::Options options;
-  options.intermediate_results = &results;
+  options.given = options.intermediate_results = &results;
   double previous = 1e9;
   for(const double stiffness : {0., 0.002, 0.1})
   {

@@ -10,30 +10,20 @@
 #ifndef CGAL_CANONICAL_POSE_3_BODY_DEFORMER_3_H
 #define CGAL_CANONICAL_POSE_3_BODY_DEFORMER_3_H
 
+#include <CGAL/Canonical_pose_3/internal/Triangle_tree.h>
 #include <CGAL/Canonical_pose_3/internal/body_cells.h>
 #include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
-#include <CGAL/Canonical_pose_3/surface_measures.h>
-
-#include <CGAL/AABB_tree.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/version.h>
-
-#if CGAL_VERSION_NR >= 1060000000
-#include <CGAL/AABB_traits_3.h>
-#else
-#include <CGAL/AABB_traits.h>
-#endif
 
 #include <Eigen/Dense>
 #include <Eigen/SparseCore>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <limits>
-#include <stdexcept>
+#include <map>
+#include <set>
 #include <vector>
 
 namespace CGAL {
@@ -46,9 +36,10 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 \brief applies the deformation of an elastic body to points near its surface, such as markers, a point
 cloud, or a finer version of the surface.
 
-A point hangs on the cell that contains it, of those around the nearest triangle of the surface; if
-none does, on the cell that it is nearest to in barycentric coordinates. So the points follow the part
-of the body that they lie on, however near another part may be.
+A point hangs on the cell that contains it, of those around the nearest location of the surface; if
+none does, on the cell that it is nearest to in barycentric coordinates; and of several on the one that carries
+most of that location. So the points follow the part of the body that they lie on, however near another part may
+be, and a point at a vertex of the surface goes where that goes.
 
 \tparam ElasticBody a model of `ElasticBody_3`
 
@@ -72,27 +63,9 @@ public:
   Body_deformer_3(const ElasticBody& body, const std::vector<std::array<std::size_t, 3>>& triangles)
     : m_body(body), m_embedding(body.embedding()),
       m_cells_of_vertex(
-        internal::cells_of_vertices(static_cast<std::size_t>(body.points().rows()), body.cells()))
-  {
-    Point_matrix surface = body.embedding() * body.points();
-    m_exponent = internal::normalize(surface);
-    const auto row = [&](const std::size_t v) -> Eigen::RowVector3d {
-      return surface.row(static_cast<Eigen::Index>(v));
-    };
-    for(const auto& t : triangles)
-    {
-      const double longest
-        = (std::max)({(row(t[1]) - row(t[0])).squaredNorm(), (row(t[2]) - row(t[1])).squaredNorm(),
-                      (row(t[0]) - row(t[2])).squaredNorm()});
-      if(internal::twice_area(surface, t) > FLATNESS * longest)
-        m_triangles.push_back(
-          {Kernel::Triangle_3(point(row(t[0])), point(row(t[1])), point(row(t[2]))), t});
-    }
-    if(m_triangles.empty())
-      throw std::invalid_argument("no triangle of the surface has an area");
-    m_tree.insert(m_triangles.begin(), m_triangles.end());
-    m_tree.build();
-  }
+        internal::cells_of_vertices(static_cast<std::size_t>(body.points().rows()), body.cells())),
+      m_triangles(triangles), m_tree(body.embedding() * body.points(), triangles)
+  {}
 
   /*!
   returns the matrix \f$ m \times N \f$ that says how points hang on the body: its product with the
@@ -109,7 +82,7 @@ public:
     internal::check_finite(points);
     std::vector<Row> rows(static_cast<std::size_t>(points.rows()));
     for(std::size_t i = 0; i < rows.size(); ++i)
-      rows[i] = embed(normalized(points.row(static_cast<Eigen::Index>(i))));
+      rows[i] = embed(m_tree.normalized(points.row(static_cast<Eigen::Index>(i))));
     std::vector<Eigen::Triplet<double>> entries;
     entries.reserve(4 * rows.size());
     for(std::size_t i = 0; i < rows.size(); ++i)
@@ -124,50 +97,6 @@ public:
   }
 
 private:
-  typedef Simple_cartesian<double> Kernel;
-  typedef Kernel::Point_3 Point;
-
-  static constexpr double FLATNESS = 1e-10; // of what has no plane to speak of
-  static constexpr double FARTHEST = 1e100; // in sizes of the surface, so that no square overflows
-
-  static Point point(const Eigen::RowVector3d& row) { return Point(row[0], row[1], row[2]); }
-
-  Eigen::RowVector3d normalized(const Eigen::RowVector3d& row) const
-  {
-    return row.unaryExpr([this](const double x) {
-      return (std::max)(-FARTHEST, (std::min)(std::ldexp(x, -m_exponent), FARTHEST));
-    });
-  }
-
-  struct Surface_triangle
-  {
-    Kernel::Triangle_3 triangle;
-    std::array<std::size_t, 3> vertices;
-  };
-
-  struct Triangle_primitive
-  {
-    typedef const Surface_triangle* Id;
-    typedef Kernel::Point_3 Point;
-    typedef Kernel::Triangle_3 Datum;
-
-    Triangle_primitive() = default;
-    explicit Triangle_primitive(
-      const typename std::vector<Surface_triangle>::const_iterator triangle)
-      : m_triangle(&*triangle)
-    {}
-    Id id() const { return m_triangle; }
-    const Datum& datum() const { return m_triangle->triangle; }
-    const Point& reference_point() const { return m_triangle->triangle.vertex(0); }
-
-    Id m_triangle = nullptr;
-  };
-#if CGAL_VERSION_NR >= 1060000000
-  typedef AABB_tree<AABB_traits_3<Kernel, Triangle_primitive>> Tree;
-#else
-  typedef AABB_tree<AABB_traits<Kernel, Triangle_primitive>> Tree;
-#endif
-
   struct Row
   {
     std::size_t cell;
@@ -178,46 +107,70 @@ private:
   {
     std::array<Eigen::Vector3d, 4> corners;
     for(std::size_t k = 0; k < 4; ++k)
-      corners[k] = normalized(m_body.points().row(m_body.cells()[cell][k]));
+      corners[k] = m_tree.normalized(m_body.points().row(m_body.cells()[cell][k]));
     return internal::barycentric_coordinates(corners, point);
   }
 
-  Row embed(const Eigen::RowVector3d& place) const
+  // The vertices of the body that carry a location of the surface, with their weights.
+  std::map<int, double> support_of(const internal::Triangle_tree::Location& location) const
   {
-    const auto nearest = m_tree.closest_point_and_primitive(point(place)).second;
-    std::vector<std::size_t> cells;
-    for(const std::size_t v : nearest->vertices)
-      for(typename Embedding::InnerIterator entry(m_embedding, static_cast<Eigen::Index>(v)); entry;
-          ++entry)
+    std::map<int, double> support;
+    for(std::size_t k = 0; k < 3; ++k)
+      for(typename Embedding::InnerIterator entry(
+            m_embedding, static_cast<Eigen::Index>(m_triangles[location.triangle][k]));
+          entry; ++entry)
         if(entry.value() != 0)
-        {
-          const auto& around = m_cells_of_vertex[static_cast<std::size_t>(entry.col())];
-          cells.insert(cells.end(), around.begin(), around.end());
-        }
-    std::sort(cells.begin(), cells.end());
-    cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+          support[static_cast<int>(entry.col())]
+            += location.coordinates[static_cast<Eigen::Index>(k)] * entry.value();
+    return support;
+  }
+
+  // Cells of several parts of the body may lie around the point. Of those that are about as near, the one that
+  // carries most of the location on the surface is of the right part.
+  Row embed(const Eigen::RowVector3d& point) const
+  {
+    const std::map<int, double> support = support_of(m_tree.nearest(point));
+    std::set<std::size_t> cells;
+    for(const auto& [vertex, weight] : support)
+    {
+      const auto& around = m_cells_of_vertex[static_cast<std::size_t>(vertex)];
+      cells.insert(around.begin(), around.end());
+    }
     Row best{0, Eigen::Vector4d::Zero()};
-    double best_minimum = -std::numeric_limits<double>::infinity();
+    double least_outside = std::numeric_limits<double>::infinity(), largest_share = 0;
     for(const std::size_t cell : cells)
     {
-      const Eigen::Vector4d coordinates = coordinates_in(cell, place);
-      if(coordinates.minCoeff() > best_minimum)
+      const Eigen::Vector4d coordinates = coordinates_in(cell, point);
+      const double outside = (std::max)(-coordinates.minCoeff(), 0.);
+      double share = 0;
+      for(const int v : m_body.cells()[cell])
       {
-        best_minimum = coordinates.minCoeff();
+        const auto found = support.find(v);
+        share += found != support.end() ? found->second : 0;
+      }
+      if(outside < least_outside - TOLERANCE
+         || (outside <= least_outside + TOLERANCE
+             && (share > largest_share + TOLERANCE
+                 || (share >= largest_share - TOLERANCE
+                     && coordinates.minCoeff() > best.coordinates.minCoeff()))))
+      {
+        least_outside = outside;
+        largest_share = share;
         best = {cell, coordinates};
       }
     }
     return best;
   }
 
-  typedef Eigen::SparseMatrix<double, Eigen::RowMajor> Embedding;
+  static constexpr double TOLERANCE = 1e-9;
+
+  using Embedding = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
   const ElasticBody& m_body;
-  int m_exponent = 0; // places are in the unit of the body by 2 to this power
   Embedding m_embedding;
   internal::Buckets<std::size_t> m_cells_of_vertex;
-  std::vector<Surface_triangle> m_triangles;
-  Tree m_tree;
+  std::vector<std::array<std::size_t, 3>> m_triangles;
+  internal::Triangle_tree m_tree;
 };
 
 } // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION

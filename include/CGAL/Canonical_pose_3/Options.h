@@ -33,28 +33,25 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief holds what `canonical_pose_3()` computes on the way to the pose.
+\brief holds what `canonical_pose_3()` computes on the way to the pose: it is returned in
+`Options::intermediate_results`, and can be given to another call by `Options::given`.
 
-What is there when the call begins is used, what is not is computed and left here. Rows are the
-vertices in the order of `vertices(tmesh)`; for a tetrahedral complex those of its boundary, in the
-order of `extract_boundary()`. Vertices that the surface carries along (those of no face, or of another
-component) have infinite distances, and their pose as target. With a pose for each of several
+Rows are the vertices in the order of `vertices(tmesh)`; for a tetrahedral complex those of its boundary, in the
+order of `extract_boundary()`. Vertices that are on no surface of their own (those of no face, of a cavity, or
+of another component) have infinite distances, and their pose as target. With a pose for each of several
 components, there are no distances.
 */
 struct Intermediate_results
 {
-  /// landmarks and distances to them.
+  /// landmarks and distances to them. Where several copies of a vertex were needed, since the surface is not
+  /// manifold there, the nearest counts.
   std::optional<Landmark_fields_3> landmark_fields;
 
-  /// \f$ n \times 3 \f$, the target in its final place. One that is handed in is neither aligned
-  /// nor reflected.
+  /// \f$ n \times 3 \f$, the target in its final position. One that is given is neither aligned nor
+  /// reflected.
   std::optional<Point_matrix> target;
 
-  /// \f$ m \times 3 \f$, points near the surface, such as markers or the vertices of a finer version
-  /// of it, that are to follow it.
-  Point_matrix followers;
-
-  /// \f$ m \times 3 \f$, receives the pose of `followers`, see `Body_deformer_3`.
+  /// \f$ m \times 3 \f$, the pose of `Options::followers`; not used if it is given.
   Point_matrix pose_of_followers;
 };
 
@@ -87,8 +84,9 @@ struct Options
   /// surface without defect.
   enum class Body { AUTOMATIC, LATTICE, TETGEN, MESH_3 };
 
-  /// what to do with a surface of several connected components: refuse it; take the largest one,
-  /// which carries the others along; or bring each into its own pose.
+  /// what to do with several connected components, of a surface (by edges) or of the cells of a complex (by
+  /// common faces): refuse them; take the largest one, to which the others stay attached; or bring each into its
+  /// own pose.
   enum class Components { REFUSE, LARGEST, EACH };
 
   /// linear solver: `AUTOMATIC` is CHOLMOD where the package was configured with it, else Eigen.
@@ -113,7 +111,7 @@ struct Options
   /// spacing of the lattice as a fraction of \f$ L \f$; 0: chosen from the thickness of the shape.
   double lattice_spacing = 0;
 
-  /// components of a surface.
+  /// components of a surface or a complex.
   Components components = Components::REFUSE;
 
   /// the knobs of the registration.
@@ -134,8 +132,8 @@ struct Options
   /// everywhere is the same as a detail length \f$ \sqrt c \f$ times as large.
   Eigen::VectorXd stiffness;
 
-  /// springs between vertices, by their places in `vertices(tmesh)` or among the vertices of the
-  /// complex.
+  /// springs between vertices, by their indices in `vertices(tmesh)` or among the vertices of the complex. The
+  /// vertices of a constraint belong to one component, which has a pose of its own.
   std::vector<Spring_3> springs;
 
   /// pairs of vertices with the wished vector between them, named as those of `springs`. Vectors and
@@ -160,7 +158,17 @@ struct Options
   /// from iteration 1; to stop one is to begin with the next.
   Registration_visitor visitor;
 
-  /// if not null: what to use and where to leave what is computed.
+  /// \f$ m \times 3 \f$, points near the surface, such as markers or the vertices of a finer version of
+  /// it, that are to follow it, each the component that is nearest to it; see `Body_deformer_3`. Their pose is
+  /// `Intermediate_results::pose_of_followers`.
+  Point_matrix followers;
+
+  /// if not null: distances and target to use instead of computing them, as far as they are there; for
+  /// instance those of an earlier call for the same input. Distances can be given for a single component only.
+  const Intermediate_results* given = nullptr;
+
+  /// if not null: receives what was computed or given, in place of what it holds, unless the summary says that
+  /// there is no pose. It may be what is given.
   Intermediate_results* intermediate_results = nullptr;
 };
 

@@ -39,7 +39,8 @@ struct Registration_summary
   enum Termination {
     NOT_RUN,         ///< no iteration was done.
     CONVERGED,       ///< the stopping inequalities of `Registration_options` hold.
-    ITERATION_LIMIT, ///< the cap on the iterations was reached first; the pose is usable.
+    ITERATION_LIMIT, ///< the cap on the iterations was reached first, or inverted cells were repaired
+                     ///< without reaching a minimum of the energy; the pose is usable.
     CANCELED,        ///< the visitor stopped the iteration; the pose is usable.
     NOT_FINITE       ///< numbers overflowed; there is no pose.
   };

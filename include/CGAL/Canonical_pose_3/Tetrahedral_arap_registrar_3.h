@@ -354,7 +354,13 @@ private:
       }
       const internal::Injective_repair<ClosestRotationTraits, Factor_traits> repair(
         m_arap, m_options.detail_length * m_options.detail_length, matrix);
-      repair(m_right_hand_side, m_body.points() / m_length_scale, v);
+      const auto outcome = repair(m_right_hand_side, m_body.points() / m_length_scale, v);
+      if(!outcome.is_minimal && summary.converged())
+        summary.termination = Registration_summary::ITERATION_LIMIT;
+      if(outcome.vertices_from_rest > 0)
+        summary.warnings.push_back("inverted cells resisted repair: "
+                                   + std::to_string(outcome.vertices_from_rest)
+                                   + " vertices of the body started anew from the rest pose");
     });
     timed(summary, "local_steps", [&] { evaluate(v, summary); });
     summary.energy_history.push_back(summary.energy);

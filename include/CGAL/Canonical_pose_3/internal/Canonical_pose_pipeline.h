@@ -20,7 +20,6 @@
 #include <CGAL/Canonical_pose_3/Lattice_body_3.h>
 #include <CGAL/Canonical_pose_3/Options.h>
 #include <CGAL/Canonical_pose_3/Registration_summary.h>
-#include <CGAL/Canonical_pose_3/Repaired_surface_3.h>
 #include <CGAL/Canonical_pose_3/Squared_distance_kernel.h>
 #include <CGAL/Canonical_pose_3/Tetrahedral_arap_registrar_3.h>
 #include <CGAL/Canonical_pose_3/Wavefront_geodesics_3.h>
@@ -31,6 +30,7 @@
 #include <CGAL/Canonical_pose_3/internal/Body_view.h>
 #include <CGAL/Canonical_pose_3/internal/Indexed_mesh.h>
 #include <CGAL/Canonical_pose_3/internal/Options_constraints.h>
+#include <CGAL/Canonical_pose_3/internal/Posed_component.h>
 #include <CGAL/Canonical_pose_3/internal/check_registration.h>
 #include <CGAL/Canonical_pose_3/internal/flipped_faces.h>
 #include <CGAL/Canonical_pose_3/surface_measures.h>
@@ -61,17 +61,15 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// The steps of canonical_pose_3() on a connected oriented 2-manifold.
+// The steps of canonical_pose_3() for one component, with options in its own rows.
 template <typename FactorTraits>
 class Canonical_pose_pipeline
 {
 public:
-  Canonical_pose_pipeline(const Repaired_surface_3& surface, const Options& options,
+  Canonical_pose_pipeline(const Posed_component& component, const Options& options,
                           const Diagnosis_3& diagnosis)
-    : m_points(surface.points), m_triangles(surface.triangles), m_caps(surface.caps),
-      m_options(options),
-      m_results(options.intermediate_results != nullptr ? *options.intermediate_results
-                                                        : m_own_results)
+    : m_component(component), m_points(component.points), m_triangles(component.triangles),
+      m_options(options)
   {
     for(const char* stage : {"diagnosis", "geodesics", "target", "body", "factorization",
                              "local_steps", "global_steps"})
@@ -85,7 +83,7 @@ public:
     if(m_options.body == Options::Body::TETGEN || m_options.body == Options::Body::MESH_3)
       if(!m_summary.input.is_clean())
         throw std::invalid_argument(m_summary.input.first_defect);
-    prepare(m_points.rows());
+    prepare();
     switch(m_options.body)
     {
     case Options::Body::TETGEN:
@@ -103,11 +101,13 @@ public:
   Registration_summary run(const ElasticBody& body, const std::vector<std::size_t>& origins,
                            Point_matrix& pose)
   {
-    checked_stiffness(m_options.stiffness, body.cells().size());
-    prepare(body.embedding().rows());
+    prepare();
     m_summary.body.kind = "complex";
     return deform(Body_view(body), origins, m_options.stiffness, pose);
   }
+
+  // Fields unless they are given, target and pose of the followers, after run().
+  Intermediate_results& results() { return m_results; }
 
 private:
   static constexpr double TOLERATED_VOLUME_RATIO = 1.15;
@@ -141,8 +141,8 @@ private:
   {
     std::optional<Lattice_body_3> body;
     timed("body", [&] {
-      body.emplace(m_points, m_triangles, m_results.landmark_fields->distances,
-                   m_options.lattice_spacing, m_caps);
+      body.emplace(m_points, m_triangles, fields().distances, m_options.lattice_spacing,
+                   m_component.caps);
     });
     return deform_in("lattice", *body, pose);
   }
@@ -186,30 +186,24 @@ private:
 #endif
   }
 
-  // Options are checked before anything that takes time. Constraints may name one of n vertices.
-  void prepare(const Eigen::Index n)
+  void prepare()
   {
-    m_options.registration.check();
-    m_constraints.emplace(m_options, static_cast<std::size_t>(n));
-    check_factors(m_options.matching_weights, n, "matching weight", "vertex", true);
-    if(m_options.number_of_landmarks == 0)
-      throw std::invalid_argument("option number_of_landmarks is 0, but must be >= 1");
-    timed("geodesics", [&] { find_landmarks(); });
-    m_length_scale = m_results.landmark_fields->distances.maxCoeff();
-    m_summary.target.landmarks = m_results.landmark_fields->landmarks.size();
-    m_summary.target.covering_radius = m_results.landmark_fields->covering_radius;
+    if(!m_options.given->landmark_fields)
+      timed("geodesics", [&] { find_landmarks(); });
+    m_length_scale = fields().distances.maxCoeff();
+    m_summary.target.landmarks = fields().landmarks.size();
+    m_summary.target.covering_radius = fields().covering_radius;
     m_summary.target.max_geodesic = m_length_scale;
+  }
+
+  const Landmark_fields_3& fields() const
+  {
+    return m_options.given->landmark_fields ? *m_options.given->landmark_fields
+                                            : *m_results.landmark_fields;
   }
 
   void find_landmarks()
   {
-    if(m_results.landmark_fields)
-    {
-      if(m_results.landmark_fields->distances.cols() == 0)
-        throw std::invalid_argument("the distances handed in have no column");
-      check_rows(m_results.landmark_fields->distances.rows(), "the distances handed in have ");
-      return;
-    }
     const Indexed_mesh mesh = indexed_mesh(m_points, m_triangles);
     std::size_t first = extremal_point(m_points, m_triangles);
     if(m_options.random_seed != 0)
@@ -229,20 +223,12 @@ private:
         m_options.number_of_landmarks, vertex);
   }
 
-  void check_rows(const Eigen::Index rows, const std::string& what) const
-  {
-    if(rows != m_points.rows())
-      throw std::invalid_argument(what + std::to_string(rows) + " rows, but there are "
-                                  + std::to_string(m_points.rows()) + " vertices");
-  }
-
   Point_matrix find_target(const Eigen::VectorXd& shares)
   {
-    if(m_results.target)
+    if(m_options.given->target)
     {
       m_summary.target.kernel = "given";
-      check_rows(m_results.target->rows(), "the target handed in has ");
-      return *m_results.target;
+      return *m_options.given->target;
     }
     Point_matrix target;
     switch(m_options.kernel)
@@ -258,7 +244,7 @@ private:
       break;
     }
     std::vector<Index_triangle> closed = m_triangles;
-    closed.insert(closed.end(), m_caps.begin(), m_caps.end());
+    closed.insert(closed.end(), m_component.caps.begin(), m_component.caps.end());
     m_summary.target.reflected = target_handedness(target, m_points, closed, shares) < 0;
     return align_target(target, m_points, shares, m_summary.target.reflected);
   }
@@ -267,7 +253,7 @@ private:
   Point_matrix embed(const Kernel& kernel)
   {
     Landmark_mds_target_builder_3<Kernel> builder(kernel);
-    builder.build(*m_results.landmark_fields);
+    builder.build(fields());
     m_summary.target.kernel = kernel.name();
     m_summary.target.stress = builder.stress();
     const Eigen::VectorXd& values = builder.eigenvalues();
@@ -306,9 +292,11 @@ private:
       return Point_matrix(copies.cwiseMax(1).cwiseInverse().asDiagonal() * target);
     };
 
+    check_that_body_is_held(body, weights);
+    Options_constraints constraints(m_options, static_cast<std::size_t>(n));
     Tetrahedral_arap_registrar_3<Body_view, CGAL::Default, FactorTraits> registrar(
       body, weights, m_length_scale, registration_options(body), stiffness);
-    m_constraints->add_to(registrar);
+    constraints.add_to(registrar);
     registrar.set_target(target_of_body());
     Registration_visitor visitor;
     if(m_options.visitor)
@@ -329,14 +317,22 @@ private:
     {
       pose = body.embedding() * body_pose;
       timed("diagnosis", [&] { measure(body, origins, pose, body_pose); });
-      if(m_results.followers.rows() > 0)
+      if(m_options.followers.rows() > 0)
         timed("global_steps", [&] {
           m_results.pose_of_followers
-            = Body_deformer_3<Body_view>(body, triangles_of(origins)).embedding(m_results.followers)
+            = Body_deformer_3<Body_view>(body, triangles_of(origins)).embedding(m_options.followers)
               * body_pose;
         });
     }
     return m_summary;
+  }
+
+  // Throws with a vertex of the input, where the registrar would name one of the body.
+  void check_that_body_is_held(const Body_view& body, const Eigen::VectorXd& weights) const
+  {
+    if(const auto row = surface_vertex_of_loose_component(body, weights))
+      throw std::invalid_argument("all matching weights are 0 in the part around vertex "
+                                  + std::to_string(m_component.vertices[*row]));
   }
 
   // Geodesics lead around a compact body, so that its target is too large: a ball becomes a larger ball.
@@ -402,14 +398,12 @@ private:
       m_summary.warnings.push_back("the registration was canceled before it converged");
   }
 
+  const Posed_component& m_component;
   const Point_matrix& m_points;
   const std::vector<Index_triangle>& m_triangles;
-  const std::vector<Index_triangle>& m_caps;
   const Options& m_options;
-  Intermediate_results m_own_results;
-  Intermediate_results& m_results;
+  Intermediate_results m_results;
   Registration_summary m_summary;
-  std::optional<Options_constraints> m_constraints;
   double m_length_scale = 0;
 };
 

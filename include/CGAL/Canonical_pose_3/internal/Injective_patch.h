@@ -25,6 +25,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -63,19 +64,25 @@ public:
     double epsilon = 1;
     for(int i = 0; i < MAXIMUM_OF_FOLDOVER_STEPS && !(least_determinant() > POSITIVE); ++i)
     {
-      if(!descend(Foldover_free_energy(epsilon)))
+      if(!(descend(Foldover_free_energy(epsilon)).value_or(0) > 0))
         return;
       epsilon *= 1 - EPSILON_DECAY * m_length;
     }
   }
 
-  // Lowers the energy as far as the barrier allows, unless a cell is inverted or flat.
-  void descend_to_the_barrier()
+  // Lowers the energy as far as the barrier allows, unless a cell is inverted or flat, in at most `steps`
+  // steps. Returns whether that is done: the last step was tiny.
+  bool descend_to_the_barrier(const int steps)
   {
-    if(least_determinant() > 0)
-      for(int i = 0; i < MAXIMUM_OF_BARRIER_STEPS; ++i)
-        if(!(descend(Inversion_barrier()) > TOLERANCE * m_total_weight))
-          return;
+    if(!(least_determinant() > 0))
+      return false;
+    for(int i = 0; i < steps; ++i)
+    {
+      const std::optional<double> decrease = descend(Inversion_barrier());
+      if(!decrease || !(*decrease > TOLERANCE * m_total_weight))
+        return decrease.has_value();
+    }
+    return false;
   }
 
   // Half the energy with the penalty.
@@ -113,7 +120,7 @@ public:
   }
 
 private:
-  static constexpr int MAXIMUM_OF_FOLDOVER_STEPS = 20, MAXIMUM_OF_BARRIER_STEPS = 50;
+  static constexpr int MAXIMUM_OF_FOLDOVER_STEPS = 20;
   static constexpr double POSITIVE = 1e-3, EPSILON_DECAY = 0.4, TOLERANCE = 1e-4;
 
   int free() const { return static_cast<int>(m_gradient.rows()); }
@@ -126,9 +133,10 @@ private:
     return result;
   }
 
-  // A step of Newton's method; returns by how much the energy went down.
+  // A step of Newton's method; returns by how much the energy went down, nothing if the step could not be
+  // computed.
   template <typename Penalty>
-  double descend(const Penalty& penalty)
+  std::optional<double> descend(const Penalty& penalty)
   {
     const double before = energy(m_points, penalty);
     const Point_matrix g = gradient(m_points, penalty);
@@ -139,7 +147,7 @@ private:
     }
     catch(const std::runtime_error&) // too badly conditioned
     {
-      return 0;
+      return std::nullopt;
     }
     const double slope = g.cwiseProduct(step).sum();
     Point_matrix next = m_points;

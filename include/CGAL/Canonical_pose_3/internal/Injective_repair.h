@@ -25,6 +25,7 @@
 #endif
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <functional>
 #include <unordered_map>
@@ -56,12 +57,20 @@ public:
       cell.weight *= cell_factor;
   }
 
+  // What became of the body.
+  struct Outcome
+  {
+    std::size_t vertices_from_rest = 0; // those that started anew from the rest pose
+    bool is_minimal = true;             // the energy is as low as the barrier allows
+  };
+
   // `right_hand_side`: of the registration without the term of the cells; `rest`: the rest pose, near
   // which `points` need not be.
-  void operator()(const Point_matrix& right_hand_side, const Point_matrix& rest,
-                  Point_matrix& points) const
+  Outcome operator()(const Point_matrix& right_hand_side, const Point_matrix& rest,
+                     Point_matrix& points) const
   {
     std::vector<bool> was_free(static_cast<std::size_t>(points.rows()), false);
+    Outcome outcome;
     bool is_growing = true;
     for(int rings = 1; is_growing; rings *= 2)
     {
@@ -78,14 +87,26 @@ public:
       else // whole components
         for(std::size_t v = 0; v < is_free.size(); ++v)
           if(is_free[v])
+          {
             points.row(static_cast<Eigen::Index>(v)) = rest.row(static_cast<Eigen::Index>(v));
+            ++outcome.vertices_from_rest;
+          }
     }
-    for_each_patch(was_free, right_hand_side, points,
-                   [](Patch& patch) { patch.descend_to_the_barrier(); });
+    // from the rest pose it is a long way
+    const int steps = outcome.vertices_from_rest > 0 ? STEPS_FROM_REST : STEPS_OF_A_PATCH;
+    std::atomic<bool> is_minimal = true;
+    for_each_patch(was_free, right_hand_side, points, [&](Patch& patch) {
+      if(!patch.descend_to_the_barrier(steps))
+        is_minimal = false;
+    });
+    outcome.is_minimal = is_minimal;
+    return outcome;
   }
 
 private:
-  typedef Injective_patch<ClosestRotationTraits, FactorTraits> Patch;
+  using Patch = Injective_patch<ClosestRotationTraits, FactorTraits>;
+
+  static constexpr int STEPS_OF_A_PATCH = 50, STEPS_FROM_REST = 500;
 
   std::vector<bool> vertices_of_inverted_cells(const Point_matrix& points) const
   {

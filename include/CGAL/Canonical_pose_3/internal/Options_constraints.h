@@ -24,16 +24,6 @@ namespace internal {
 class Options_constraints
 {
 public:
-  // Calls f(elements) for the list of each kind.
-  template <typename Function>
-  static void for_each_list(Options& options, const Function& f)
-  {
-    f(options.springs);
-    f(options.directions);
-    f(options.handles);
-    f(options.symmetric_pairs);
-  }
-
   // `number_of_vertices`: that of the body's surface, whose rows the options name.
   // Throws `std::invalid_argument` as `Constraint_list_3::insert()`.
   Options_constraints(const Options& options, const std::size_t number_of_vertices)

@@ -17,8 +17,10 @@
 
 #include <Eigen/SparseCore>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -62,10 +64,10 @@ inline const Eigen::VectorXd& checked_stiffness(const Eigen::VectorXd& stiffness
   return stiffness;
 }
 
-// The matrix of the registration is positive definite if and only if each connected component of
-// the body carries a surface vertex of positive weight.
+// Tells for each vertex of the body whether its component carries a surface vertex of positive weight. The
+// matrix of the registration is positive definite if and only if each does.
 template <typename ElasticBody>
-void check_that_components_are_held(const ElasticBody& body, const Eigen::VectorXd& weights)
+std::vector<bool> held_vertices(const ElasticBody& body, const Eigen::VectorXd& weights)
 {
   const std::size_t n = static_cast<std::size_t>(body.points().rows());
   Disjoint_sets sets(n);
@@ -73,16 +75,40 @@ void check_that_components_are_held(const ElasticBody& body, const Eigen::Vector
     for(int k = 1; k < 4; ++k)
       sets.unite(static_cast<std::size_t>(cell[0]), static_cast<std::size_t>(cell[k]));
 
-  std::vector<bool> held(n, false);
+  std::vector<bool> is_held(n, false);
   const Eigen::SparseMatrix<double>& embedding = body.embedding();
   for(Eigen::Index v = 0; v < embedding.outerSize(); ++v)
     for(Eigen::SparseMatrix<double>::InnerIterator it(embedding, v); it; ++it)
       if(it.value() != 0 && weights[it.row()] > 0)
-        held[sets.representative(static_cast<std::size_t>(v))] = true;
+        is_held[sets.representative(static_cast<std::size_t>(v))] = true;
   for(std::size_t v = 0; v < n; ++v)
-    if(!held[sets.representative(v)])
-      throw std::invalid_argument("the component of the body with vertex " + std::to_string(v)
-                                  + " carries no surface vertex of positive weight");
+    is_held[v] = is_held[sets.representative(v)];
+  return is_held;
+}
+
+// A surface vertex that a component of the body carries although none there has a positive weight.
+template <typename ElasticBody>
+std::optional<std::size_t> surface_vertex_of_loose_component(const ElasticBody& body,
+                                                             const Eigen::VectorXd& weights)
+{
+  const std::vector<bool> is_held = held_vertices(body, weights);
+  const Eigen::SparseMatrix<double>& embedding = body.embedding();
+  for(Eigen::Index v = 0; v < embedding.outerSize(); ++v)
+    for(Eigen::SparseMatrix<double>::InnerIterator it(embedding, v); it; ++it)
+      if(it.value() != 0 && !is_held[static_cast<std::size_t>(v)])
+        return static_cast<std::size_t>(it.row());
+  return std::nullopt;
+}
+
+template <typename ElasticBody>
+void check_that_components_are_held(const ElasticBody& body, const Eigen::VectorXd& weights)
+{
+  const std::vector<bool> is_held = held_vertices(body, weights);
+  const auto loose = std::find(is_held.begin(), is_held.end(), false);
+  if(loose != is_held.end())
+    throw std::invalid_argument("the component of the body with vertex "
+                                + std::to_string(loose - is_held.begin())
+                                + " carries no surface vertex of positive weight");
 }
 
 // Returns the weights with sum 1.

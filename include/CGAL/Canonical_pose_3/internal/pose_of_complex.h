@@ -14,10 +14,11 @@
 #include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/Options.h>
 #include <CGAL/Canonical_pose_3/Registration_summary.h>
-#include <CGAL/Canonical_pose_3/Repaired_surface_3.h>
 #include <CGAL/Canonical_pose_3/diagnose.h>
 #include <CGAL/Canonical_pose_3/internal/Canonical_pose_pipeline.h>
-#include <CGAL/Canonical_pose_3/internal/boundary_triangles.h>
+#include <CGAL/Canonical_pose_3/internal/Complex_parts.h>
+#include <CGAL/Canonical_pose_3/internal/Component_poses.h>
+#include <CGAL/Canonical_pose_3/internal/check_registration.h>
 #include <CGAL/Canonical_pose_3/internal/inline_definition.h>
 #include <CGAL/Canonical_pose_3/internal/with_solver.h>
 
@@ -28,6 +29,7 @@
 #include <stdexcept>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -35,34 +37,70 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// canonical_pose_3() for tetrahedra, which are the body; its boundary must be connected. `pose`: of all
-// points.
+// The parts of a complex that the options ask for.
+inline std::vector<Complex_part> parts_to_pose(const Complex_parts& parts, const Options& options)
+{
+  if(parts.size() > 1 && options.components == Options::Components::REFUSE)
+    throw std::invalid_argument("the complex has " + std::to_string(parts.size())
+                                + " connected components");
+  std::vector<Complex_part> result;
+  for(std::size_t i = 0; i < parts.size(); ++i)
+    if(i == 0 || options.components == Options::Components::EACH)
+      result.push_back(parts[i]);
+  return result;
+}
+
+inline Point_matrix rows_of(const Point_matrix& points, const std::vector<std::size_t>& rows)
+{
+  Point_matrix result(static_cast<Eigen::Index>(rows.size()), 3);
+  for(std::size_t i = 0; i < rows.size(); ++i)
+    result.row(static_cast<Eigen::Index>(i)) = points.row(static_cast<Eigen::Index>(rows[i]));
+  return result;
+}
+
+// canonical_pose_3() for tetrahedra, which are the body. `pose`: of all points.
 CGAL_CANONICAL_POSE_3_DEFINITION Registration_summary
 pose_of_complex(const Point_matrix& points, const std::vector<std::array<int, 4>>& cells,
                 const Options& options, Point_matrix& pose)
 {
+  check_options(options, static_cast<std::size_t>(points.rows()));
+  checked_stiffness(options.stiffness, cells.size());
   Real_timer timer;
   timer.start();
   const Conforming_body_3 body(points, cells, static_cast<std::size_t>(points.rows()));
-  Repaired_surface_3 surface;
-  surface.triangles = boundary_triangles(body.points(), body.cells());
-  make_boundary_manifold(surface.triangles, surface.origins);
-  surface.points.resize(static_cast<Eigen::Index>(surface.origins.size()), 3);
-  for(std::size_t i = 0; i < surface.origins.size(); ++i)
-    surface.points.row(static_cast<Eigen::Index>(i))
-      = body.points().row(static_cast<Eigen::Index>(surface.origins[i]));
-  const double seconds_for_body = timer.time();
-  const Diagnosis_3 diagnosis = diagnose(surface.points, surface.triangles);
-  if(diagnosis.components > 1)
-    throw std::invalid_argument("the boundary of the complex has "
-                                + std::to_string(diagnosis.components) + " connected components");
-  timer.stop();
+  const Complex_parts parts(body.points(), body.cells(), body.cell_weights());
+  const std::vector<Complex_part> posed_parts = parts_to_pose(parts, options);
+  double seconds_for_body = timer.time();
+  const Diagnosis_3 diagnosis = diagnose(parts.boundary_points(), parts.boundary_triangles());
+  std::vector<Posed_component> components;
+  for(const Complex_part& part : posed_parts)
+    components.push_back(part.component);
+  Component_poses poses(points, {{}, parts.boundary_vertices(), "boundary vertex"}, components,
+                        options);
+  const double seconds_for_diagnosis = timer.time() - seconds_for_body;
+
   Registration_summary summary = with_solver(options, [&](const auto factor_traits) {
-    typedef std::decay_t<decltype(factor_traits)> Factor_traits;
-    return Canonical_pose_pipeline<Factor_traits>(surface, options, diagnosis)
-      .run(body, surface.origins, pose);
+    using Factor_traits = std::decay_t<decltype(factor_traits)>;
+    return poses.run(
+      [&](const std::size_t c, Options& local_options, Point_matrix& pose_of_part,
+          Intermediate_results& results) {
+        const Complex_part& part = posed_parts[c];
+        Real_timer body_timer;
+        body_timer.start();
+        const Conforming_body_3 body_of_part(rows_of(points, part.component.vertices),
+                                             parts.local_cells(part),
+                                             part.component.vertices.size());
+        seconds_for_body += body_timer.time();
+        if(options.stiffness.size() > 0)
+          local_options.stiffness = Component_poses::values_at(options.stiffness, part.cells);
+        Canonical_pose_pipeline<Factor_traits> pipeline(part.component, local_options, diagnosis);
+        Registration_summary one = pipeline.run(body_of_part, part.surface_vertices, pose_of_part);
+        results = std::move(pipeline.results());
+        return one;
+      },
+      pose);
   });
-  summary.add_seconds("diagnosis", timer.time() - seconds_for_body);
+  summary.add_seconds("diagnosis", seconds_for_diagnosis);
   summary.add_seconds("body", seconds_for_body);
   return summary;
 }

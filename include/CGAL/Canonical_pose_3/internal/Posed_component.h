@@ -1,0 +1,42 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_INTERNAL_POSED_COMPONENT_H
+#define CGAL_CANONICAL_POSE_3_INTERNAL_POSED_COMPONENT_H
+
+#include <CGAL/Canonical_pose_3/internal/Indexed_mesh.h>
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
+#include <CGAL/Canonical_pose_3/point_matrix.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
+namespace internal {
+
+// A part of the input that gets a pose of its own: its surface, connected, and what its vertices are in
+// the input.
+struct Posed_component
+{
+  Point_matrix points;
+  std::vector<Index_triangle> triangles, caps;
+  std::vector<std::size_t> faces; // of each triangle: the face of the input that it is part of
+  std::vector<std::size_t>
+    field_rows;                      // of each vertex of the surface: its row in fields and targets
+  std::vector<std::size_t> vertices; // of each row of the pose: the vertex of the input
+};
+
+} // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_INTERNAL_POSED_COMPONENT_H

@@ -1,0 +1,172 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#include <CGAL/canonical_pose_3.h>
+
+#include <CGAL/Simple_cartesian.h>
+
+#include <gtest/gtest.h>
+
+#include "bent_bars.h"
+#include "matchers.h"
+#include "shapes.h"
+
+#include <cstddef>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace CP = CGAL::Canonical_pose_3;
+namespace shapes = Canonical_pose_test;
+using CP::Point_matrix;
+using shapes::Polygon_soup;
+using shapes::pose_of;
+using shapes::Pose_result;
+
+namespace {
+
+Polygon_soup bar() { return shapes::to_polygons(shapes::bent_bar()); }
+
+Polygon_soup small_bar()
+{
+  return shapes::to_polygons(
+    shapes::boundary(shapes::tetrahedral_bent_bar(16, 2, 2, 2., {{4., .5, .5}})));
+}
+
+const Eigen::Index small_size = Eigen::Index(small_bar().points.size());
+
+// The small one first, 20 to the left of the other.
+Polygon_soup two_bars() { return shapes::merged(small_bar(), bar(), 20.); }
+
+CP::Options largest_component()
+{
+  CP::Options options;
+  options.components = CP::Options::Components::LARGEST;
+  return options;
+}
+
+Point_matrix pose_of_followers(const Polygon_soup& soup, CP::Options options, Point_matrix& pose)
+{
+  CP::Intermediate_results results;
+  options.intermediate_results = &results;
+  pose = pose_of(soup, options).pose;
+  return results.pose_of_followers;
+}
+
+} // namespace
+
+// The poses of the components are those that they have alone, in the same bytes.
+TEST(Components, each_is_posed_as_if_alone)
+{
+  const Point_matrix pose = pose_of(two_bars(), shapes::each_component()).pose;
+  EXPECT_EQ(pose.topRows(small_size), pose_of(small_bar(), CP::Options()).pose);
+  const Polygon_soup moved_bar = shapes::merged({}, bar(), 20.);
+  EXPECT_EQ(pose.bottomRows(pose.rows() - small_size), pose_of(moved_bar, CP::Options()).pose);
+}
+
+// A vertex lies in its cell with the coordinates that its row of the embedding has: as a follower it goes where
+// it goes as a vertex. Of each component, whatever its size.
+TEST(Components, followers_go_with_the_nearest)
+{
+  CP::Options options = shapes::each_component();
+  options.followers = shapes::to_matrix(two_bars().points);
+  Point_matrix pose;
+  const Point_matrix followers = pose_of_followers(two_bars(), options, pose);
+  EXPECT_LT((followers - pose).cwiseAbs().maxCoeff(), 1e-9);
+}
+
+// Vertices of no face hang on the nearest component; a copy of a vertex goes where that goes.
+TEST(Components, isolated_vertices_go_with_the_nearest)
+{
+  Polygon_soup soup = two_bars();
+  for(const std::size_t v : {std::size_t(5), soup.points.size() - 4})
+  {
+    Polygon_soup with_copy = soup;
+    with_copy.points.push_back(soup.points[v]);
+    const Point_matrix pose = pose_of(with_copy, shapes::each_component()).pose;
+    EXPECT_LT((pose.row(pose.rows() - 1) - pose.row(Eigen::Index(v))).norm(), 1e-9) << v;
+  }
+}
+
+// The largest one has the pose that it has alone, and the others hang on it.
+TEST(Components, the_largest_carries_followers_and_the_others)
+{
+  const Polygon_soup moved_bar = shapes::merged({}, bar(), 20.);
+  CP::Options options = largest_component();
+  options.followers = shapes::to_matrix(two_bars().points);
+  Point_matrix pose;
+  const Point_matrix followers = pose_of_followers(two_bars(), options, pose);
+  EXPECT_EQ(pose.bottomRows(pose.rows() - small_size), pose_of(moved_bar, CP::Options()).pose);
+  EXPECT_LT((followers - pose).cwiseAbs().maxCoeff(), 1e-9);
+}
+
+// Each of many has the bytes that it has alone.
+TEST(Components, many)
+{
+  Polygon_soup soup;
+  for(int i = 0; i < 12; ++i)
+    soup = shapes::merged(soup, small_bar(), 8. * i);
+  const Pose_result all = pose_of(soup, shapes::each_component());
+  EXPECT_TRUE(all.summary.converged());
+  for(const int i : {0, 7, 11})
+    EXPECT_EQ(all.pose.middleRows(i * small_size, small_size),
+              pose_of(shapes::merged({}, small_bar(), 8. * i), CP::Options()).pose);
+}
+
+// Constraints that cannot hold are named by the elements of the input, never left out.
+TEST(Components, constraints_that_do_not_fit_are_refused)
+{
+  const auto expect_refused = [](const Polygon_soup& soup, CP::Options options,
+                                 const CP::Spring_3& spring, const char* const text) {
+    options.springs = {spring};
+    EXPECT_THROW_WITH(pose_of(soup, options), std::invalid_argument, text);
+  };
+  const std::size_t of_large = two_bars().points.size() - 1;
+  expect_refused(two_bars(), shapes::each_component(), {3, of_large, 1, 1},
+                 "spring 0 names vertices 3 and");
+  expect_refused(two_bars(), largest_component(), {3, of_large, 1, 1},
+                 "spring 0 names vertex 3, which has no pose of its own");
+  expect_refused(shapes::with_isolated_vertices(bar(), 2), CP::Options(), {1, 5, 1, 1},
+                 "spring 0 names vertex 1, which has no pose of its own");
+
+  const Polygon_soup soup = shapes::unsewn(bar());
+  std::size_t twin = 1;
+  while(soup.points[twin] != soup.points[0])
+    ++twin;
+  expect_refused(soup, CP::Options(), {0, twin, 1, 1}, "which are at the same position");
+}
+
+// A constraint within a component acts as it does there alone.
+TEST(Components, constraints_belong_to_their_component)
+{
+  CP::Options options = shapes::each_component();
+  options.springs = {{2, 40, 1., 0.2}};
+  const Point_matrix pose = pose_of(two_bars(), options).pose;
+  EXPECT_EQ(pose.topRows(small_size), pose_of(small_bar(), options).pose);
+  EXPECT_GT((pose - pose_of(two_bars(), shapes::each_component()).pose).norm(), 1e-3);
+}
+
+// Where components have a vertex in common it can have one pose only, which is said.
+TEST(Components, common_vertices_are_named)
+{
+  const Polygon_soup soup = shapes::pinched_balls();
+  const Pose_result result = pose_of(soup, shapes::each_component());
+  ASSERT_EQ(result.summary.warnings.size(), 1u);
+  EXPECT_NE(result.summary.warnings[0].find("vertex 8"), std::string::npos);
+}
+
+// A part of the surface all of whose weights are 0 is named by a vertex of the input.
+TEST(Components, weights_of_a_component_must_not_all_be_zero)
+{
+  CP::Options options = shapes::each_component();
+  options.matching_weights = Eigen::VectorXd::Ones(Eigen::Index(two_bars().points.size()));
+  options.matching_weights.head(small_size).setZero();
+  EXPECT_THROW_WITH(pose_of(two_bars(), options), std::invalid_argument,
+                    "all matching weights are 0 in the part around vertex");
+}

@@ -1,0 +1,114 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+// Several calls at once from threads of the user's program give the same bytes as one after the other.
+
+#include <CGAL/Canonical_pose_3/internal/Sparse_factor.h>
+#include <CGAL/canonical_pose_3.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/property_map.h>
+
+#include <gtest/gtest.h>
+
+#include "bent_bars.h"
+#include "matchers.h"
+#include "shapes.h"
+#include "sparse_matrices.h"
+
+#include <cstddef>
+#include <functional>
+#include <thread>
+#include <vector>
+
+namespace CP = CGAL::Canonical_pose_3;
+namespace shapes = Canonical_pose_test;
+
+namespace {
+
+// Runs the jobs, each of which returns a matrix, one after the other and then at once, again and again.
+void expect_same_bytes(const std::vector<std::function<Eigen::MatrixXd()>>& jobs, const int times)
+{
+  std::vector<Eigen::MatrixXd> expected, results(jobs.size());
+  for(const auto& job : jobs)
+    expected.push_back(job());
+  for(int i = 0; i < times; ++i)
+  {
+    std::vector<std::thread> threads;
+    for(std::size_t j = 0; j < jobs.size(); ++j)
+      threads.emplace_back([&, j] { results[j] = jobs[j](); });
+    for(std::thread& thread : threads)
+      thread.join();
+    for(std::size_t j = 0; j < jobs.size(); ++j)
+      EXPECT_EQ(results[j], expected[j]) << "job " << j;
+  }
+}
+
+// The Laplacian of a grid of n x n x n vertices plus a small diagonal.
+Eigen::SparseMatrix<double> volume_matrix(const int n)
+{
+  std::vector<Eigen::Triplet<double>> entries;
+  const auto index = [n](const int i, const int j, const int k) { return (i * n + j) * n + k; };
+  for(int i = 0; i < n; ++i)
+    for(int j = 0; j < n; ++j)
+      for(int k = 0; k < n; ++k)
+      {
+        const int v = index(i, j, k);
+        entries.emplace_back(v, v, 6.1);
+        for(const int w : {i + 1 < n ? index(i + 1, j, k) : -1, j + 1 < n ? index(i, j + 1, k) : -1,
+                           k + 1 < n ? index(i, j, k + 1) : -1})
+          if(w >= 0)
+          {
+            entries.emplace_back(v, w, -1.);
+            entries.emplace_back(w, v, -1.);
+          }
+      }
+  Eigen::SparseMatrix<double> result(n * n * n, n * n * n);
+  result.setFromTriplets(entries.begin(), entries.end());
+  return result;
+}
+
+} // namespace
+
+// Matrices of volumes are large enough for CHOLMOD to call METIS, which seeds the random numbers of the process and
+// draws from them.
+TEST(Concurrent_calls, factors_of_volumes)
+{
+  std::vector<std::function<Eigen::MatrixXd()>> jobs;
+  for(const int n : {22, 23, 24, 25})
+    jobs.push_back([matrix = volume_matrix(n)] {
+      CP::internal::Sparse_factor<CP::Default_factor_traits_d> factor;
+      factor.factor(matrix, "the test matrix");
+      return factor.solve(shapes::waves(matrix.rows(), 2));
+    });
+  expect_same_bytes(jobs, 3);
+}
+
+TEST(Concurrent_calls, poses)
+{
+  std::vector<std::function<Eigen::MatrixXd()>> jobs;
+  for(const double angle : {1., 2., 3.})
+    jobs.push_back([soup = shapes::boundary(shapes::tetrahedral_bent_bar(24, 4, 4, angle))] {
+      CP::Options options;
+      options.registration.detail_length = 0.03;
+      options.registration.injective = true;
+      return Eigen::MatrixXd(shapes::pose_of(soup, options).pose);
+    });
+  jobs.push_back([soup = shapes::tetrahedral_bent_bar(16, 3, 3, 2.)] {
+    using Point_3 = CGAL::Simple_cartesian<double>::Point_3;
+    CP::Indexed_tetrahedra_3<Point_3> complex;
+    for(const auto& p : soup.points)
+      complex.points.emplace_back(p[0], p[1], p[2]);
+    complex.cells = soup.cells;
+    std::vector<Point_3> pose(soup.points.size());
+    CGAL::canonical_pose_3(complex, CGAL::make_property_map(pose));
+    return Eigen::MatrixXd(shapes::to_matrix(pose));
+  });
+  expect_same_bytes(jobs, 2);
+}

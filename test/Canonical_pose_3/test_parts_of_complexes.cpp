@@ -1,0 +1,208 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#include <CGAL/canonical_pose_3.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/property_map.h>
+
+#include <gtest/gtest.h>
+
+#include "matchers.h"
+#include "shapes.h"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+#include <vector>
+
+namespace CP = CGAL::Canonical_pose_3;
+namespace shapes = Canonical_pose_test;
+using CP::Point_matrix;
+using shapes::Tetrahedral_soup;
+
+namespace {
+
+using Point_3 = CGAL::Simple_cartesian<double>::Point_3;
+
+struct Outcome
+{
+  CP::Registration_summary summary;
+  Point_matrix pose;
+};
+
+Outcome pose_of(const Tetrahedral_soup& soup, const CP::Options& options = CP::Options())
+{
+  CP::Indexed_tetrahedra_3<Point_3> complex;
+  for(const auto& p : soup.points)
+    complex.points.emplace_back(p[0], p[1], p[2]);
+  complex.cells = soup.cells;
+  std::vector<Point_3> pose(soup.points.size());
+  Outcome result;
+  result.summary = CGAL::canonical_pose_3(complex, CGAL::make_property_map(pose), options);
+  result.pose = shapes::to_matrix(pose);
+  return result;
+}
+
+CP::Options with(const CP::Options::Components components)
+{
+  CP::Options options;
+  options.components = components;
+  return options;
+}
+
+// A bent bar, 8 long and 1.2 thick, with or without the cells around its middle fiber.
+Tetrahedral_soup bar(const bool has_cavity)
+{
+  const std::array<double, 3> lengths = {{8., 1.2, 1.2}};
+  const Tetrahedral_soup straight = shapes::tetrahedral_box(20, 6, 6, lengths);
+  Tetrahedral_soup soup = shapes::tetrahedral_bent_bar(20, 6, 6, 2., lengths);
+  soup.cells.clear();
+  for(const auto& cell : straight.cells)
+  {
+    std::array<double, 3> middle = {{0., 0., 0.}};
+    for(const std::size_t v : cell)
+      for(std::size_t k = 0; k < 3; ++k)
+        middle[k] += straight.points[v][k] / 4;
+    const bool is_inside = std::abs(middle[0] - 4) < 2 && std::abs(middle[1] - 0.6) < 0.4
+                           && std::abs(middle[2] - 0.6) < 0.4;
+    if(!has_cavity || !is_inside)
+      soup.cells.push_back(cell);
+  }
+  return soup;
+}
+
+// The vertices of the first come first.
+Tetrahedral_soup merged(Tetrahedral_soup a, const Tetrahedral_soup& b, const double shift)
+{
+  const std::size_t n = a.points.size();
+  for(const auto& p : b.points)
+    a.points.push_back({{p[0] + shift, p[1], p[2]}});
+  for(const auto& c : b.cells)
+    a.cells.push_back({{c[0] + n, c[1] + n, c[2] + n, c[3] + n}});
+  return a;
+}
+
+Tetrahedral_soup small_bar() { return shapes::tetrahedral_bent_bar(12, 2, 2, 2., {{4., .5, .5}}); }
+const Eigen::Index small_size = Eigen::Index(small_bar().points.size());
+Tetrahedral_soup two_bars() { return merged(small_bar(), bar(true), 20.); }
+
+} // namespace
+
+// The distances are those of the outer surface, so target and scale are those of the full bar; the cavity makes
+// it a little softer. The vertices of the cavity have neither distance nor target, and go with the cells.
+TEST(Parts_of_complexes, cavity_belongs_to_its_part)
+{
+  CP::Intermediate_results results;
+  CP::Options options;
+  options.intermediate_results = &results;
+  const Outcome full = pose_of(bar(false), options);
+  const double stress = full.summary.target.stress;
+  const Outcome hollow = pose_of(bar(true), options);
+  EXPECT_TRUE(hollow.summary.converged());
+  EXPECT_EQ(hollow.summary.target.max_geodesic, full.summary.target.max_geodesic);
+  EXPECT_EQ(hollow.summary.target.stress, stress);
+  EXPECT_EQ(hollow.summary.inverted, 0u);
+
+  std::vector<std::size_t> origin;
+  shapes::boundary(bar(false), &origin);
+  for(const std::size_t v : origin)
+    EXPECT_LT((hollow.pose.row(Eigen::Index(v)) - full.pose.row(Eigen::Index(v))).norm(), 0.08)
+      << v;
+
+  shapes::boundary(bar(true), &origin);
+  ASSERT_EQ(results.target->rows(), Eigen::Index(origin.size()));
+  std::size_t number_inside = 0;
+  for(Eigen::Index i = 0; i < results.target->rows(); ++i)
+    if(!std::isfinite(results.landmark_fields->distances(i, 0)))
+    {
+      ++number_inside;
+      EXPECT_EQ(results.target->row(i), hollow.pose.row(Eigen::Index(origin[std::size_t(i)])));
+    }
+  EXPECT_EQ(number_inside, 11u * 5 * 5 - 9u * 3 * 3); // the sides of 10 x 4 x 4 cubes
+}
+
+TEST(Parts_of_complexes, several_are_refused)
+{
+  EXPECT_THROW_WITH(pose_of(two_bars()), std::invalid_argument, "2 connected components");
+}
+
+// The same bytes as alone.
+TEST(Parts_of_complexes, each_is_posed_as_if_alone)
+{
+  const Outcome both = pose_of(two_bars(), with(CP::Options::Components::EACH));
+  EXPECT_TRUE(both.summary.converged());
+  EXPECT_EQ(both.pose.topRows(small_size), pose_of(small_bar()).pose);
+  EXPECT_EQ(both.pose.bottomRows(both.pose.rows() - small_size),
+            pose_of(merged({}, bar(true), 20.)).pose);
+  EXPECT_EQ(both.summary.body.tetrahedra, two_bars().cells.size());
+}
+
+// Stiffness has an entry per cell, weights and constraints name vertices: each part has its own.
+TEST(Parts_of_complexes, options_belong_to_their_part)
+{
+  CP::Options options = with(CP::Options::Components::EACH);
+  const Point_matrix plain = pose_of(two_bars(), options).pose;
+  const Eigen::Index n = Eigen::Index(two_bars().cells.size());
+  options.stiffness = Eigen::VectorXd::Ones(n);
+  options.stiffness.head(Eigen::Index(small_bar().cells.size())).setConstant(4);
+  options.springs = {{0, std::size_t(small_size) - 1, 1., 0.3}};
+  CP::Options small_options;
+  small_options.stiffness = options.stiffness.head(Eigen::Index(small_bar().cells.size()));
+  small_options.springs = options.springs;
+  const Point_matrix pose = pose_of(two_bars(), options).pose;
+  EXPECT_EQ(pose.topRows(small_size), pose_of(small_bar(), small_options).pose);
+  EXPECT_EQ(pose.bottomRows(plain.rows() - small_size),
+            plain.bottomRows(plain.rows() - small_size));
+  EXPECT_GT((pose - plain).norm(), 1e-3);
+}
+
+// The largest part is posed as if alone, the other one follows; what is returned can be given again.
+TEST(Parts_of_complexes, the_largest_carries_the_others)
+{
+  CP::Intermediate_results results;
+  CP::Options options = with(CP::Options::Components::LARGEST);
+  options.intermediate_results = &results;
+  const Outcome first = pose_of(two_bars(), options);
+  EXPECT_EQ(first.pose.bottomRows(first.pose.rows() - small_size),
+            pose_of(merged({}, bar(true), 20.)).pose);
+  EXPECT_TRUE(first.pose.allFinite());
+  results.target.reset();
+  options.given = &results;
+  EXPECT_EQ(pose_of(two_bars(), options).pose, first.pose);
+}
+
+// A cell that hangs on an edge of the bar has no surface of its own worth a pose: it is part of the body. A
+// vertex of no cell goes with the nearest cell.
+TEST(Parts_of_complexes, fragments_and_vertices_of_no_cell)
+{
+  Tetrahedral_soup soup = small_bar();
+  const std::size_t n = soup.points.size();
+  const auto p = soup.points[n - 1], q = soup.points[n - 2];
+  for(const double side : {0.1, 0.2})
+    soup.points.push_back(
+      {{(p[0] + q[0]) / 2 + side, (p[1] + q[1]) / 2 + 0.3, (p[2] + q[2]) / 2 + 0.1 - side}});
+  soup.cells.push_back({{n - 2, n - 1, n, n + 1}});
+  soup.points.push_back(soup.points[3]);
+  const Outcome outcome = pose_of(soup);
+  EXPECT_TRUE(outcome.summary.converged());
+  EXPECT_LT(
+    (outcome.pose.topRows(small_size) - pose_of(small_bar()).pose).rowwise().norm().maxCoeff(),
+    0.01);
+  EXPECT_LT((outcome.pose.row(small_size) - outcome.pose.row(small_size - 1)).norm(), 1.);
+  EXPECT_LT((outcome.pose.row(small_size + 2) - outcome.pose.row(3)).norm(), 1e-9);
+}
+
+TEST(Parts_of_complexes, without_boundary)
+{
+  Tetrahedral_soup twice = shapes::tetrahedral_box(1, 1, 1);
+  twice.cells = {twice.cells[0], twice.cells[0]};
+  EXPECT_THROW_WITH(pose_of(twice), std::invalid_argument, "the complex has no boundary");
+}
