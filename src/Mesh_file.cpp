@@ -99,6 +99,8 @@ try
   Text_cursor text(bytes);
   for(std::string_view word = text.word(); !word.empty(); word = text.word())
     numbers.push_back(text.number(word, Element{"number", numbers.size()}));
+  if(numbers.empty())
+    throw std::invalid_argument("there are no numbers");
   return numbers;
 }
 catch(const std::invalid_argument& error)

@@ -10,6 +10,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_TOOL_TEXT_CURSOR_H
 #define CGAL_CANONICAL_POSE_3_TOOL_TEXT_CURSOR_H
 
+#include <cerrno>
 #include <cstddef>
 #include <cstdlib>
 #include <stdexcept>
@@ -33,8 +34,7 @@ struct Element
 };
 
 // Takes words and numbers from a text, one after the other. '#' begins a comment, up to the end of
-// the
-// line.
+// the line.
 class Text_cursor
 {
 public:
@@ -87,17 +87,53 @@ public:
     char* end;
     const double result = std::strtod(checked(word, element).data(), &end);
     if(end != word.data() + word.size())
-      throw wrong(word, element);
+      throw wrong(word, element, "is not a number");
     return result;
   }
 
   long long integer(const std::string_view word, const Element& element) const
   {
     char* end;
+    errno = 0;
     const long long result = std::strtoll(checked(word, element).data(), &end, 10);
     if(end != word.data() + word.size())
-      throw wrong(word, element);
+      throw wrong(word, element, "is not an integer");
+    if(errno == ERANGE)
+      throw wrong(word, element, "is out of range");
     return result;
+  }
+
+  // Converts a word that tells how many elements there are.
+  std::size_t count(const std::string_view word, const Element& element) const
+  {
+    const long long result = integer(word, element);
+    if(result < 0)
+      throw wrong(word, element, "is negative");
+    return static_cast<std::size_t>(result);
+  }
+
+  // Throws if the text goes on after `last`.
+  void check_is_at_end(const Element& last)
+  {
+    if(!word().empty())
+      throw goes_on_after(last);
+  }
+
+  std::invalid_argument goes_on_after(const Element& last) const
+  {
+    return std::invalid_argument(
+      "the file goes on after " + last.name()
+      + (last.index == Element::THE_ONLY_ONE ? "" : ", the last one announced") + " (line "
+      + std::to_string(m_line) + ")");
+  }
+
+  // The beginning of a word, for messages.
+  static std::string shown(const std::string_view word)
+  {
+    std::string result = "'";
+    for(const char c : word.substr(0, 20))
+      result += c < ' ' || c > '~' ? '?' : c;
+    return result + '\'';
   }
 
 private:
@@ -134,12 +170,10 @@ private:
                                            + std::to_string(m_line) + ")");
   }
 
-  std::invalid_argument wrong(const std::string_view word, const Element& element) const
+  std::invalid_argument wrong(const std::string_view word, const Element& element,
+                              const std::string& defect) const
   {
-    std::string shown;
-    for(const char c : word.substr(0, 20))
-      shown += c < ' ' || c > '~' ? '?' : c;
-    return std::invalid_argument(element.name() + ": '" + shown + "' is not a number (line "
+    return std::invalid_argument(element.name() + ": " + shown(word) + ' ' + defect + " (line "
                                  + std::to_string(m_line) + ")");
   }
 

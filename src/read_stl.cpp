@@ -42,6 +42,12 @@ public:
     m_face.push_back(found.first->second);
   }
 
+  void check_is_between_faces() const
+  {
+    if(!m_face.empty())
+      throw std::invalid_argument(next_face().name() + " is not closed by the keyword endfacet");
+  }
+
   void add_face()
   {
     if(m_face.size() != 3)
@@ -73,6 +79,10 @@ void read_binary(const std::string& bytes, Mesh_file& mesh)
       "the file is truncated: " + std::to_string(bytes.size()) + " bytes, but "
       + (bytes.size() < HEADER_SIZE ? "a header" : std::to_string(faces) + " faces")
       + " of binary STL need " + std::to_string(HEADER_SIZE + FACE_SIZE * faces));
+  const std::size_t rest = bytes.size() - HEADER_SIZE - FACE_SIZE * faces;
+  if(rest >= FACE_SIZE) // fewer bytes are no face, and left out
+    throw std::invalid_argument("the file goes on for " + std::to_string(rest) + " bytes after the "
+                                + std::to_string(faces) + " faces announced");
   Welder welder(mesh);
   const char* position = bytes.data() + HEADER_SIZE;
   for(std::uint32_t f = 0; f < faces; ++f, position += FACE_SIZE)
@@ -85,6 +95,14 @@ void read_binary(const std::string& bytes, Mesh_file& mesh)
   }
 }
 
+std::array<double, 3> read_point(Text_cursor& text, const Element& face)
+{
+  std::array<double, 3> point;
+  for(double& x : point)
+    x = text.number(text.word(), face);
+  return point;
+}
+
 void read_ascii(const std::string& bytes, Mesh_file& mesh)
 {
   Welder welder(mesh);
@@ -93,18 +111,21 @@ void read_ascii(const std::string& bytes, Mesh_file& mesh)
   for(std::string_view word = text.word(); !word.empty(); word = text.word())
     if(word == "solid" || word == "endsolid")
     {
+      welder.check_is_between_faces();
       is_in_solid = word == "solid";
       text.skip_line();
     }
     else if(word == "vertex")
-    {
-      std::array<double, 3> point;
-      for(double& x : point)
-        x = text.number(text.word(), welder.next_face());
-      welder.add_corner(point);
-    }
+      welder.add_corner(read_point(text, welder.next_face()));
+    else if(word == "normal")
+      for(int k = 0; k < 3; ++k)
+        text.word();
     else if(word == "endfacet")
       welder.add_face();
+    else if(word != "facet" && word != "outer" && word != "loop" && word != "endloop")
+      throw std::invalid_argument(welder.next_face().name() + ": the keyword "
+                                  + Text_cursor::shown(word) + " is unknown (line "
+                                  + std::to_string(text.line()) + ")");
   if(is_in_solid)
     throw std::invalid_argument("the file is truncated: it ends in " + welder.next_face().name());
 }

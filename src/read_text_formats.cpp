@@ -29,7 +29,7 @@ void check_keyword(const std::string_view keyword)
     throw std::invalid_argument("line 1: there is no keyword OFF");
   for(const char c : keyword.substr(0, keyword.size() - 3))
     if(std::string_view("STCN").find(c) == std::string_view::npos)
-      throw std::invalid_argument("line 1: the variant " + std::string(keyword.substr(0, 20))
+      throw std::invalid_argument("line 1: the variant " + Text_cursor::shown(keyword)
                                   + " is not supported");
 }
 
@@ -42,14 +42,11 @@ void read_off(const std::string& bytes, Mesh_file& mesh)
   std::string_view word = text.word();
   if(word == "BINARY")
     throw std::invalid_argument("line 1: binary OFF is not supported");
-  const long long vertices = text.integer(word, Element{"the number of vertices"});
-  const long long faces = text.integer(text.word_on_line(), Element{"the number of faces"});
+  const std::size_t vertices = text.count(word, Element{"the number of vertices"});
+  const std::size_t faces = text.count(text.word_on_line(), Element{"the number of faces"});
   text.skip_line();
-  if(vertices < 0 || faces < 0)
-    throw std::invalid_argument("line " + std::to_string(text.line())
-                                + ": a number of elements is negative");
 
-  for(Element v{"vertex", 0}; v.index < static_cast<std::size_t>(vertices); ++v.index)
+  for(Element v{"vertex", 0}; v.index < vertices; ++v.index)
   {
     const double x = text.number(text.word(), v);
     const double y = text.number(text.word_on_line(), v);
@@ -58,7 +55,7 @@ void read_off(const std::string& bytes, Mesh_file& mesh)
     check_is_finite(mesh.points.back(), v);
     text.skip_line();
   }
-  for(Element f{"face", 0}; f.index < static_cast<std::size_t>(faces); ++f.index)
+  for(Element f{"face", 0}; f.index < faces; ++f.index)
   {
     const long long corners = text.integer(text.word(), f);
     check_is_polygon(corners, f);
@@ -68,6 +65,9 @@ void read_off(const std::string& bytes, Mesh_file& mesh)
     mesh.faces.push_back(std::move(face));
     text.skip_line();
   }
+  text.check_is_at_end(faces > 0      ? Element{"face", faces - 1}
+                       : vertices > 0 ? Element{"vertex", vertices - 1}
+                                      : Element{"the number of faces"});
 }
 
 void read_obj(const std::string& bytes, Mesh_file& mesh)
@@ -91,8 +91,11 @@ void read_obj(const std::string& bytes, Mesh_file& mesh)
       for(word = text.word_on_line(); !word.empty(); word = text.word_on_line())
       {
         const long long index = text.integer(word.substr(0, word.find('/')), f);
-        corners.push_back(index < 0 ? static_cast<long long>(mesh.points.size()) + 1 + index
-                                    : index);
+        const long long n = static_cast<long long>(mesh.points.size());
+        if(index < -n)
+          throw std::invalid_argument(f.name() + " names vertex " + std::to_string(index)
+                                      + ", but there are " + std::to_string(n) + " before it");
+        corners.push_back(index < 0 ? n + 1 + index : index);
       }
       check_is_polygon(static_cast<long long>(corners.size()), f);
       faces.push_back(std::move(corners));
@@ -104,58 +107,6 @@ void read_obj(const std::string& bytes, Mesh_file& mesh)
       face.push_back(vertex_index(corner, mesh.points.size(), f, 1));
     mesh.faces.push_back(std::move(face));
   }
-}
-
-void read_medit(const std::string& bytes, Mesh_file& mesh)
-{
-  mesh.is_tetrahedral = true;
-  Text_cursor text(bytes);
-  if(text.word() != "MeshVersionFormatted")
-    throw std::invalid_argument("line 1: there is no keyword MeshVersionFormatted");
-  std::vector<std::array<long long, 4>> cells;
-  for(std::string_view word = text.word(); !word.empty() && word != "End"; word = text.word())
-  {
-    if(word == "Dimension" && text.integer(text.word(), Element{"the dimension"}) != 3)
-      throw std::invalid_argument("line " + std::to_string(text.line())
-                                  + ": the dimension is not 3");
-    if(word == "Hexahedra" || word == "Prisms" || word == "Pyramids")
-      throw std::invalid_argument("line " + std::to_string(text.line())
-                                  + ": there are cells that are no tetrahedra");
-    if(word == "Vertices")
-    {
-      const long long n = text.integer(text.word(), Element{"the number of vertices"});
-      for(Element v{"vertex", 0}; static_cast<long long>(v.index) < n; ++v.index)
-      {
-        std::array<double, 3> point;
-        for(double& x : point)
-          x = text.number(text.word(), v);
-        check_is_finite(point, v);
-        mesh.points.push_back(point);
-        mesh.point_references.push_back(text.integer(text.word(), v));
-      }
-    }
-    if(word == "Tetrahedra")
-    {
-      const long long n = text.integer(text.word(), Element{"the number of cells"});
-      for(Element c{"cell", 0}; static_cast<long long>(c.index) < n; ++c.index)
-      {
-        std::array<long long, 4> cell;
-        for(long long& v : cell)
-          v = text.integer(text.word(), c);
-        cells.push_back(cell);
-        mesh.cell_references.push_back(text.integer(text.word(), c));
-      }
-    }
-  }
-  for(Element c{"cell", 0}; c.index < cells.size(); ++c.index)
-  {
-    std::array<std::size_t, 4> cell;
-    for(std::size_t k = 0; k < 4; ++k)
-      cell[k] = vertex_index(cells[c.index][k], mesh.points.size(), c, 1);
-    mesh.cells.push_back(cell);
-  }
-  if(mesh.cells.empty())
-    throw std::invalid_argument("there are no tetrahedra");
 }
 
 } // namespace Canonical_pose_tool

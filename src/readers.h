@@ -27,8 +27,7 @@ void read_stl(const std::string& bytes, Mesh_file& mesh);
 void read_medit(const std::string& bytes, Mesh_file& mesh);
 
 // Returns `index`, one of `n` vertices counted from `base`, counted from 0. Throws if there is no
-// such
-// vertex.
+// such vertex.
 std::size_t vertex_index(long long index, std::size_t n, const Element& element, int base = 0);
 
 // Throws if a coordinate is not finite.

@@ -3,14 +3,15 @@
 #   cmake -DTOOL=path -DMAKE_FIGURE=path -DWORK=directory -P test_tool.cmake
 #
 # WORK is emptied first. MAKE_FIGURE writes the sample; where it is empty, what needs it is left out.
-# test_tool_inputs.cmake writes the input files, one for each promise that an input can break;
-# test_tool_checks.cmake holds what is asserted of a run and of a report.
+# test_tool_inputs.cmake and test_tool_bad_files.cmake write the input files, one for each promise that an input can
+# break; test_tool_checks.cmake holds what is asserted of a run and of a report.
 
 cmake_minimum_required(VERSION 3.19)
 
 file(REMOVE_RECURSE ${WORK})
 file(MAKE_DIRECTORY ${WORK}/out)
 include(${CMAKE_CURRENT_LIST_DIR}/test_tool_inputs.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/test_tool_bad_files.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/test_tool_checks.cmake)
 
 # ---- wrong usage: exit 2 -----------------------------------------------------------------------------
@@ -81,6 +82,8 @@ expect_refusal("names vertex 99" geodesics ball.off --source 99 -o out/a.txt)
 expect_refusal("vertex 12 belongs to no face" geodesics isolated.off --source 0 -o out/a.txt)
 expect_refusal("a surface is needed" geodesics ball.mesh --source 0 -o out/a.txt)
 expect_refusal("STL holds triangles only, but face 0 has 4 corners" pose quad.off -o out/a.stl)
+file(WRITE ${WORK}/comments.txt "# nothing\n")
+expect_refusal("'comments.txt': there are no numbers" pose ball.off -o out/a.off --matching-weights comments.txt)
 run_tool(pose ball.off -o out/a.off --body tetgen)
 if(stderr MATCHES "without TetGen")
   message(STATUS "The tool was built without TetGen: it is not tested that TetGen is spared dirty surfaces")
@@ -103,7 +106,9 @@ expect_exit(0 check hole.off)
 expect_match("${stdout}" "boundary_edges +3\n")
 expect_exit(0 check two_balls.off)
 expect_match("${stdout}" "components +2\n")
-expect_exit(0 check ball.mesh)
+foreach(input IN ITEMS ball.mesh ${strange_inputs})
+  expect_exit(0 check ${input})
+endforeach()
 expect_exit(1 check truncated.off)
 foreach(input defect message IN ZIP_LISTS dirty_inputs defects defect_messages)
   string(REGEX MATCH "^[a-z_]+" kind "${defect}")

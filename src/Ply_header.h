@@ -1,0 +1,71 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_TOOL_PLY_HEADER_H
+#define CGAL_CANONICAL_POSE_3_TOOL_PLY_HEADER_H
+
+#include "Text_cursor.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace Canonical_pose_tool {
+
+// How a number is stored in a binary file.
+struct Ply_number_type
+{
+  std::size_t size;
+  double (*convert)(const char* bytes);
+};
+
+struct Ply_property
+{
+  std::string name;
+  bool is_list = false;
+  Ply_number_type count = {}; // of a list
+  Ply_number_type value = {};
+};
+
+struct Ply_element
+{
+  std::string name;
+  std::size_t number;
+  std::vector<Ply_property> properties;
+
+  bool is_vertex() const { return name == "vertex"; }
+  bool is_face() const { return name == "face"; }
+
+  // The element `index` of these, for messages.
+  Element operator[](const std::size_t index) const
+  {
+    return {is_vertex() ? "vertex" : is_face() ? "face" : "element", index};
+  }
+};
+
+// Index of the coordinate that a property of a vertex is; 3 if it is none.
+std::size_t coordinate_of(const Ply_property& property);
+
+// Whether a property of a face is the list of its vertices.
+bool is_list_of_vertices(const Ply_property& property);
+
+struct Ply_header
+{
+  bool is_binary = false, is_big_endian = false;
+  std::vector<Ply_element> elements;
+};
+
+// Reads a header; `text` is at the first byte of the data then. There is one element vertex then,
+// which has each of x, y and z once, and at most one element face, which has one list of vertices
+// if there are faces. Throws std::invalid_argument that names what is missing or doubled.
+Ply_header read_ply_header(Text_cursor& text);
+
+} // namespace Canonical_pose_tool
+
+#endif // CGAL_CANONICAL_POSE_3_TOOL_PLY_HEADER_H
