@@ -9,15 +9,21 @@
 
 #include "Output_files.h"
 
+#include <array>
 #include <cerrno>
 #include <cstring>
+#include <fcntl.h>
 #include <filesystem>
-#include <fstream>
+#include <functional>
+#include <map>
+#include <ostream>
 #include <set>
 #include <stdexcept>
+#include <streambuf>
 #include <string>
 #include <system_error>
 #include <unistd.h>
+#include <vector>
 
 namespace Canonical_pose_tool {
 
@@ -33,10 +39,107 @@ std::string cannot_write(const std::string& path, const std::string& reason)
 // The file behind symbolic links, since a renamed file would take the place of the link.
 fs::path place_of(const std::string& path)
 {
+  const int most_links = 40; // as on Linux
   std::error_code error;
-  const fs::path place = fs::weakly_canonical(fs::absolute(path), error);
-  return error ? fs::absolute(path) : place;
+  fs::path place = fs::absolute(path);
+  for(int links = 0; fs::is_symlink(fs::symlink_status(place, error)); ++links)
+  {
+    if(links == most_links)
+      throw std::invalid_argument(
+        cannot_write(path, make_error_code(std::errc::too_many_symbolic_link_levels).message()));
+    place = place.parent_path() / fs::read_symlink(place, error);
+  }
+  const fs::path directory = fs::canonical(place.parent_path(), error);
+  if(error && error != std::errc::no_such_file_or_directory && error != std::errc::not_a_directory)
+    throw std::invalid_argument(cannot_write(path, error.message()));
+  if(error || !fs::is_directory(directory))
+    throw std::invalid_argument(cannot_write(path, "there is no such directory"));
+  return directory / place.filename();
 }
+
+// A name for another file in the directory of `place`.
+fs::path beside(const fs::path& place, const int attempt)
+{
+  const std::size_t longest = 200; // so that there is room for the rest
+  std::string name = place.filename().string().substr(0, longest);
+  name += ".part-" + std::to_string(getpid());
+  if(attempt > 0)
+    name += '-' + std::to_string(attempt);
+  return place.parent_path() / name;
+}
+
+// Returns a name beside `place` under which `make` made a file; an empty one if it could not. `make`
+// returns a negative number and sets errno then, as open() does. Names in use are passed over, those
+// of links, too.
+template <typename Make>
+fs::path make_beside(const fs::path& place, const Make& make)
+{
+  const int most_attempts = 1000;
+  for(int attempt = 0;; ++attempt)
+  {
+    fs::path name = beside(place, attempt);
+    if(make(name.c_str()) >= 0)
+      return name;
+    if(errno != EEXIST || attempt == most_attempts)
+      return {};
+  }
+}
+
+// Writes to a file descriptor, and closes it.
+class Descriptor_buffer : public std::streambuf
+{
+public:
+  explicit Descriptor_buffer(const int descriptor) : m_descriptor(descriptor)
+  {
+    setp(m_bytes.data(), m_bytes.data() + m_bytes.size());
+  }
+
+  Descriptor_buffer(const Descriptor_buffer&) = delete;
+  Descriptor_buffer& operator=(const Descriptor_buffer&) = delete;
+  ~Descriptor_buffer() override { close(); }
+
+  // Returns whether all that was written is in the file; otherwise errno tells why not.
+  bool close()
+  {
+    if(m_descriptor < 0)
+      return m_error == 0;
+    sync();
+    if(::close(m_descriptor) != 0 && m_error == 0)
+      m_error = errno;
+    m_descriptor = -1;
+    errno = m_error;
+    return m_error == 0;
+  }
+
+private:
+  int_type overflow(const int_type byte) override
+  {
+    if(sync() != 0)
+      return traits_type::eof();
+    if(!traits_type::eq_int_type(byte, traits_type::eof()))
+      sputc(traits_type::to_char_type(byte));
+    return traits_type::not_eof(byte);
+  }
+
+  int sync() override
+  {
+    for(const char* position = pbase(); m_error == 0 && position != pptr();)
+    {
+      const ssize_t n
+        = ::write(m_descriptor, position, static_cast<std::size_t>(pptr() - position));
+      if(n >= 0)
+        position += n;
+      else if(errno != EINTR)
+        m_error = errno;
+    }
+    setp(m_bytes.data(), m_bytes.data() + m_bytes.size());
+    return m_error == 0 ? 0 : -1;
+  }
+
+  std::array<char, 65536> m_bytes;
+  int m_descriptor;
+  int m_error = 0; // the first one
+};
 
 } // namespace
 
@@ -49,14 +152,16 @@ Output_files::Output_files(const std::vector<std::string>& paths)
       continue;
     const fs::path place = place_of(path);
     std::error_code error;
-    if(fs::exists(place, error) && !fs::is_regular_file(place, error))
+    const fs::file_status status = fs::status(place, error);
+    if(!fs::status_known(status))
+      throw std::invalid_argument(cannot_write(path, error.message()));
+    if(fs::exists(status) && !fs::is_regular_file(status))
       throw std::invalid_argument(cannot_write(path, "it is not a file"));
-    if(!fs::is_directory(place.parent_path(), error))
-      throw std::invalid_argument(cannot_write(path, "there is no such directory"));
     if(access(place.parent_path().c_str(), W_OK) != 0)
       throw std::invalid_argument(cannot_write(path, "the directory cannot be written to"));
     if(!places.insert(place).second)
       throw std::invalid_argument(cannot_write(path, "another output has the same name"));
+    m_places[path] = place;
   }
 }
 
@@ -64,7 +169,9 @@ Output_files::~Output_files()
 {
   std::error_code error;
   for(const File& file : m_files)
-    fs::remove(file.beside, error);
+    for(const fs::path& name : {file.beside, file.before})
+      if(!name.empty())
+        fs::remove(name, error);
 }
 
 void Output_files::write(const std::string& path,
@@ -72,27 +179,64 @@ void Output_files::write(const std::string& path,
 {
   if(path.empty())
     return;
-  const fs::path place = place_of(path);
-  fs::path beside = place;
-  beside += ".part-" + std::to_string(getpid());
-  errno = 0;
-  std::ofstream out(beside, std::ios::binary | std::ios::trunc);
-  if(out)
-  {
-    m_files.push_back({place, beside});
-    write_to(out);
-    out.close();
-  }
+  const fs::path& place = m_places.at(path);
+  int descriptor = -1;
+  const fs::path name = make_beside(place, [&](const char* const candidate) {
+    return descriptor = open(candidate, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+  });
+  if(name.empty())
+    throw std::runtime_error(cannot_write(path, std::strerror(errno)));
+  m_files.push_back({path, place, name});
+  Descriptor_buffer buffer(descriptor);
+  std::ostream out(&buffer);
+  write_to(out);
+  if(!buffer.close())
+    throw std::runtime_error(cannot_write(path, std::strerror(errno)));
   if(!out)
-    throw std::runtime_error(
-      cannot_write(path, errno != 0 ? std::strerror(errno) : "the disk may be full"));
+    throw std::runtime_error(cannot_write(path, "the numbers could not be turned into text"));
 }
 
 void Output_files::commit()
 {
-  for(const File& file : m_files)
-    fs::rename(file.beside, file.place);
-  m_files.clear();
+  keep_what_is_there();
+  for(std::size_t i = 0; i < m_files.size(); ++i)
+  {
+    std::error_code error;
+    fs::rename(m_files[i].beside, m_files[i].place, error);
+    if(error)
+    {
+      undo(i);
+      throw std::runtime_error(cannot_write(m_files[i].path, error.message()));
+    }
+    m_files[i].beside.clear();
+  }
+}
+
+// Where the file system has no hard links, nothing can be kept.
+void Output_files::keep_what_is_there()
+{
+  std::error_code error;
+  for(File& file : m_files)
+  {
+    file.is_new = !fs::exists(file.place, error);
+    if(!file.is_new && m_files.size() > 1)
+      file.before = make_beside(file.place, [&](const char* const candidate) {
+        return link(file.place.c_str(), candidate);
+      });
+  }
+}
+
+void Output_files::undo(const std::size_t number_of_renamed_files)
+{
+  std::error_code error;
+  for(std::size_t i = 0; i < number_of_renamed_files; ++i)
+  {
+    File& file = m_files[i];
+    if(file.is_new)
+      fs::remove(file.place, error);
+    else if(!file.before.empty())
+      fs::rename(file.before, file.place, error);
+  }
 }
 
 } // namespace Canonical_pose_tool

@@ -4,7 +4,8 @@
 #
 # WORK is emptied first. MAKE_FIGURE writes the sample; where it is empty, what needs it is left out.
 # test_tool_inputs.cmake and test_tool_bad_files.cmake write the input files, one for each promise that an input can
-# break; test_tool_checks.cmake holds what is asserted of a run and of a report.
+# break; test_tool_checks.cmake holds what is asserted of a run and of a report; test_tool_outputs.cmake is about the
+# files that are written.
 
 cmake_minimum_required(VERSION 3.19)
 
@@ -84,6 +85,7 @@ expect_refusal("a surface is needed" geodesics ball.mesh --source 0 -o out/a.txt
 expect_refusal("STL holds triangles only, but face 0 has 4 corners" pose quad.off -o out/a.stl)
 file(WRITE ${WORK}/comments.txt "# nothing\n")
 expect_refusal("'comments.txt': there are no numbers" pose ball.off -o out/a.off --matching-weights comments.txt)
+include(${CMAKE_CURRENT_LIST_DIR}/test_tool_outputs.cmake)
 run_tool(pose ball.off -o out/a.off --body tetgen)
 if(stderr MATCHES "without TetGen")
   message(STATUS "The tool was built without TetGen: it is not tested that TetGen is spared dirty surfaces")

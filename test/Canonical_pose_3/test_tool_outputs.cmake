@@ -1,0 +1,109 @@
+# How canonical-pose puts its outputs where they belong, see test_tool.cmake: all of them or none, through symbolic
+# links, and through nothing that lies where it writes at first.
+
+string(REPEAT a 246 long) # a name can have 255 bytes
+expect_exit(0 geodesics ball.off --source 0 -o out/${long}.txt)
+expect_refusal("File name too long" geodesics ball.off --source 0 -o out/${long}${long}.txt)
+
+find_program(SH sh)
+if(NOT SH OR NOT CMAKE_HOST_SYSTEM_NAME STREQUAL "Linux")
+  message(STATUS "Links, and errors while writing, are not tested: this is not Linux, or there is no sh")
+  return()
+endif()
+
+# Runs a text of sh, in which $TOOL is the tool, as run_tool() does.
+macro(run_sh text)
+  set(command "${text}")
+  execute_process(COMMAND ${CMAKE_COMMAND} -E env "TOOL=${TOOL}" ${SH} -c "${text}" WORKING_DIRECTORY ${WORK} TIMEOUT 120
+    RESULT_VARIABLE exit_code OUTPUT_VARIABLE stdout ERROR_VARIABLE stderr)
+endmacro()
+
+function(expect_content name content)
+  file(READ ${WORK}/${name} found)
+  if(NOT found STREQUAL "${content}" OR IS_SYMLINK ${WORK}/${name})
+    fail("${name} should be a file that holds '${content}', not '${found}'.")
+  endif()
+endfunction()
+
+function(expect_files pattern)
+  file(GLOB found RELATIVE ${WORK} ${WORK}/${pattern})
+  if(NOT found STREQUAL "${ARGN}")
+    fail("${pattern} should be ${ARGN}, not ${found}.")
+  endif()
+endfunction()
+
+# ---- symbolic links are followed, even if there is no file behind them yet ---------------------------------
+
+run_tool(geodesics ball.off --source 0 -o distances.txt)
+file(READ ${WORK}/distances.txt distances)
+file(MAKE_DIRECTORY ${WORK}/links ${WORK}/deep/far)
+file(CREATE_LINK ../deep/far ${WORK}/links/folder SYMBOLIC)
+file(CREATE_LINK ../deep/new.txt ${WORK}/links/dangling.txt SYMBOLIC)
+file(CREATE_LINK ${WORK}/links/folder/second.txt ${WORK}/links/first.txt SYMBOLIC)
+file(CREATE_LINK ../chained.txt ${WORK}/deep/far/second.txt SYMBOLIC) # which is not links/chained.txt
+file(CREATE_LINK pool.txt ${WORK}/links/loop.txt SYMBOLIC)
+file(CREATE_LINK loop.txt ${WORK}/links/pool.txt SYMBOLIC)
+file(CREATE_LINK loop ${WORK}/links/loop SYMBOLIC)
+file(CREATE_LINK nowhere/a.txt ${WORK}/links/nowhere.txt SYMBOLIC)
+file(CREATE_LINK ../deep/same.off ${WORK}/links/same.off SYMBOLIC)
+expect_refusal("another output has the same name"
+  pose ball.off -o links/same.off --report deep/same.off)
+expect_refusal("Too many levels of symbolic links" geodesics ball.off --source 0 -o links/loop.txt)
+expect_refusal("Too many levels of symbolic links" geodesics ball.off --source 0 -o links/loop/a.txt)
+expect_refusal("no such directory" geodesics ball.off --source 0 -o links/nowhere.txt)
+set(links dangling.txt first.txt folder/plain.txt)
+set(places new.txt chained.txt far/plain.txt)
+foreach(link place IN ZIP_LISTS links places)
+  foreach(time IN ITEMS first second) # when there is no file, and when there is one
+    expect_exit(0 geodesics ball.off --source 0 -o links/${link})
+    expect_content(deep/${place} "${distances}")
+    if(NOT link MATCHES folder AND NOT IS_SYMLINK ${WORK}/links/${link})
+      fail("${link} should still be a symbolic link.")
+    endif()
+  endforeach()
+endforeach()
+expect_files(deep/*.txt deep/chained.txt deep/new.txt)
+expect_files(deep/far/* deep/far/plain.txt deep/far/second.txt)
+
+# ---- nothing is written through what lies where a file is written at first ---------------------------------
+
+file(WRITE ${WORK}/victim.txt "precious")
+foreach(plant IN ITEMS "ln -s ../victim.txt" "ln -s nowhere.txt" "ln ../victim.txt" mkdir)
+  file(REMOVE_RECURSE ${WORK}/out)
+  file(MAKE_DIRECTORY ${WORK}/out)
+  run_sh("cd out && ${plant} a.txt.part-$$ && exec \"$TOOL\" geodesics ../ball.off --source 0 -o a.txt")
+  expect_match("${exit_code}<${stderr}>" "^0<>$")
+  expect_content(out/a.txt "${distances}")
+  expect_content(victim.txt "precious")
+  file(GLOB files ${WORK}/out/*)
+  list(LENGTH files length)
+  expect_match(${length} "^2$") # the other one is what was planted
+endforeach()
+
+# ---- all or nothing --------------------------------------------------------------------------------------
+
+file(REMOVE_RECURSE ${WORK}/out)
+file(MAKE_DIRECTORY ${WORK}/out)
+file(WRITE ${WORK}/out/a.off "before")
+run_sh("trap '' XFSZ; ulimit -f 3; exec \"$TOOL\" pose ball.off -o out/a.off --report out/c.json")
+expect_match("${exit_code}<${stderr}>" "^1<canonical-pose: [^\n]*'out/c.json' cannot be written: File too large\n>$")
+expect_content(out/a.off "before")
+expect_files(out/* out/a.off)
+
+# A folder takes the name of the last output while the input is read, hence after the outputs were checked.
+foreach(before IN ITEMS before "")
+  file(REMOVE_RECURSE ${WORK}/out ${WORK}/pipe.off)
+  file(MAKE_DIRECTORY ${WORK}/out)
+  if(before)
+    file(WRITE ${WORK}/out/a.off "${before}")
+  endif()
+  run_sh("mkfifo pipe.off; \"$TOOL\" pose pipe.off -o out/a.off --target out/b.off --report out/c.json --quiet & tool=$!
+    exec 3> pipe.off; mkdir out/c.json; cat ball.off >&3; exec 3>&-; wait $tool")
+  expect_match("${exit_code}<${stderr}>" "^1<canonical-pose: [^\n]*'out/c.json' cannot be written: Is a directory\n>$")
+  if(before)
+    expect_content(out/a.off "${before}")
+    expect_files(out/* out/a.off out/c.json)
+  else()
+    expect_files(out/* out/c.json)
+  endif()
+endforeach()
