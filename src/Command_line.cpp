@@ -122,12 +122,25 @@ CLI::Validator number(const bool positive)
     name, name);
 }
 
+// An empty path, perhaps a variable of the shell that is not set, is not the same as no option.
+CLI::Validator path()
+{
+  return CLI::Validator(
+    [](const std::string& text) { return text.empty() ? "the path is empty" : std::string(); },
+    "PATH");
+}
+
 void add_input(CLI::App& command, Arguments& arguments)
 {
   command
     .add_option("INPUT", arguments.input,
                 "surface (.off, .obj, .ply, .stl) or tetrahedral mesh (MEDIT, .mesh)")
     ->required();
+}
+
+void add_report(CLI::App& command, Arguments& arguments)
+{
+  command.add_option("--report", arguments.report, "write a report (JSON), too")->check(path());
 }
 
 void add_common(CLI::App& command, Arguments& arguments, Raw_arguments& raw)
@@ -168,9 +181,11 @@ void add_pose(CLI::App& command, Arguments& arguments, Raw_arguments& raw)
   add_input(command, arguments);
   command
     .add_option("-o,--output", arguments.output, "the pose: INPUT's vertices and faces or cells")
-    ->required();
-  command.add_option("--target", arguments.target, "write the target of the registration, too");
-  command.add_option("--report", arguments.report, "write a report (JSON), too");
+    ->required()
+    ->check(path());
+  command.add_option("--target", arguments.target, "write the target of the registration, too")
+    ->check(path());
+  add_report(command, arguments);
   command
     .add_option("--body", arguments.body,
                 "elastic body inside a surface: auto, lattice, tetgen, mesh")
@@ -205,11 +220,14 @@ void add_pose(CLI::App& command, Arguments& arguments, Raw_arguments& raw)
     ->capture_default_str();
   command.add_option("--paper-weights", raw.paper_weights,
                      "ALPHA,BETA: the weights as the paper prints them");
-  command.add_option("--matching-weights", arguments.matching_weights,
-                     "file of factors of the matching weights, one per vertex");
-  command.add_option(
-    "--stiffness", arguments.stiffness,
-    "file of factors of the stiffness, one per vertex of a surface, or per tetrahedron");
+  command
+    .add_option("--matching-weights", arguments.matching_weights,
+                "file of factors of the matching weights, one per vertex")
+    ->check(path());
+  command
+    .add_option("--stiffness", arguments.stiffness,
+                "file of factors of the stiffness, one per vertex of a surface, or per tetrahedron")
+    ->check(path());
   add_constraints(command, raw);
   command.add_flag("--injective", options.registration.injective,
                    "no inverted cells in the elastic body");
@@ -230,7 +248,7 @@ void add_pose(CLI::App& command, Arguments& arguments, Raw_arguments& raw)
 void add_check(CLI::App& command, Arguments& arguments)
 {
   add_input(command, arguments);
-  command.add_option("--report", arguments.report, "write a report (JSON), too");
+  add_report(command, arguments);
   command.add_flag("--quiet", arguments.quiet, "print nothing but errors");
 }
 
@@ -244,7 +262,8 @@ void add_geodesics(CLI::App& command, Arguments& arguments, Raw_arguments& raw)
   command
     .add_option("-o,--output", arguments.output,
                 "the distances: a line per vertex, a column per source")
-    ->required();
+    ->required()
+    ->check(path());
   add_common(command, arguments, raw);
 }
 

@@ -166,6 +166,8 @@ int main(int argc, char* argv[])
       run_check(arguments);
     else
       run_geodesics(arguments);
+    if(!std::cout.flush())
+      throw std::runtime_error("the standard output cannot be written");
     return EXIT_SUCCESS;
   }
   catch(const std::exception& error)

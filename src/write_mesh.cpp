@@ -50,15 +50,23 @@ void write_medit(std::ostream& out, const Mesh_file& mesh)
 
 void check_format_holds(const Format format, const Mesh_file& mesh)
 {
-  for(std::size_t f = 0; format == Format::STL && f < mesh.faces.size(); ++f)
-    if(mesh.faces[f].size() != 3)
-      throw std::invalid_argument("STL holds triangles only, but face " + std::to_string(f)
-                                  + " has " + std::to_string(mesh.faces[f].size()) + " corners");
+  const std::size_t most_corners_of_ply = 255; // CGAL announces their number as a byte
+  for(std::size_t f = 0; f < mesh.faces.size(); ++f)
+  {
+    const std::size_t corners = mesh.faces[f].size();
+    const std::string defect
+      = ", but face " + std::to_string(f) + " has " + std::to_string(corners) + " corners";
+    if(format == Format::STL && corners != 3)
+      throw std::invalid_argument("STL holds triangles only" + defect);
+    if(format == Format::PLY && corners > most_corners_of_ply)
+      throw std::invalid_argument("PLY holds faces of at most "
+                                  + std::to_string(most_corners_of_ply) + " corners" + defect);
+  }
 }
 
 void write_mesh(std::ostream& out, const Format format, const Mesh_file& mesh)
 {
-  typedef CGAL::Simple_cartesian<double>::Point_3 Point;
+  using Point = CGAL::Simple_cartesian<double>::Point_3;
   if(format == Format::MEDIT)
     return write_medit(out, mesh);
   std::vector<Point> points;

@@ -85,6 +85,7 @@ expect_refusal("a surface is needed" geodesics ball.mesh --source 0 -o out/a.txt
 expect_refusal("STL holds triangles only, but face 0 has 4 corners" pose quad.off -o out/a.stl)
 file(WRITE ${WORK}/comments.txt "# nothing\n")
 expect_refusal("'comments.txt': there are no numbers" pose ball.off -o out/a.off --matching-weights comments.txt)
+expect_refusal("PLY holds faces of at most 255 corners, but face 1 has 256 corners" pose disk.off -o out/a.ply)
 include(${CMAKE_CURRENT_LIST_DIR}/test_tool_outputs.cmake)
 run_tool(pose ball.off -o out/a.off --body tetgen)
 if(stderr MATCHES "without TetGen")

@@ -97,6 +97,16 @@ string(REPLACE "End" "Hexahedra 0\nCorners\n1\n1\nNormals 1\nnan 0 -inf\nGeometr
 file(WRITE ${WORK}/sections.mesh "${text}")
 list(APPEND strange_inputs sections.mesh)
 
+# A triangle, and a polygon of 256 corners, which is as it should be, too, but cannot be written as PLY.
+set(corner_lines "0 0 0\n")
+set(polygon 256)
+foreach(corner RANGE 1 256)
+  math(EXPR y "${corner} * ${corner}")
+  string(APPEND corner_lines "${corner} ${y} 0\n")
+  string(APPEND polygon " ${corner}")
+endforeach()
+file(WRITE ${WORK}/disk.off "OFF\n257 2 0\n${corner_lines}3 0 1 2\n${polygon}\n")
+
 # ---- STL -------------------------------------------------------------------------------------------------
 
 bad_edit(open.stl "face 19 is not closed by the keyword endfacet" "endfacet\nendsolid" "endsolid")

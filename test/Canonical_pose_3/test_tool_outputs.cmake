@@ -32,6 +32,13 @@ function(expect_files pattern)
   endif()
 endfunction()
 
+foreach(words IN ITEMS "geodesics ball.off --source 0 -o ''" "check ball.off --report ''" "pose ball.off -o ''"
+    "pose ball.off -o out/a.off --target ''" "pose ball.off -o out/a.off --report ''"
+    "pose ball.off -o out/a.off --matching-weights ''" "pose ball.off -o out/a.off --stiffness ''")
+  run_sh("exec \"$TOOL\" ${words}")
+  expect_match("${exit_code}<${stderr}>" "^2<[^\n]*the path is empty\n")
+endforeach()
+
 # ---- symbolic links are followed, even if there is no file behind them yet ---------------------------------
 
 run_tool(geodesics ball.off --source 0 -o distances.txt)
@@ -107,3 +114,10 @@ foreach(before IN ITEMS before "")
     expect_files(out/* out/c.json)
   endif()
 endforeach()
+
+# ---- what is printed ---------------------------------------------------------------------------------------
+
+if(EXISTS /dev/full)
+  run_sh("exec \"$TOOL\" check ball.off > /dev/full")
+  expect_match("${exit_code}<${stderr}>" "^1<canonical-pose: ball.off: the standard output cannot be written\n>$")
+endif()
