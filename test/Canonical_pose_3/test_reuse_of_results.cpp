@@ -121,7 +121,7 @@ TEST(Reuse_of_results, vertex_of_two_fans)
   options.given = &results;
   const Pose_result second = pose_of(soup, options);
   ASSERT_EQ(second.summary.warnings.size(), 1u);
-  EXPECT_NE(second.summary.warnings[0].find("not manifold at vertex 42"), std::string::npos)
+  EXPECT_NE(second.summary.warnings[0].find("is not manifold at vertex"), std::string::npos)
     << second.summary.warnings[0];
   EXPECT_LT(shapes::relative_rms(second.pose, first.pose), 0.02);
 }

@@ -27,7 +27,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <mutex>
 #include <stdexcept>
 #include <string>
@@ -77,7 +76,6 @@ inline Conforming_body_3 tetgen_body_of_clean_surface(const Point_matrix& points
     // p: the given facets, Y: without a new vertex on them, Q: quiet
     char switches[] = "pYQ";
     const std::lock_guard<std::mutex> lock(mutex_of_random_numbers());
-    std::srand(1); // the numbers that a new process draws
     tetrahedralize(switches, &in, &out);
   }
   catch(const int code)
