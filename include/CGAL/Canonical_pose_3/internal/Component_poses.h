@@ -15,16 +15,14 @@
 #include <CGAL/Canonical_pose_3/internal/Constraint_element_traits.h>
 #include <CGAL/Canonical_pose_3/internal/Options_constraints.h>
 #include <CGAL/Canonical_pose_3/internal/Posed_component.h>
+#include <CGAL/Canonical_pose_3/internal/Results_by_rows.h>
 #include <CGAL/Canonical_pose_3/internal/Triangle_tree.h>
 #include <CGAL/Canonical_pose_3/internal/check_registration.h>
 #include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <limits>
-#include <numeric>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
@@ -36,20 +34,6 @@ namespace CGAL {
 namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
-
-// What the fields and targets of the input have rows for, and how vertices stand for one another.
-struct Input_rows
-{
-  std::vector<std::size_t> representatives; // of each vertex; none: each stands for itself
-  std::vector<std::size_t> vertices;        // of each row of fields and targets
-  const char* row_name;                     // of such a row, in messages
-
-  // Rows are vertices wherever representatives are given.
-  std::size_t representative(const std::size_t v) const
-  {
-    return representatives.empty() ? v : representatives[v];
-  }
-};
 
 // Throws `std::invalid_argument` where powers of lengths could overflow or vanish.
 inline void check_unit(const Point_matrix& points)
@@ -85,16 +69,16 @@ inline void check_options(const Options& options, const std::size_t n)
 class Component_poses
 {
 public:
-  static constexpr std::size_t NONE = std::size_t(-1);
+  static constexpr std::size_t NONE = Results_by_rows::NONE;
 
   // `points`: the vertices of the input. `components`: by decreasing size.
-  Component_poses(const Point_matrix& points, Input_rows rows,
+  Component_poses(const Point_matrix& points, const Input_rows& rows,
                   const std::vector<Posed_component>& components, const Options& options)
-    : m_points(points), m_rows(std::move(rows)), m_components(components), m_options(options)
+    : m_points(points), m_representatives(rows.representatives), m_components(components),
+      m_options(options), m_results(rows, components, m_component_of, options)
   {
     check_unit(points);
-    check_given();
-    locate_vertices();
+    locate_vertices(rows);
     make_local_options();
     distribute(&Options::springs);
     distribute(&Options::directions);
@@ -117,13 +101,11 @@ public:
   template <typename Function>
   Registration_summary run(const Function& run, Point_matrix& pose)
   {
-    m_pose = Point_matrix::Zero(m_points.rows(), 3);
-    m_targets = Point_matrix::Zero(number_of_rows(), 3);
     m_pose_of_followers.resize(m_followers.rows(), 3);
     std::optional<Registration_summary> summary;
     for(std::size_t c = m_components.size(); c-- > 0 && (!summary || summary->is_usable());)
     {
-      const Intermediate_results given = given_to(m_components[c]);
+      const Intermediate_results given = m_results.given_to(c);
       m_local_options[c].given = &given;
       Point_matrix pose_of_component;
       Intermediate_results results;
@@ -134,7 +116,8 @@ public:
     }
     if(summary->is_usable())
       finish(pose);
-    warn_of_copies(*summary);
+    if(const auto warning = m_results.warning())
+      summary->warnings.push_back(*warning);
     if(!m_shared.empty())
       summary->warnings.push_back(
         std::to_string(m_shared.size()) + " vertices belong to several components, vertex "
@@ -143,50 +126,8 @@ public:
   }
 
 private:
-  std::size_t number_of_rows() const { return m_rows.vertices.size(); }
-  bool has_given_fields() const
-  {
-    return m_options.given != nullptr && m_options.given->landmark_fields;
-  }
-  bool has_given_target() const { return m_options.given != nullptr && m_options.given->target; }
-
-  void check_given() const
-  {
-    if(has_given_fields())
-    {
-      const Landmark_fields_3& fields = *m_options.given->landmark_fields;
-      if(m_components.size() > 1)
-        throw std::invalid_argument("distances can be given for a single component only");
-      if(fields.distances.cols() == 0)
-        throw std::invalid_argument("the given distances have no column");
-      check_rows(fields.distances.rows(), "the given distances have ");
-      if(fields.landmarks.size() != static_cast<std::size_t>(fields.distances.cols()))
-        throw std::invalid_argument(
-          "there are " + std::to_string(fields.landmarks.size()) + " given landmarks, but "
-          + std::to_string(fields.distances.cols()) + " columns of distances");
-      for(const std::size_t landmark : fields.landmarks)
-        if(landmark >= number_of_rows())
-          throw std::invalid_argument("a given landmark is " + name_of_row(landmark)
-                                      + ", but there are " + std::to_string(number_of_rows()));
-    }
-    if(has_given_target())
-      check_rows(m_options.given->target->rows(), "the given target has ");
-  }
-
-  void check_rows(const Eigen::Index rows, const std::string& what) const
-  {
-    if(rows != static_cast<Eigen::Index>(number_of_rows()))
-      throw std::invalid_argument(what + std::to_string(rows) + " rows, but there are "
-                                  + std::to_string(number_of_rows()) + " vertices");
-  }
-
-  std::string name_of_row(const std::size_t row) const
-  {
-    return m_rows.row_name + (' ' + std::to_string(row));
-  }
-
   // A vertex of several components belongs to the largest, one that was sewn to another to that one's.
-  void locate_vertices()
+  void locate_vertices(const Input_rows& rows)
   {
     const std::size_t n = static_cast<std::size_t>(m_points.rows());
     m_component_of.assign(n, NONE);
@@ -207,8 +148,8 @@ private:
     m_shared.erase(std::unique(m_shared.begin(), m_shared.end()), m_shared.end());
     for(std::size_t v = 0; v < n; ++v)
     {
-      m_component_of[v] = m_component_of[m_rows.representative(v)];
-      m_local_of[v] = m_local_of[m_rows.representative(v)];
+      m_component_of[v] = m_component_of[rows.representative(v)];
+      m_local_of[v] = m_local_of[rows.representative(v)];
     }
   }
 
@@ -317,200 +258,35 @@ private:
     return result;
   }
 
-  // What is given, in the rows of a component.
-  Intermediate_results given_to(const Posed_component& component) const
-  {
-    Intermediate_results result;
-    const Eigen::Index n = component.points.rows();
-    const auto row = [&](const Eigen::Index i) {
-      return static_cast<Eigen::Index>(component.field_rows[static_cast<std::size_t>(i)]);
-    };
-    if(has_given_fields())
-      result.landmark_fields = given_fields(component);
-    if(has_given_target())
-    {
-      result.target.emplace(n, 3);
-      for(Eigen::Index i = 0; i < n; ++i)
-      {
-        result.target->row(i) = m_options.given->target->row(row(i));
-        if(!result.target->row(i).allFinite())
-          throw std::invalid_argument("the given target of "
-                                      + name_of_row(static_cast<std::size_t>(row(i)))
-                                      + " is not finite");
-      }
-    }
-    return result;
-  }
-
-  Landmark_fields_3 given_fields(const Posed_component& component) const
-  {
-    const Landmark_fields_3& fields = *m_options.given->landmark_fields;
-    std::vector<std::size_t> surface_vertex(number_of_rows(), NONE);
-    for(std::size_t i = component.field_rows.size(); i-- > 0;)
-      surface_vertex[component.field_rows[i]] = i;
-
-    Landmark_fields_3 result;
-    result.covering_radius = fields.covering_radius;
-    for(const std::size_t landmark : fields.landmarks)
-    {
-      result.landmarks.push_back(surface_vertex[m_rows.representative(landmark)]);
-      if(result.landmarks.back() == NONE)
-        throw std::invalid_argument("the given landmark " + name_of_row(landmark)
-                                    + " is not on the surface");
-    }
-    result.distances.resize(component.points.rows(), fields.distances.cols());
-    for(Eigen::Index j = 0; j < result.distances.cols(); ++j)
-      for(Eigen::Index i = 0; i < result.distances.rows(); ++i)
-      {
-        const std::size_t row = component.field_rows[static_cast<std::size_t>(i)];
-        const double distance = fields.distances(static_cast<Eigen::Index>(row), j);
-        if(!(distance >= 0) || !std::isfinite(distance))
-          throw std::invalid_argument(
-            "the given distance of " + name_of_row(row) + " to landmark "
-            + std::to_string(fields.landmarks[static_cast<std::size_t>(j)]) + " is "
-            + (distance < 0 ? "negative" : "not finite"));
-        result.distances(i, j) = distance;
-      }
-    return result;
-  }
-
-  // What is given has one row for all copies of a vertex.
-  void warn_of_copies(Registration_summary& summary) const
-  {
-    if(!has_given_fields() && !has_given_target())
-      return;
-    const std::vector<double> copies = numbers_of_copies(
-      number_of_rows(),
-      [](const Posed_component& component) -> const auto& { return component.field_rows; },
-      [&](const std::size_t row) { return owner_of_row(row); });
-    const auto more_than_one = [](const double number) { return number > 1; };
-    const auto first = std::find_if(copies.begin(), copies.end(), more_than_one);
-    if(first != copies.end())
-      summary.warnings.push_back(
-        "the surface is not manifold at "
-        + name_of_row(static_cast<std::size_t>(first - copies.begin())) + ", of "
-        + std::to_string(std::count_if(first, copies.end(), more_than_one))
-        + " in all: what is given there is taken for all copies of the vertex");
-  }
-
   void take(const std::size_t c, const Point_matrix& pose, Intermediate_results results)
   {
     const Posed_component& component = m_components[c];
     for(std::size_t i = 0; i < component.vertices.size(); ++i)
       if(m_component_of[component.vertices[i]] == c)
-        m_pose.row(static_cast<Eigen::Index>(component.vertices[i]))
-          += pose.row(static_cast<Eigen::Index>(i));
+        m_pose.add(component.vertices[i], pose.row(static_cast<Eigen::Index>(i)));
     for(std::size_t i = 0; i < m_followers_of[c].size(); ++i)
       m_pose_of_followers.row(m_followers_of[c][i])
         = results.pose_of_followers.row(static_cast<Eigen::Index>(i));
-    if(m_options.intermediate_results == nullptr)
-      return;
-    for(std::size_t i = 0; i < component.field_rows.size(); ++i)
-      if(owner_of_row(component.field_rows[i]) == c)
-        m_targets.row(static_cast<Eigen::Index>(component.field_rows[i]))
-          += results.target->row(static_cast<Eigen::Index>(i));
-    if(m_components.size() == 1)
-      m_fields = std::move(results.landmark_fields);
-  }
-
-  std::size_t owner_of_row(const std::size_t row) const
-  {
-    return m_component_of[m_rows.vertices[row]];
-  }
-
-  // Copies of a vertex may have come apart a little: it lies in their middle.
-  void finish(Point_matrix& pose)
-  {
-    const std::vector<double> copies = numbers_of_copies(
-      static_cast<std::size_t>(m_points.rows()),
-      [](const Posed_component& component) -> const auto& { return component.vertices; },
-      [&](const std::size_t v) { return m_component_of[v]; });
-    divide_by(copies, m_pose);
-    for(std::size_t i = 0; i < m_attached.size(); ++i)
-      m_pose.row(static_cast<Eigen::Index>(m_attached[i]))
-        = m_pose_of_followers.row(static_cast<Eigen::Index>(i));
-    for(std::size_t v = 0; v < m_rows.representatives.size(); ++v)
-      if(m_component_of[v] != NONE)
-        m_pose.row(static_cast<Eigen::Index>(v))
-          = m_pose.row(static_cast<Eigen::Index>(m_rows.representatives[v]));
     if(m_options.intermediate_results != nullptr)
-      return_results();
-    pose = std::move(m_pose);
+      m_results.take(c, std::move(results));
   }
 
-  template <typename Rows, typename Owner>
-  std::vector<double> numbers_of_copies(const std::size_t n, const Rows& rows_of,
-                                        const Owner& owner) const
+  void finish(Point_matrix& pose) const
   {
-    std::vector<double> result(n, 0);
-    for(std::size_t c = 0; c < m_components.size(); ++c)
-      for(const std::size_t row : rows_of(m_components[c]))
-        if(owner(row) == c)
-          ++result[row];
-    return result;
-  }
-
-  static void divide_by(const std::vector<double>& copies, Point_matrix& sums)
-  {
-    for(std::size_t row = 0; row < copies.size(); ++row)
-      sums.row(static_cast<Eigen::Index>(row)) *= 1 / (std::max)(copies[row], 1.);
-  }
-
-  // What was given comes back as it is.
-  void return_results()
-  {
-    Intermediate_results results;
-    results.pose_of_followers = m_pose_of_followers.bottomRows(m_options.followers.rows());
-    results.target = has_given_target() ? *m_options.given->target : returned_target();
-    if(has_given_fields())
-      results.landmark_fields = m_options.given->landmark_fields;
-    else if(m_fields)
-      results.landmark_fields = returned_fields();
-    *m_options.intermediate_results = std::move(results);
-  }
-
-  // Rows that are on no surface have the pose as target.
-  Point_matrix returned_target()
-  {
-    const std::vector<double> copies = numbers_of_copies(
-      number_of_rows(),
-      [](const Posed_component& component) -> const auto& { return component.field_rows; },
-      [&](const std::size_t row) { return owner_of_row(row); });
-    divide_by(copies, m_targets);
-    Point_matrix result(m_targets.rows(), 3);
-    for(std::size_t row = 0; row < number_of_rows(); ++row)
+    pose.resize(m_points.rows(), 3);
+    for(std::size_t v = 0; v < m_component_of.size(); ++v)
+      if(m_component_of[v] != NONE)
+        pose.row(static_cast<Eigen::Index>(v))
+          = m_pose[m_representatives.empty() ? v : m_representatives[v]];
+    for(std::size_t i = 0; i < m_attached.size(); ++i)
+      pose.row(static_cast<Eigen::Index>(m_attached[i]))
+        = m_pose_of_followers.row(static_cast<Eigen::Index>(i));
+    if(m_options.intermediate_results != nullptr)
     {
-      const std::size_t r = m_rows.representative(row);
-      result.row(static_cast<Eigen::Index>(row))
-        = copies[r] > 0 ? m_targets.row(static_cast<Eigen::Index>(r))
-                        : m_pose.row(static_cast<Eigen::Index>(m_rows.vertices[row]));
+      Intermediate_results results = m_results.returned(pose);
+      results.pose_of_followers = m_pose_of_followers.bottomRows(m_options.followers.rows());
+      *m_options.intermediate_results = std::move(results);
     }
-    return result;
-  }
-
-  // Of the copies of a vertex the nearest counts.
-  Landmark_fields_3 returned_fields() const
-  {
-    const std::vector<std::size_t>& rows = m_components.front().field_rows;
-    Landmark_fields_3 result;
-    result.covering_radius = m_fields->covering_radius;
-    for(const std::size_t landmark : m_fields->landmarks)
-      result.landmarks.push_back(rows[landmark]);
-    result.distances.setConstant(static_cast<Eigen::Index>(number_of_rows()),
-                                 m_fields->distances.cols(),
-                                 std::numeric_limits<double>::infinity());
-    for(Eigen::Index j = 0; j < result.distances.cols(); ++j)
-    {
-      for(std::size_t i = 0; i < rows.size(); ++i)
-      {
-        double& distance = result.distances(static_cast<Eigen::Index>(rows[i]), j);
-        distance = (std::min)(distance, m_fields->distances(static_cast<Eigen::Index>(i), j));
-      }
-      for(std::size_t v = 0; v < m_rows.representatives.size(); ++v)
-        result.distances(static_cast<Eigen::Index>(v), j)
-          = result.distances(static_cast<Eigen::Index>(m_rows.representatives[v]), j);
-    }
-    return result;
   }
 
   // The summary of a component with what adds up over the smaller ones.
@@ -531,7 +307,7 @@ private:
   }
 
   const Point_matrix& m_points;
-  const Input_rows m_rows;
+  const std::vector<std::size_t> m_representatives;
   const std::vector<Posed_component>& m_components;
   const Options& m_options;
   std::vector<std::size_t> m_component_of, m_local_of; // of the vertices; NONE: without component
@@ -540,8 +316,9 @@ private:
   std::vector<std::size_t> m_attached; // vertices without component
   Point_matrix m_followers;            // the attached vertices, and those of the user
   std::vector<std::vector<Eigen::Index>> m_followers_of;
-  Point_matrix m_pose, m_targets, m_pose_of_followers;
-  std::optional<Landmark_fields_3> m_fields; // of a single component
+  Row_means m_pose{static_cast<std::size_t>(m_points.rows())};
+  Point_matrix m_pose_of_followers;
+  Results_by_rows m_results;
 };
 
 } // namespace internal
