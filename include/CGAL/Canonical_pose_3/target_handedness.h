@@ -20,6 +20,7 @@
 
 #include <Eigen/Dense>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -61,6 +62,19 @@ inline double chirality(const Point_matrix& points, const Eigen::VectorXd& weigh
   return frame.axes.determinant() * moment / frame.variances.cwiseSqrt().prod();
 }
 
+// Whether the triangles enclose so little that the sign of their volume is chance: what rounding the
+// coordinates can change it by, or what noise in single precision does to a flat sheet.
+// `six_volumes`: `signed_volume()` of the same.
+inline bool is_volume_negligible(const double six_volumes, const Point_matrix& points,
+                                 const std::vector<std::array<std::size_t, 3>>& triangles)
+{
+  double area = 0;
+  for(const auto& t : triangles)
+    area += twice_area(points, t) / 2;
+  const double rounding = 1e-15 * points.cwiseAbs().maxCoeff();
+  return !(std::abs(six_volumes) / 6 > area * (std::max)(1e-6 * std::sqrt(area), rounding));
+}
+
 } // namespace internal
 
 /*!
@@ -74,11 +88,16 @@ poses of a shape, so it must not depend on the pose; the energy of the registrat
 differs by little. This is the sum of two numbers without unit that only depend on the target, both
 of which change their sign by reflection:
 - the volume enclosed by the surface in the target by that in the input. It decides for shapes such
-  as quadrupeds (magnitude 1.2 to 2 over their poses), whose target is inside out if it is mirrored;
+  as quadrupeds (magnitude 1.2 to 2 over their poses), whose target is inside out if it is mirrored.
+  It is taken as 0 where the input encloses no more than \f$ 10^{-6} A^{3/2} \f$, \f$ A \f$ being its
+  area, or than rounding its coordinates changes it by: a flat sheet has no inside (a closed sheet of
+  paper has, with \f$ 1.4 \cdot 10^{-4} A^{3/2} \f$);
 - the third moment \f$ \sum m_i x_i y_i z_i \f$ along the principal axes of the target, the longest
   first, by the product of the standard deviations. It decides for shapes such as humans (magnitude
   0.9 to 1.4 over their poses), whose target is twisted: of a twist and its mirror image neither is
   inside out.
+
+An open surface encloses what the cone over it does, with the mean of all points as apex.
 
 Near 0 (shapes whose target is its own mirror image, as that of a bar) either choice gives about the
 same pose.
@@ -88,20 +107,27 @@ same pose.
 \param triangles triples of rows, oriented.
 \param weights \f$ n \f$ non-negative weights, for instance `vertex_area_shares()`.
 
-\pre The numbers of rows agree, and the sum of the weights is positive.
+Target and input may be in any unit, the same for both.
+
+\pre The numbers of rows agree, all coordinates are finite, and the sum of the weights is positive.
 
 <em>Complexity:</em> linear.
 
 \sa `align_target()`
 */
-inline double target_handedness(const Point_matrix& target, const Point_matrix& points,
+inline double target_handedness(Point_matrix target, Point_matrix points,
                                 const std::vector<std::array<std::size_t, 3>>& triangles,
                                 const Eigen::VectorXd& weights)
 {
   CGAL_precondition(target.rows() == points.rows() && weights.size() == points.rows());
   CGAL_precondition(weights.sum() > 0);
+  CGAL_precondition(target.allFinite() && points.allFinite());
+  const int exponent = internal::normalize(target) - internal::normalize(points);
+  const double volume = internal::signed_volume(points, triangles);
   const double volume_ratio
-    = internal::signed_volume(target, triangles) / internal::signed_volume(points, triangles);
+    = internal::is_volume_negligible(volume, points, triangles)
+        ? 0
+        : std::ldexp(internal::signed_volume(target, triangles) / volume, 3 * exponent);
   return (std::isfinite(volume_ratio) ? volume_ratio : 0) + internal::chirality(target, weights);
 }
 
