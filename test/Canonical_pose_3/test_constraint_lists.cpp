@@ -49,6 +49,54 @@ TEST(Constraints, changes_and_removals)
   EXPECT_THROW(changed.erase(0), CGAL::Precondition_exception);
 }
 
+// Each spring remembers its own last direction for when its ends coincide: whoever removes another one,
+// and however, but not if it is put between other vertices. With the directions e_s remembered and all
+// points in one place, row p_s of the right-hand side is kappa_s/2 r_s e_s.
+TEST(Constraints, springs_remember_their_own_directions)
+{
+  const Point_matrix nowhere = Point_matrix::Zero(n, 3);
+  Point_matrix x = nowhere;
+  x.row(1) << 0, 1, 0;
+  x.row(2) << 0, 0, 1;
+  x.row(3) << 0, -1, 0;
+  CP::Spring_constraint_adaptor_3 springs(n);
+  for(std::size_t v : {1, 2, 3})
+    springs.insert({v, 0, 3., 2.});
+  right_hand_side_of(springs, x);
+  CP::Constraint_list_3<CP::Spring_3>& list = springs;
+
+  list.erase(0);
+  Point_matrix rows = right_hand_side_of(springs, nowhere);
+  EXPECT_EQ(rows.row(2), 3 * x.row(2));
+  EXPECT_EQ(rows.row(3), 3 * x.row(3));
+
+  springs.set_rest_length(0, 4.);
+  springs.set_stiffness(0, 4.);
+  springs.insert({1, 0, 3., 2.}); // which has none yet: the first axis
+  rows = right_hand_side_of(springs, nowhere);
+  EXPECT_EQ(rows.row(1), RowVector3d(3, 0, 0));
+  EXPECT_EQ(rows.row(2), 8 * x.row(2));
+
+  list.replace(0, {4, 0, 3., 2.});
+  rows = right_hand_side_of(springs, nowhere);
+  EXPECT_EQ(rows.row(2), RowVector3d(0, 0, 0));
+  EXPECT_EQ(rows.row(3), 3 * x.row(3));
+  EXPECT_EQ(rows.row(4), RowVector3d(3, 0, 0));
+}
+
+// Without a pair every plane is as good; the energy is 0 without one.
+TEST(Constraints, plane_of_no_pair)
+{
+  CP::Symmetry_constraint_adaptor_3 pairs(n);
+  const Point_matrix x = Point_matrix::Zero(n, 3);
+  EXPECT_THROW(pairs.plane(x), CGAL::Precondition_exception);
+  EXPECT_EQ(pairs.energy(x), 0.);
+  EXPECT_EQ(right_hand_side_of(pairs, x), x);
+  pairs.insert({0, 1, 1.});
+  pairs.erase(0);
+  EXPECT_THROW(pairs.plane(x), CGAL::Precondition_exception);
+}
+
 TEST(Constraints, bad_elements_are_named)
 {
   const double nan = std::nan(""), infinite = std::numeric_limits<double>::infinity();

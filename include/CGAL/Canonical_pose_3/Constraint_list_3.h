@@ -36,6 +36,9 @@ be added, changed and removed between two registrations.
 template <typename Element>
 class Constraint_list_3
 {
+  using Element_traits = internal::Constraint_element_traits<Element>;
+  using State = typename internal::Constraint_element_state<Element_traits>::type;
+
 public:
   /// constructs an empty list for a surface of `number_of_vertices` vertices.
   explicit Constraint_list_3(const std::size_t number_of_vertices)
@@ -48,6 +51,7 @@ public:
   std::size_t insert(const Element& element)
   {
     check(element, m_elements.size());
+    m_states.resize(m_elements.size() + 1);
     m_elements.push_back(element);
     ++m_matrix_revision;
     return m_elements.size() - 1;
@@ -60,11 +64,14 @@ public:
   {
     CGAL_precondition(index < m_elements.size());
     check(element, index);
-    Element& place = m_elements[index];
-    if(element.stiffness != place.stiffness
-       || internal::vertices_of(element) != internal::vertices_of(place))
+    Element& previous = m_elements[index];
+    const bool has_other_vertices
+      = internal::vertices_of(element) != internal::vertices_of(previous);
+    if(has_other_vertices)
+      m_states[index] = State();
+    if(has_other_vertices || element.stiffness != previous.stiffness)
       ++m_matrix_revision;
-    place = element;
+    previous = element;
   }
 
   /// changes the stiffness of an element. The matrix changes.
@@ -83,6 +90,7 @@ public:
   {
     CGAL_precondition(index < m_elements.size());
     m_elements.erase(m_elements.begin() + static_cast<std::ptrdiff_t>(index));
+    m_states.erase(m_states.begin() + static_cast<std::ptrdiff_t>(index));
     ++m_matrix_revision;
   }
 
@@ -100,26 +108,33 @@ public:
   /// returns a number that changes whenever the matrix does.
   std::size_t matrix_revision() const { return m_matrix_revision; }
 
+protected:
+  /// \cond SKIP_IN_MANUAL
+  // What is remembered about an element; it goes with it, and is forgotten with its vertices.
+  State& state(const std::size_t index) { return m_states[index]; }
+  /// \endcond
+
 private:
   void check(const Element& element, const std::size_t index) const
   {
-    typedef internal::Constraint_element_traits<Element> Traits;
     const auto refuse_if = [&](const bool condition, const std::string& defect) {
       if(condition)
-        throw std::invalid_argument(Traits::name + (' ' + std::to_string(index)) + ' ' + defect);
+        throw std::invalid_argument(Element_traits::name + (' ' + std::to_string(index)) + ' '
+                                    + defect);
     };
     for(const std::size_t v : internal::vertices_of(element))
       refuse_if(v >= m_number_of_vertices, "names vertex " + std::to_string(v) + ", but there are "
                                              + std::to_string(m_number_of_vertices));
     refuse_if(!(element.stiffness > 0) || !std::isfinite(element.stiffness),
               "has a stiffness that is not positive");
-    const std::string defect = Traits::defect(element);
+    const std::string defect = Element_traits::defect(element);
     refuse_if(!defect.empty(), defect);
   }
 
   std::size_t m_number_of_vertices;
   std::size_t m_matrix_revision = 0;
   std::vector<Element> m_elements;
+  std::vector<State> m_states; // of the elements
 };
 
 } // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION

@@ -46,6 +46,11 @@ struct Constraint_element_traits<Spring_3> : Vertex_pair_traits
 {
   static constexpr const char* name = "spring";
 
+  struct State
+  {
+    Eigen::RowVector3d direction = Eigen::RowVector3d::UnitX(); // of the last iteration
+  };
+
   static std::string defect(const Spring_3& spring)
   {
     return spring.rest_length >= 0 && std::isfinite(spring.rest_length)
@@ -65,8 +70,9 @@ struct Constraint_element_traits<Spring_3> : Vertex_pair_traits
 The energy of spring \f$ s \f$ is \f$ \frac{1}{2} \kappa_s (|p_s - q_s| - r_s)^2 \f$. In an
 iteration \f$ |p - q - d|^2 \f$ takes the place of the square, \f$ d \f$ being of length \f$ r \f$
 and in the direction of \f$ p - q \f$ before it. Where \f$ p \f$ and \f$ q \f$ coincide the last
-direction stands (the first axis if there is none). With \f$ n \f$ vertices, the stiffness of
-Equation 16 of the paper is \f$ n \kappa \f$, the matching weights being \f$ 1/n \f$ each.
+direction stands (the first axis if there is none, as for a spring that has been put between other
+vertices). With \f$ n \f$ vertices, the stiffness of Equation 16 of the paper is \f$ n \kappa \f$,
+the matching weights being \f$ 1/n \f$ each.
 
 \cgalModels `RegistrationConstraint_3`
 
@@ -87,14 +93,6 @@ public:
     replace(index, spring);
   }
 
-  /// removes a spring, see `Constraint_list_3::erase()`.
-  void erase(const std::size_t index)
-  {
-    Constraint_list_3<Spring_3>::erase(index);
-    if(index < m_directions.size())
-      m_directions.erase(m_directions.begin() + static_cast<std::ptrdiff_t>(index));
-  }
-
   /// \name Requirements of `RegistrationConstraint_3`
   /// @{
 
@@ -109,10 +107,9 @@ public:
   /// \times 3 \f$).
   void add_to_right_hand_side(const Point_matrix& points, Point_matrix& right_hand_side)
   {
-    m_directions.resize(elements().size(), Eigen::RowVector3d::UnitX());
     const auto wished = [&](const std::size_t i, const Eigen::RowVector3d& difference) {
-      m_directions[i] = direction(difference, m_directions[i]);
-      return Eigen::RowVector3d(element(i).rest_length * m_directions[i]);
+      state(i).direction = direction(difference, state(i).direction);
+      return Eigen::RowVector3d(element(i).rest_length * state(i).direction);
     };
     internal::add_difference_right_hand_side(elements(), wished, points, right_hand_side);
   }
@@ -137,8 +134,6 @@ private:
     const double length = difference.stableNorm();
     return length > 0 ? Eigen::RowVector3d(difference / length) : otherwise;
   }
-
-  std::vector<Eigen::RowVector3d> m_directions; // of the last iteration
 };
 
 } // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION

@@ -14,6 +14,8 @@
 #include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
+#include <CGAL/assertions.h>
+
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <Eigen/SparseCore>
@@ -85,8 +87,10 @@ public:
 
   /// returns the plane for which the sum is least at `points` (\f$ n \times 3 \f$), one of them if
   /// there are several.
+  /// \pre There is a pair.
   Eigen::Hyperplane<double, 3> plane(const Point_matrix& points) const
   {
+    CGAL_precondition(!elements().empty());
     Point_matrix middles(static_cast<Eigen::Index>(elements().size()), 3);
     Point_matrix differences(middles.rows(), 3);
     Eigen::VectorXd stiffness(middles.rows());

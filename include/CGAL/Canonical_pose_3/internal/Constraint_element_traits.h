@@ -16,6 +16,7 @@
 #include <cstddef>
 #include <string>
 #include <tuple>
+#include <type_traits>
 
 namespace CGAL {
 namespace Canonical_pose_3 {
@@ -26,9 +27,26 @@ namespace internal {
 // beside each of them, with
 //   const char* name             what it is called in messages,
 //   pointers_to_vertices(e)      an array of pointers to the vertices that it names,
-//   std::string defect(e)        which of its own numbers is out of bounds; empty if none is.
+//   std::string defect(e)        which of its own numbers is out of bounds; empty if none is,
+// and, if the list is to remember something about each element from one iteration to the next,
+//   State                        what that is, as it is at first if default-constructed.
 template <typename Element>
 struct Constraint_element_traits;
+
+struct No_constraint_state
+{};
+
+template <typename Traits, typename = void>
+struct Constraint_element_state
+{
+  using type = No_constraint_state;
+};
+
+template <typename Traits>
+struct Constraint_element_state<Traits, std::void_t<typename Traits::State>>
+{
+  using type = typename Traits::State;
+};
 
 // The base of those for elements of two vertices p and q.
 struct Vertex_pair_traits
