@@ -116,8 +116,8 @@ public:
   /*!
   computes the eigenfunctions of each connected component.
 
-  \param tmesh the mesh; it must live and keep its vertices as long as this object. Its points are
-         read here only: moving them later changes nothing.
+  \param tmesh the mesh, not a temporary one; it must live and keep its vertices as long as this
+         object. Its points are read here only: moving them later changes nothing.
   \param vertex_point_map the point of each vertex, in any unit
   \param number_of_eigenfunctions per component; not more than it has vertices are used
   \param traits reads the coordinates of the points
@@ -144,6 +144,13 @@ public:
     m_component = surface.components().of_vertices();
     embed(surface, static_cast<Eigen::Index>(number_of_eigenfunctions));
   }
+
+  /// \cond SKIP_IN_MANUAL
+  explicit Biharmonic_distances_3(const TriangleMesh&&, std::size_t = 100) = delete;
+  Biharmonic_distances_3(const TriangleMesh&&, Point_map, std::size_t = 100,
+                         const Geometry& = Geometry())
+    = delete;
+  /// \endcond
 
   Biharmonic_distances_3(const Biharmonic_distances_3&) = delete;
   Biharmonic_distances_3& operator=(const Biharmonic_distances_3&) = delete;

@@ -52,7 +52,7 @@ public:
   /*!
   constructs a deformer.
 
-  \param body the body; it must outlive the deformer.
+  \param body the body, not a temporary one; it must outlive the deformer.
   \param triangles the surface: triples of rows of `body.embedding()`. Flat ones are not looked at: a
          point near one of these is as near to its neighbors.
 
@@ -66,6 +66,10 @@ public:
         internal::cells_of_vertices(static_cast<std::size_t>(body.points().rows()), body.cells())),
       m_triangles(triangles), m_tree(body.embedding() * body.points(), triangles)
   {}
+
+  /// \cond SKIP_IN_MANUAL
+  Body_deformer_3(const ElasticBody&&, const std::vector<std::array<std::size_t, 3>>&) = delete;
+  /// \endcond
 
   /*!
   returns the matrix \f$ m \times N \f$ that says how points hang on the body: its product with the

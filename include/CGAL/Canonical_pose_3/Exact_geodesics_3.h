@@ -106,8 +106,8 @@ public:
   /*!
   copies the mesh.
 
-  \param tmesh the mesh; it must live and keep its vertices as long as this object. Its points are
-         read here only: moving them later changes nothing.
+  \param tmesh the mesh, not a temporary one; it must live and keep its vertices as long as this
+         object. Its points are read here only: moving them later changes nothing.
   \param vertex_point_map the point of each vertex, in any unit
   \param traits reads the coordinates of the points
 
@@ -130,6 +130,11 @@ public:
     check_faces(corners, points);
     copy(points);
   }
+
+  /// \cond SKIP_IN_MANUAL
+  explicit Exact_geodesics_3(const TriangleMesh&&) = delete;
+  Exact_geodesics_3(const TriangleMesh&&, Point_map, const Geometry& = Geometry()) = delete;
+  /// \endcond
 
   Exact_geodesics_3(const Exact_geodesics_3&) = delete;
   Exact_geodesics_3& operator=(const Exact_geodesics_3&) = delete;

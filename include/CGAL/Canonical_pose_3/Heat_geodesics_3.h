@@ -126,8 +126,8 @@ public:
   /*!
   flips to intrinsic Delaunay and factors both systems.
 
-  \param tmesh the mesh; it must live and keep its vertices as long as this object. Its points are
-         read here only: moving them later changes nothing.
+  \param tmesh the mesh, not a temporary one; it must live and keep its vertices as long as this
+         object. Its points are read here only: moving them later changes nothing.
   \param vertex_point_map the point of each vertex, in any unit
   \param traits reads the coordinates of the points
 
@@ -144,6 +144,11 @@ public:
     : m_tmesh(&tmesh), m_rows(internal::number_vertices(tmesh)),
       m_solver(internal::face_corners(tmesh, m_rows), point_matrix(tmesh, vertex_point_map, traits))
   {}
+
+  /// \cond SKIP_IN_MANUAL
+  explicit Heat_geodesics_3(const TriangleMesh&&) = delete;
+  Heat_geodesics_3(const TriangleMesh&&, Point_map, const Geometry& = Geometry()) = delete;
+  /// \endcond
 
   Heat_geodesics_3(const Heat_geodesics_3&) = delete;
   Heat_geodesics_3& operator=(const Heat_geodesics_3&) = delete;

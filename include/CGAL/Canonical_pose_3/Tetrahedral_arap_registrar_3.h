@@ -87,7 +87,7 @@ public:
   constructs a registrar, without target. Body and weights are measured and checked here, the matrix
   is factored by `factor()` or at first need.
 
-  \param body the body; it must outlive the registrar.
+  \param body the body, not a temporary one; it must outlive the registrar.
   \param matching_weights \f$ n \f$ non-negative weights of the surface vertices; divided by their
          sum. Vertices of weight 0 have no target.
   \param length_scale \f$ L \f$, usually the largest geodesic distance. Positive.
@@ -118,7 +118,14 @@ public:
       m_fairing.emplace(body.points(), body.cells());
   }
 
-  /// adds a constraint, which must outlive the registrar or be removed before it ends. What it asks for
+  /// \cond SKIP_IN_MANUAL
+  Tetrahedral_arap_registrar_3(const ElasticBody&&, const Eigen::VectorXd&, double,
+                               const Registration_options& = Registration_options(),
+                               const Eigen::VectorXd& = Eigen::VectorXd())
+    = delete;
+  /// \endcond
+
+  /// adds a constraint, not a temporary one, which must outlive the registrar or be removed before it ends. What it asks for
   /// may change between calls of `register_to_target()`. What does not change its matrix costs nothing;
   /// what does costs a solve per element concerned, or a factorisation if there are more than 32.
   /// \tparam Constraint a model of `RegistrationConstraint_3`
@@ -129,6 +136,11 @@ public:
       std::make_unique<internal::Registration_constraint_model<Constraint>>(constraint));
     m_factored_revisions.reset();
   }
+
+  /// \cond SKIP_IN_MANUAL
+  template <typename Constraint>
+  void add_constraint(const Constraint&&) = delete;
+  /// \endcond
 
   /// removes a constraint; costs as much as a change of its matrix.
   /// \pre `constraint` was added and not removed since.
