@@ -36,6 +36,16 @@ typename boost::graph_traits<AnyMesh>::vertex_descriptor vertex(const AnyMesh& m
   return *std::next(vertices(mesh).begin(), static_cast<std::ptrdiff_t>(i));
 }
 
+/// Sources on `icosphere(3)`: more than four blocks of lanes, the last one not full, one source twice.
+inline std::vector<Mesh::Vertex_index> sources_on_ball(const Mesh& mesh)
+{
+  std::vector<Mesh::Vertex_index> sources;
+  for(std::size_t i = 0; i < 37; ++i)
+    sources.push_back(vertex(mesh, (i * 71) % 642));
+  sources.push_back(sources.front());
+  return sources;
+}
+
 /// Mean of |d - e| / e over the rows with e > 0.
 inline double mean_relative_error(const Eigen::VectorXd& d, const Eigen::VectorXd& e)
 {
