@@ -33,6 +33,7 @@
 #include <cstddef>
 #include <limits>
 #include <stdexcept>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -212,7 +213,8 @@ public:
 
   <em>Complexity:</em> \f$ O(n k) \f$ per source.
   */
-  template <class VertexRange>
+  template <class VertexRange,
+            std::enable_if_t<!std::is_convertible<VertexRange, vertex_descriptor>::value, int> = 0>
   Eigen::MatrixXd distances(const VertexRange& sources) const
   {
     const std::vector<vertex_descriptor> all(sources.begin(), sources.end());

@@ -38,6 +38,7 @@
 #include <queue>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -212,7 +213,8 @@ public:
   bit
   \pre All of `sources` are vertices of the mesh.
   */
-  template <class VertexRange>
+  template <class VertexRange,
+            std::enable_if_t<!std::is_convertible<VertexRange, vertex_descriptor>::value, int> = 0>
   Eigen::MatrixXd distances(const VertexRange& sources) const
   {
     const std::vector<vertex_descriptor> all(sources.begin(), sources.end());

@@ -26,6 +26,7 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <cstddef>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -198,7 +199,8 @@ public:
 
   <em>Complexity:</em> \f$ O(n \log n) \f$ per source.
   */
-  template <class VertexRange>
+  template <class VertexRange,
+            std::enable_if_t<!std::is_convertible<VertexRange, vertex_descriptor>::value, int> = 0>
   Eigen::MatrixXd distances(const VertexRange& sources) const
   {
     return m_solver.distances(rows(sources));

@@ -25,6 +25,7 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <cstddef>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -187,7 +188,8 @@ public:
 
   <em>Complexity:</em> that of a single query per source; the memory of one per thread.
   */
-  template <class VertexRange>
+  template <class VertexRange,
+            std::enable_if_t<!std::is_convertible<VertexRange, vertex_descriptor>::value, int> = 0>
   Eigen::MatrixXd distances(const VertexRange& sources) const
   {
     return m_solver.distances(rows(sources));

@@ -77,8 +77,10 @@ template <class VertexListGraph>
 std::vector<typename boost::graph_traits<VertexListGraph>::vertex_descriptor>
 vertex_descriptors(const VertexListGraph& graph)
 {
+  using Vertex = typename boost::graph_traits<VertexListGraph>::vertex_descriptor;
   const auto range = vertices(graph);
-  return {range.begin(), range.end()};
+  return std::vector<Vertex>(range.begin(),
+                             range.end()); // no braces: iterators may convert to vertices
 }
 
 inline void check_finite(const Point_matrix& points)

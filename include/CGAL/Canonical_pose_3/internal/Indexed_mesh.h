@@ -36,21 +36,51 @@ typedef Exact_predicates_inexact_constructions_kernel Indexed_mesh_kernel;
 typedef Surface_mesh<Indexed_mesh_kernel::Point_3> Indexed_mesh;
 typedef std::array<std::size_t, 3> Index_triangle;
 
+// A number per vertex, for descriptors that can be hashed.
+template <class Vertex>
+struct Hashed_vertex_numbers
+{
+  friend void put(Hashed_vertex_numbers& map, const Vertex& v, const std::size_t number)
+  {
+    map.numbers[v] = number;
+  }
+  friend std::size_t get(const Hashed_vertex_numbers& map, const Vertex& v)
+  {
+    return map.numbers.at(v);
+  }
+
+  std::unordered_map<Vertex, std::size_t> numbers;
+};
+
+// Dynamic properties are faster, but no concept asks for them.
+template <class FaceGraph>
+auto vertex_number_map(const FaceGraph&, long)
+{
+  return Hashed_vertex_numbers<typename boost::graph_traits<FaceGraph>::vertex_descriptor>();
+}
+
+template <class FaceGraph>
+auto vertex_number_map(const FaceGraph& mesh, int)
+  -> decltype(get(dynamic_vertex_property_t<std::size_t>(), mesh))
+{
+  return get(dynamic_vertex_property_t<std::size_t>(), mesh);
+}
+
 // The faces of a mesh as sequences of rows. Each begins with its smallest row, so that the result
 // does not depend on the halfedge that a data structure keeps for a face.
-template <typename FaceGraph>
+template <class FaceGraph>
 std::vector<std::vector<std::size_t>> index_polygons(const FaceGraph& mesh)
 {
-  typedef typename boost::graph_traits<FaceGraph>::vertex_descriptor vertex_descriptor;
-  std::unordered_map<vertex_descriptor, std::size_t> row;
-  for(const vertex_descriptor v : vertices(mesh))
-    row.emplace(v, row.size());
+  auto rows = vertex_number_map(mesh, 0);
+  std::size_t row = 0;
+  for(const typename boost::graph_traits<FaceGraph>::vertex_descriptor v : vertices(mesh))
+    put(rows, v, row++);
   std::vector<std::vector<std::size_t>> polygons;
   for(const auto f : faces(mesh))
   {
     std::vector<std::size_t> corners;
     for(const auto h : halfedges_around_face(halfedge(f, mesh), mesh))
-      corners.push_back(row[target(h, mesh)]);
+      corners.push_back(get(rows, target(h, mesh)));
     std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
     polygons.push_back(std::move(corners));
   }
