@@ -11,6 +11,7 @@
 #define CGAL_CANONICAL_POSE_3_INTERNAL_ARAP_ENERGY_H
 
 #include <CGAL/Canonical_pose_3/internal/Buckets.h>
+#include <CGAL/Canonical_pose_3/internal/Column_sums.h>
 #include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/Elastic_cell.h>
 #include <CGAL/Canonical_pose_3/internal/closest_rotation.h>
@@ -101,52 +102,16 @@ public:
     });
     std::vector<std::vector<Eigen::Triplet<double>>> blocks(number_of_blocks(n));
     for_each_block(n, [&](const std::size_t block, const std::size_t begin, const std::size_t end) {
-      std::vector<int> rows;
-      std::vector<double> column(n, 0);
-      std::vector<std::size_t> last_column(n, n);
+      Column_sums column;
       for(std::size_t v = begin; v < end; ++v)
       {
-        rows.clear();
-        for(const std::size_t corner : corners_of_vertices[v])
-        {
-          const Cell_pack& pack = m_packs[corner / 4 / pack_size];
-          const int lane = static_cast<int>(corner / 4 % pack_size);
-          const Eigen::Matrix<double, 4, 3> g = gradients(pack, lane);
-          const Eigen::Vector4d entries
-            = factor * pack.weights[lane] * (g * g.row(corner % 4).transpose());
-          for(int i = 0; i < 4; ++i)
-          {
-            const int row = pack.vertices[i][lane];
-            if(last_column[row] != v)
-            {
-              last_column[row] = v;
-              column[row] = 0;
-              rows.push_back(row);
-            }
-            column[row] += entries[i];
-          }
-        }
-        std::sort(rows.begin(), rows.end());
-        for(const int row : rows)
-          blocks[block].emplace_back(row, static_cast<int>(v), column[row]);
+        add_up(corners_of_vertices[v], factor, column);
+        column.for_each([&](const int row, const double sum) {
+          blocks[block].emplace_back(row, static_cast<int>(v), sum);
+        });
       }
     });
-
-    Eigen::SparseMatrix<double> result(static_cast<Eigen::Index>(n), static_cast<Eigen::Index>(n));
-    std::size_t size = 0;
-    for(const auto& block : blocks)
-      size += block.size();
-    result.reserve(static_cast<Eigen::Index>(size));
-    Eigen::Index started = 0;
-    for(const auto& block : blocks)
-      for(const Eigen::Triplet<double>& entry : block)
-      {
-        for(; started <= entry.col(); ++started)
-          result.startVec(started);
-        result.insertBack(entry.row(), entry.col()) = entry.value();
-      }
-    result.finalize();
-    return result;
+    return assembled(n, blocks);
   }
 
   // Adds `factor` times sum_t w_t G_t^t R_t for the rotations of the last local step.
@@ -208,6 +173,43 @@ private:
     for(int k = 0; k < 9; ++k)
       result(k / 3, k % 3) = pack.gradients[k / 3][k % 3][lane];
     result.row(3) = -result.topRows<3>().colwise().sum();
+    return result;
+  }
+
+  // The entries of a row are added up in the order of the corners.
+  template <class Corners>
+  void add_up(const Corners& corners, const double factor, Column_sums& column) const
+  {
+    column.start(4 * corners.size());
+    for(const std::size_t corner : corners)
+    {
+      const Cell_pack& pack = m_packs[corner / 4 / pack_size];
+      const int lane = static_cast<int>(corner / 4 % pack_size);
+      const Eigen::Matrix<double, 4, 3> g = gradients(pack, lane);
+      const Eigen::Vector4d entries
+        = factor * pack.weights[lane] * (g * g.row(corner % 4).transpose());
+      for(int i = 0; i < 4; ++i)
+        column[pack.vertices[i][lane]] += entries[i];
+    }
+  }
+
+  static Eigen::SparseMatrix<double>
+  assembled(const std::size_t n, const std::vector<std::vector<Eigen::Triplet<double>>>& blocks)
+  {
+    Eigen::SparseMatrix<double> result(static_cast<Eigen::Index>(n), static_cast<Eigen::Index>(n));
+    std::size_t size = 0;
+    for(const auto& block : blocks)
+      size += block.size();
+    result.reserve(static_cast<Eigen::Index>(size));
+    Eigen::Index started = 0;
+    for(const auto& block : blocks)
+      for(const Eigen::Triplet<double>& entry : block)
+      {
+        for(; started <= entry.col(); ++started)
+          result.startVec(started);
+        result.insertBack(entry.row(), entry.col()) = entry.value();
+      }
+    result.finalize();
     return result;
   }
 
