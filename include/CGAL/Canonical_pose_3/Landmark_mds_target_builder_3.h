@@ -13,10 +13,11 @@
 #include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/Landmark_fields_3.h>
 #include <CGAL/Canonical_pose_3/Squared_distance_kernel.h>
+#include <CGAL/Canonical_pose_3/internal/leading_eigenvectors.h>
 
 #include <CGAL/assertions.h>
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <cmath>
@@ -71,7 +72,9 @@ public:
          row of the distances, or a distance is negative or not finite (a point that a landmark does
          not reach); the message names the element.
 
-  <em>Complexity:</em> \f$ O(nl + l^3) \f$ for \f$ n \f$ points and \f$ l \f$ landmarks.
+  <em>Complexity:</em> \f$ O(nl) \f$ for \f$ n \f$ points and \f$ l \f$ landmarks, and the leading
+  eigenvectors of an \f$ l \times l \f$ matrix: \f$ O(l^3) \f$ at most, and \f$ O(l^2) \f$ where the
+  eigenvalues decay, as those of distances on surfaces do.
   */
   void build(const Landmark_fields_3& fields)
   {
@@ -105,8 +108,9 @@ public:
   /// distances are 0.
   double stress() const { return m_stress; }
 
-  /// returns all eigenvalues of the (centred) kernel matrix of distances divided by the largest
-  /// one, in decreasing order.
+  /// returns the leading eigenvalues of the (centred) kernel matrix of distances divided by the
+  /// largest one, in decreasing order: six, and one more than dimensions, at least; all of them if
+  /// there are at most 300 landmarks.
   const Eigen::VectorXd& eigenvalues() const { return m_eigenvalues; }
 
   /// returns how many of the first \f$ m \f$ eigenvalues count as positive (beyond rounding).
@@ -129,6 +133,8 @@ public:
   /// @}
 
 private:
+  static constexpr Eigen::Index LARGEST_NUMBER_TO_DECOMPOSE = 300;
+
   static void check(const Landmark_fields_3& fields)
   {
     const Eigen::MatrixXd& d = fields.distances;
@@ -162,10 +168,11 @@ private:
   // The columns are those of Q Lambda^(-1/2), zero where the eigenvalue is not positive.
   Eigen::MatrixXd eigen_projection(const Eigen::MatrixXd& gram)
   {
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(gram);
-    if(solver.info() != Eigen::Success)
-      throw std::runtime_error("the eigenvalues of the landmark matrix could not be computed");
-    m_eigenvalues = solver.eigenvalues().reverse();
+    const internal::Eigenpairs leading
+      = gram.rows() <= LARGEST_NUMBER_TO_DECOMPOSE
+          ? internal::largest_of_all_eigenpairs(gram, gram.rows())
+          : internal::leading_eigenpairs(gram, (std::max)(6, m_dimension + 1));
+    m_eigenvalues = leading.values;
     const double smallest_positive = 1e-12 * (std::max)(m_eigenvalues[0], 0.);
     m_number_of_positive_eigenvalues = 0;
     Eigen::MatrixXd projection = Eigen::MatrixXd::Zero(gram.rows(), m_dimension);
@@ -174,7 +181,7 @@ private:
     {
       if(!(m_eigenvalues[c] > smallest_positive))
         break;
-      const Eigen::VectorXd q = solver.eigenvectors().col(gram.rows() - 1 - c);
+      const Eigen::VectorXd q = leading.vectors.col(c);
       projection.col(c) = (q.array().cube().sum() < 0 ? -1. : 1.) / std::sqrt(m_eigenvalues[c]) * q;
       ++m_number_of_positive_eigenvalues;
     }

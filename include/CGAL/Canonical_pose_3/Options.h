@@ -95,7 +95,8 @@ struct Options
   /// the distances.
   Geodesics geodesics = Geodesics::HEAT;
 
-  /// number of landmarks, at least 1.
+  /// number of landmarks, at least 1. Of those that a surface of \f$ n \f$ vertices can have, \f$ n \f$, at
+  /// most 4096, and at most \f$ 2^{29} / n \f$.
   std::size_t number_of_landmarks = 80;
 
   /// 0: the first landmark is `extremal_point()`; otherwise it is drawn with this seed. Nothing

@@ -100,7 +100,7 @@ farthest_point_landmarks(const GeodesicDistances& geodesics, const std::size_t l
   CGAL_precondition(l >= 1);
   const auto vertex_of_row = internal::vertex_descriptors(geodesics.triangle_mesh());
   const Eigen::Index n = static_cast<Eigen::Index>(vertex_of_row.size());
-  const Eigen::Index columns = (std::min)(static_cast<Eigen::Index>(l), n);
+  const Eigen::Index columns = static_cast<Eigen::Index>((std::min)(l, vertex_of_row.size()));
 
   Landmark_fields_3 result;
   result.distances.resize(n, columns);

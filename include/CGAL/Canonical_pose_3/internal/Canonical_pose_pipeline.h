@@ -31,6 +31,7 @@
 #include <CGAL/Canonical_pose_3/internal/Indexed_mesh.h>
 #include <CGAL/Canonical_pose_3/internal/Options_constraints.h>
 #include <CGAL/Canonical_pose_3/internal/Posed_component.h>
+#include <CGAL/Canonical_pose_3/internal/check_number_of_landmarks.h>
 #include <CGAL/Canonical_pose_3/internal/check_registration.h>
 #include <CGAL/Canonical_pose_3/internal/flipped_faces.h>
 #include <CGAL/Canonical_pose_3/surface_measures.h>
@@ -189,7 +190,11 @@ private:
   void prepare()
   {
     if(!m_options.given->landmark_fields)
+    {
+      check_number_of_landmarks(m_options.number_of_landmarks,
+                                static_cast<std::size_t>(m_points.rows()));
       timed("geodesics", [&] { find_landmarks(); });
+    }
     m_length_scale = fields().distances.maxCoeff();
     m_summary.target.landmarks = fields().landmarks.size();
     m_summary.target.covering_radius = fields().covering_radius;
