@@ -17,6 +17,7 @@
 #include <CGAL/Canonical_pose_3/Heat_geodesics_3.h>
 #include <CGAL/Canonical_pose_3/Options.h>
 #include <CGAL/Canonical_pose_3/Wavefront_geodesics_3.h>
+#include <CGAL/Canonical_pose_3/internal/Face_defect.h>
 #include <CGAL/Canonical_pose_3/internal/Indexed_mesh.h>
 #include <CGAL/Canonical_pose_3/internal/with_solver.h>
 #include <CGAL/Canonical_pose_3/repair_surface.h>
@@ -59,7 +60,10 @@ inline Eigen::MatrixXd compute_distances(const Mesh_file& input,
     = CGAL::Canonical_pose_3::internal::with_solver(options, [&](const auto factor_traits) {
         typedef std::decay_t<decltype(factor_traits)> Factor_traits;
         if(options.geodesics == Options::Geodesics::EXACT)
-          return CGAL::Canonical_pose_3::Exact_geodesics_3<Surface>(surface).distances(sources);
+          return CGAL::Canonical_pose_3::internal::with_faces_of_input(
+            repaired.face_of_triangle, [&] {
+              return CGAL::Canonical_pose_3::Exact_geodesics_3<Surface>(surface).distances(sources);
+            });
         if(options.geodesics == Options::Geodesics::WAVEFRONT)
           return CGAL::Canonical_pose_3::Wavefront_geodesics_3<Surface>(surface).distances(sources);
         return CGAL::Canonical_pose_3::Heat_geodesics_3<Surface, CGAL::Default, CGAL::Default,

@@ -12,6 +12,7 @@
 
 #include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/Intrinsic_triangulation.h>
+#include <CGAL/Canonical_pose_3/internal/Face_defect.h>
 #include <CGAL/Canonical_pose_3/internal/check_unfoldable.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
@@ -288,7 +289,7 @@ private:
       = [&](std::size_t h) { return points[static_cast<std::size_t>(corners.origins[h])]; };
     for(std::size_t h = 0; h < corners.origins.size(); h += 3)
       if(collinear(point(h), point(h + 1), point(h + 2)))
-        throw std::invalid_argument("face " + std::to_string(h / 3) + " is degenerate");
+        throw internal::Face_defect(h / 3, "is degenerate");
   }
 
   // Writes those that are found, in units of the copy.

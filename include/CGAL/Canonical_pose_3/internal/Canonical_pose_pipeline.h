@@ -28,6 +28,7 @@
 #include <CGAL/Canonical_pose_3/farthest_point_landmarks.h>
 #include <CGAL/Canonical_pose_3/front_landmarks.h>
 #include <CGAL/Canonical_pose_3/internal/Body_view.h>
+#include <CGAL/Canonical_pose_3/internal/Face_defect.h>
 #include <CGAL/Canonical_pose_3/internal/Indexed_mesh.h>
 #include <CGAL/Canonical_pose_3/internal/Options_constraints.h>
 #include <CGAL/Canonical_pose_3/internal/Posed_component.h>
@@ -217,8 +218,10 @@ private:
     const Indexed_mesh::Vertex_index vertex(static_cast<Indexed_mesh::size_type>(first));
     // exact distances take longer than all the rest, and a batch saves nothing
     if(m_options.geodesics == Options::Geodesics::EXACT)
-      m_results.landmark_fields = farthest_point_landmarks(Exact_geodesics_3<Indexed_mesh>(mesh),
-                                                           m_options.number_of_landmarks, vertex);
+      m_results.landmark_fields = with_faces_of_input(m_component.faces, [&] {
+        return farthest_point_landmarks(Exact_geodesics_3<Indexed_mesh>(mesh),
+                                        m_options.number_of_landmarks, vertex);
+      });
     else if(m_options.geodesics == Options::Geodesics::WAVEFRONT)
       m_results.landmark_fields = front_landmarks(Wavefront_geodesics_3<Indexed_mesh>(mesh),
                                                   m_options.number_of_landmarks, vertex);

@@ -12,6 +12,7 @@
 
 #include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/Disjoint_sets.h>
+#include <CGAL/Canonical_pose_3/internal/Face_defect.h>
 #include <CGAL/Canonical_pose_3/internal/Intrinsic_triangulation.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
@@ -19,7 +20,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -53,7 +53,7 @@ inline std::vector<double> sizes_of_components(const std::vector<int>& origins,
   return result;
 }
 
-// Throws `std::invalid_argument` that names the first face that CGAL's shortest paths cannot unfold: they
+// Throws `Face_defect` that names the first face that CGAL's shortest paths cannot unfold: they
 // come out infinite, or end the program, where heights or sizes differ by more than about 1e-15 (found by
 // trials), and squares of squared lengths must not vanish. `points`: normalized.
 inline void check_unfoldable(const Face_corners& corners, const Point_matrix& points)
@@ -61,7 +61,7 @@ inline void check_unfoldable(const Face_corners& corners, const Point_matrix& po
   constexpr double least_height = 1e-14, least_size = 1e-14, least_length = 1e-60;
   const auto refuse_if = [](const bool condition, const std::size_t h, const char* defect) {
     if(condition)
-      throw std::invalid_argument("face " + std::to_string(h / 3) + " is too " + defect);
+      throw Face_defect(h / 3, std::string("is too ") + defect);
   };
   const std::vector<double> sizes = sizes_of_components(corners.origins, points);
   for(std::size_t h = 0; h < corners.origins.size(); h += 3)
