@@ -14,6 +14,7 @@
 #include <CGAL/Canonical_pose_3/Exact_geodesics_3.h>
 #include <CGAL/Canonical_pose_3/Handle_constraint_adaptor_3.h>
 #include <CGAL/Canonical_pose_3/Heat_geodesics_3.h>
+#include <CGAL/Canonical_pose_3/Labeled_cells_3.h>
 #include <CGAL/Canonical_pose_3/Tetrahedral_arap_registrar_3.h>
 #include <CGAL/Canonical_pose_3/Wavefront_geodesics_3.h>
 #if __has_include(<Spectra/SymEigsShiftSolver.h>)
@@ -31,6 +32,7 @@
 #include <array>
 #include <cstddef>
 #include <map>
+#include <set>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -73,6 +75,11 @@ static_assert(takes_lvalues_only<CP::Biharmonic_distances_3<Mesh>, Mesh, std::si
 #endif
 
 static_assert(takes_lvalues_only<CP::Body_deformer_3<Body>, Body, Triangles>);
+
+using Tetrahedra = CP::Indexed_tetrahedra_3<Kernel::Point_3>;
+static_assert(takes_lvalues_only<CP::Labeled_cells_3<Tetrahedra>, Tetrahedra, int>);
+static_assert(takes_lvalues_only<CP::Labeled_cells_3<Tetrahedra>, Tetrahedra, std::vector<int>>);
+static_assert(takes_lvalues_only<CP::Labeled_cells_3<Tetrahedra>, Tetrahedra, std::set<int>>);
 
 using Registrar = CP::Tetrahedral_arap_registrar_3<Body>;
 

@@ -14,7 +14,8 @@ struct CGAL::Canonical_pose_3::Tetrahedral_complex_traits_3<My_complex> { ... };
 \endcode
 
 The class template is specialised already for the complexes of the packages Mesh_3 and
-Tetrahedral_remeshing and for `CGAL::Canonical_pose_3::Indexed_tetrahedra_3`.
+Tetrahedral_remeshing, for `CGAL::Canonical_pose_3::Indexed_tetrahedra_3`, and for selections of the
+cells of any of these, `CGAL::Canonical_pose_3::Labeled_cells_3`.
 
 \cgalHasModel `CGAL::Canonical_pose_3::Tetrahedral_complex_traits_3`
 
@@ -49,6 +50,15 @@ public:
 
   /// returns the point of `v`.
   static Point_3 point(const Complex& complex, Vertex_descriptor v);
+
+  /// @}
+
+  /// \name Labels
+  /// @{
+
+  /// returns a range of labels, one per cell in the order of `cells(complex)`; their type is copyable and
+  /// comparable for equality. Optional: only `CGAL::Canonical_pose_3::Labeled_cells_3` asks for it.
+  static unspecified_type labels(const Complex& complex);
 
   /// @}
 };

@@ -28,12 +28,13 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 \tparam Point a point type of a kernel, or of a model of `CanonicalPoseTraits_3`
 
 \sa `Tetrahedral_complex_traits_3`
+\sa `Labeled_cells_3`
 */
 template <typename Point>
 struct Indexed_tetrahedra_3
 {
   /// the type of points.
-  typedef Point Point_3;
+  using Point_3 = Point;
 
   /// the points; points of no cell are allowed, they move with nothing and are rejected where they
   /// would matter.
@@ -41,6 +42,9 @@ struct Indexed_tetrahedra_3
 
   /// four indices into `points` per cell, in either orientation.
   std::vector<std::array<std::size_t, 4>> cells;
+
+  /// a label per cell, or none; only `Labeled_cells_3` looks at them, and refuses any other number.
+  std::vector<int> labels{};
 };
 
 } // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION

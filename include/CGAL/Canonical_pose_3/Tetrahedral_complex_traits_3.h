@@ -19,6 +19,7 @@
 #include <cstddef>
 #include <type_traits>
 #include <unordered_set>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -29,7 +30,7 @@ namespace internal {
 template <typename...>
 struct Make_void
 {
-  typedef void type;
+  using type = void;
 };
 
 // Vertices of the cells in `cells`, each once, in the order of the triangulation's vertices.
@@ -37,7 +38,7 @@ template <typename Triangulation, typename CellRange>
 std::vector<typename Triangulation::Vertex_handle> vertices_of_cells(const Triangulation& tr,
                                                                      const CellRange& cells)
 {
-  typedef typename Triangulation::Vertex_handle Vertex_handle;
+  using Vertex_handle = typename Triangulation::Vertex_handle;
   std::unordered_set<Vertex_handle> used;
   for(const auto& cell : cells)
     used.insert(cell.begin(), cell.end());
@@ -55,6 +56,56 @@ auto handles_of_cell(const Cell_handle c)
   return std::array{c->vertex(0), c->vertex(1), c->vertex(2), c->vertex(3)};
 }
 
+// The handles of the finite cells whose subdomain index is not that of the outside.
+template <typename Triangulation>
+std::vector<typename Triangulation::Cell_handle> cells_inside(const Triangulation& tr)
+{
+  using Cell_handle = typename Triangulation::Cell_handle;
+  using Subdomain_index = std::decay_t<decltype(Cell_handle()->subdomain_index())>;
+  std::vector<Cell_handle> result;
+  for(auto c = tr.finite_cells_begin(); c != tr.finite_cells_end(); ++c)
+    if(c->subdomain_index() != Subdomain_index())
+      result.push_back(Cell_handle(c));
+  return result;
+}
+
+template <typename Complex, typename = void>
+struct Is_triangulation_3 : std::false_type
+{};
+
+template <typename Complex>
+struct Is_triangulation_3<
+  Complex, std::void_t<typename Complex::Triangulation_data_structure,
+                       typename Complex::Geom_traits::Point_3,
+                       decltype(std::declval<const Complex&>().finite_cells_begin())>>
+  : std::true_type
+{};
+
+// The base of the traits of what is no complex. A triangulation without subdomain index gets all that
+// traits have, so that the compiler has one thing to say.
+template <typename Complex, bool = Is_triangulation_3<Complex>::value>
+struct No_complex_traits
+{};
+
+template <typename Triangulation>
+struct No_complex_traits<Triangulation, true>
+{
+  using Vertex_descriptor = typename Triangulation::Vertex_handle;
+  using Point_3 = typename Triangulation::Geom_traits::Point_3;
+
+  static std::vector<Vertex_descriptor> vertices(const Triangulation&)
+  {
+    static_assert(
+      !Is_triangulation_3<Triangulation>::value,
+      "A triangulation is read as a complex only if its cells have a subdomain index, which "
+      "tells those of the complex from the others: take Remeshing_triangulation_3 or "
+      "Mesh_complex_3_in_triangulation_3, or copy the cells to Indexed_tetrahedra_3.");
+    return {};
+  }
+  static std::vector<std::array<Vertex_descriptor, 4>> cells(const Triangulation&) { return {}; }
+  static Point_3 point(const Triangulation&, Vertex_descriptor) { return {}; }
+};
+
 } // namespace internal
 
 /*!
@@ -68,7 +119,10 @@ The package specialises it for
 - `CGAL::Triangulation_3` and classes derived from it whose cells have a subdomain index (for
   instance `CGAL::Tetrahedral_remeshing::Remeshing_triangulation_3`): the finite cells of non-zero
   index,
-- `Indexed_tetrahedra_3`.
+- `Indexed_tetrahedra_3`,
+- `Labeled_cells_3`: those cells of any of these that have given labels.
+
+The label of a cell is its subdomain index, or its entry in `Indexed_tetrahedra_3::labels`.
 
 The vertices are those of the cells. Nothing is ever written to a complex: moving the vertices of a
 triangulation in place would invalidate it.
@@ -82,20 +136,32 @@ struct Tetrahedral_complex_traits_3;
 
 /// \cond SKIP_IN_MANUAL
 
+template <typename Complex, typename Enable>
+struct Tetrahedral_complex_traits_3 : internal::No_complex_traits<Complex>
+{};
+
 // Complexes of Mesh_3.
 template <typename C3t3>
 struct Tetrahedral_complex_traits_3<
   C3t3, typename internal::Make_void<typename C3t3::Triangulation,
                                      typename C3t3::Cells_in_complex_iterator>::type>
 {
-  typedef typename C3t3::Triangulation::Vertex_handle Vertex_descriptor;
-  typedef typename C3t3::Triangulation::Geom_traits::Point_3 Point_3;
+  using Vertex_descriptor = typename C3t3::Triangulation::Vertex_handle;
+  using Point_3 = typename C3t3::Triangulation::Geom_traits::Point_3;
 
   static std::vector<std::array<Vertex_descriptor, 4>> cells(const C3t3& c3t3)
   {
     std::vector<std::array<Vertex_descriptor, 4>> result;
     for(auto c = c3t3.cells_in_complex_begin(); c != c3t3.cells_in_complex_end(); ++c)
       result.push_back(internal::handles_of_cell(typename C3t3::Triangulation::Cell_handle(c)));
+    return result;
+  }
+
+  static std::vector<typename C3t3::Subdomain_index> labels(const C3t3& c3t3)
+  {
+    std::vector<typename C3t3::Subdomain_index> result;
+    for(auto c = c3t3.cells_in_complex_begin(); c != c3t3.cells_in_complex_end(); ++c)
+      result.push_back(c3t3.subdomain_index(typename C3t3::Triangulation::Cell_handle(c)));
     return result;
   }
 
@@ -118,17 +184,23 @@ struct Tetrahedral_complex_traits_3<
                    typename Triangulation::Triangulation_data_structure,
                    decltype(typename Triangulation::Cell_handle()->subdomain_index())>::type>
 {
-  typedef typename Triangulation::Vertex_handle Vertex_descriptor;
-  typedef typename Triangulation::Geom_traits::Point_3 Point_3;
+  using Vertex_descriptor = typename Triangulation::Vertex_handle;
+  using Point_3 = typename Triangulation::Geom_traits::Point_3;
 
   static std::vector<std::array<Vertex_descriptor, 4>> cells(const Triangulation& tr)
   {
-    typedef std::decay_t<decltype(typename Triangulation::Cell_handle()->subdomain_index())>
-      Subdomain_index;
     std::vector<std::array<Vertex_descriptor, 4>> result;
-    for(auto c = tr.finite_cells_begin(); c != tr.finite_cells_end(); ++c)
-      if(c->subdomain_index() != Subdomain_index())
-        result.push_back(internal::handles_of_cell(typename Triangulation::Cell_handle(c)));
+    for(const auto c : internal::cells_inside(tr))
+      result.push_back(internal::handles_of_cell(c));
+    return result;
+  }
+
+  static auto labels(const Triangulation& tr)
+  {
+    std::vector<std::decay_t<decltype(typename Triangulation::Cell_handle()->subdomain_index())>>
+      result;
+    for(const auto c : internal::cells_inside(tr))
+      result.push_back(c->subdomain_index());
     return result;
   }
 
@@ -146,8 +218,8 @@ struct Tetrahedral_complex_traits_3<
 template <typename Point>
 struct Tetrahedral_complex_traits_3<Indexed_tetrahedra_3<Point>>
 {
-  typedef std::size_t Vertex_descriptor;
-  typedef Point Point_3;
+  using Vertex_descriptor = std::size_t;
+  using Point_3 = Point;
 
   static auto vertices(const Indexed_tetrahedra_3<Point>& complex)
   {
@@ -158,6 +230,11 @@ struct Tetrahedral_complex_traits_3<Indexed_tetrahedra_3<Point>>
   cells(const Indexed_tetrahedra_3<Point>& complex)
   {
     return complex.cells;
+  }
+
+  static const std::vector<int>& labels(const Indexed_tetrahedra_3<Point>& complex)
+  {
+    return complex.labels;
   }
 
   static const Point& point(const Indexed_tetrahedra_3<Point>& complex, const std::size_t v)
