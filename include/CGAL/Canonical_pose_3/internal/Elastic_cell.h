@@ -48,10 +48,12 @@ inline Matrix_9 determinant_hessian(const Eigen::Matrix3d& f)
   return result;
 }
 
-// The positive semi-definite matrix closest to a symmetric one.
-inline Matrix_9 positive_part(const Matrix_9& m)
+// The positive semi-definite matrix closest to a symmetric one. A template, so that it is
+// compiled where it is needed only: that takes seconds.
+template <class Matrix>
+Matrix positive_part(const Matrix& m)
 {
-  const Eigen::SelfAdjointEigenSolver<Matrix_9> solver(m);
+  const Eigen::SelfAdjointEigenSolver<Matrix> solver(m);
   return solver.eigenvectors() * solver.eigenvalues().cwiseMax(0).asDiagonal()
          * solver.eigenvectors().transpose();
 }

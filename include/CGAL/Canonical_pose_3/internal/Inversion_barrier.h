@@ -48,14 +48,16 @@ public:
   }
 
   // The positive semi-definite matrix closest to the Hessian matrix, for F column by column.
-  Matrix_9 hessian(const Eigen::Matrix3d& f) const
+  template <class Matrix_3>
+  Matrix_9 hessian(const Matrix_3& f) const
   {
     const double y = f.determinant() / ACTIVE_BELOW;
     if(y >= 1)
       return Matrix_9::Zero();
     const Vector_9 c = cofactors(f).reshaped();
-    return positive_part((2 / (y * y * y) - 2) / (ACTIVE_BELOW * ACTIVE_BELOW) * c * c.transpose()
-                         + (-1 / (y * y) + 3 - 2 * y) / ACTIVE_BELOW * determinant_hessian(f));
+    return positive_part<Matrix_9>(
+      (2 / (y * y * y) - 2) / (ACTIVE_BELOW * ACTIVE_BELOW) * c * c.transpose()
+      + (-1 / (y * y) + 3 - 2 * y) / ACTIVE_BELOW * determinant_hessian(f));
   }
 };
 
