@@ -1,0 +1,21 @@
+# Runs the README's program on a mesh, which has to converge without an inverted cell. The larger programs are
+# run for what their parts print.
+
+function(run program mesh)
+  execute_process(COMMAND ./${program} ${mesh} OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  message(STATUS "${program}: ${output}")
+  foreach(expected IN LISTS ARGN)
+    if(NOT output MATCHES "${expected}")
+      message(SEND_ERROR "${program} did not print '${expected}'")
+    endif()
+  endforeach()
+endfunction()
+
+execute_process(COMMAND ${CMAKE_COMMAND} -DFILE=tube.off -P ${CMAKE_CURRENT_LIST_DIR}/write_tube.cmake)
+run(alone tube.off "^converged after [0-9]+ iterations, .* 0 of [0-9]+ cells inverted")
+foreach(program IN ITEMS with_first without_first)
+  if(EXISTS ${program})
+    run(${program} missing.off "(^|\n)with TetGen: tetgen\n"
+      "(^|\n)without TetGen: the program was built without TetGen\n")
+  endif()
+endforeach()

@@ -1,0 +1,25 @@
+# What headers define is inline, else two sources of one program that include them could not be linked: no
+# object file of the BUILD has a symbol of the package that no other may have. NM lists them.
+
+file(GLOB_RECURSE objects ${BUILD}/*.o)
+set(number 0)
+foreach(object IN LISTS objects)
+  execute_process(COMMAND ${NM} --defined-only --extern-only ${object}
+    RESULT_VARIABLE result OUTPUT_VARIABLE symbols ERROR_QUIET)
+  if(NOT result EQUAL 0)
+    continue()
+  endif()
+  string(REGEX MATCHALL " [TDBRSG] _ZNK?4CGAL[^\n]*" found "${symbols}")
+  if(object MATCHES "poses\\.cpp\\.o$") # the functions that are compiled apart
+    list(FILTER found EXCLUDE REGEX "15pose_of_(surface|complex)E")
+  endif()
+  if(found)
+    list(JOIN found "\n" found)
+    message(SEND_ERROR "${object} defines what is not inline:\n${found}")
+  endif()
+  math(EXPR number "${number} + 1")
+endforeach()
+message(STATUS "${number} object files")
+if(number EQUAL 0)
+  message(FATAL_ERROR "there are no object files in ${BUILD}")
+endif()
