@@ -57,8 +57,8 @@ Registration_summary run(const CP::Conforming_body_3& body, const Point_matrix& 
 
 } // namespace
 
-// The same minimum in half the iterations, for a stiff body: the energy at the end is not above that
-// of many plain iterations by more than 2e-4.
+// The same minimum in half the iterations (2.4 to 2.8 times fewer), for a stiff body: the energy at the end is
+// not above that of many plain iterations by more than the tolerance of the stop lets, 3.5e-5 here.
 TEST(Acceleration, halves_the_iterations)
 {
   const CP::Conforming_body_3 body = bar();
@@ -76,7 +76,7 @@ TEST(Acceleration, halves_the_iterations)
     EXPECT_TRUE(fast.converged());
     EXPECT_TRUE(plain.converged());
     EXPECT_LE(2 * fast.iterations, plain.iterations);
-    EXPECT_LE(fast.energy, exact.energy * (1 + 2e-4));
+    EXPECT_LE(fast.energy, exact.energy * (1 + 7e-5));
   }
 }
 

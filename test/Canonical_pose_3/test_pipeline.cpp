@@ -20,7 +20,9 @@
 #include "threads.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iostream>
+#include <string>
 #include <vector>
 
 namespace CP = CGAL::Canonical_pose_3;
@@ -53,6 +55,14 @@ Outcome canonical_pose(const Mesh& mesh, const CP::Options& options = CP::Option
   return result;
 }
 
+double largest_distance(const Point_matrix& points)
+{
+  double largest = 0;
+  for(Eigen::Index i = 0; i < points.rows(); ++i)
+    largest = (std::max)(largest, (points.rowwise() - points.row(i)).rowwise().norm().maxCoeff());
+  return largest;
+}
+
 const Articulated_figure& figure()
 {
   static const Articulated_figure instance(3500);
@@ -62,9 +72,9 @@ const Articulated_figure& figure()
 } // namespace
 
 // What the package is for. The poses of the figure differ by bending only, so that geodesics, and
-// with them the canonical poses, nearly agree; a third of the difference of the inputs leaves room
-// for the change of the geodesics at the joints. The strain bound says that this was not bought by
-// giving up the shape.
+// with them the canonical poses, nearly agree: a seventh of the difference of the inputs is left, by the
+// change of the geodesics at the joints. The strain bound says that this was not bought by giving up the shape;
+// cells that turn over, 1 in 1700 at worst, lie in the joints.
 TEST(Pipeline, poses_of_the_figure_end_in_nearly_the_same_pose)
 {
   std::vector<Point_matrix> inputs, poses;
@@ -75,7 +85,7 @@ TEST(Pipeline, poses_of_the_figure_end_in_nearly_the_same_pose)
     std::cout << named.name << ": " << outcome.summary << '\n';
     EXPECT_TRUE(outcome.summary.converged());
     EXPECT_LE(outcome.summary.median_edge_strain, 0.08);
-    EXPECT_LE(outcome.summary.inverted, outcome.summary.body.tetrahedra / 100);
+    EXPECT_LE(outcome.summary.inverted, outcome.summary.body.tetrahedra / 1000);
     EXPECT_TRUE(Canonical_pose_test::never_rises(outcome.summary.energy_history));
     inputs.push_back(CP::point_matrix(mesh));
     poses.push_back(outcome.pose);
@@ -86,24 +96,18 @@ TEST(Pipeline, poses_of_the_figure_end_in_nearly_the_same_pose)
   std::cout << "mean pairwise rms: inputs " << before << ", canonical poses " << after << '\n';
   EXPECT_GT(before, 0.35);
   EXPECT_LT(before, 0.55);
-  EXPECT_LE(after, before / 3);
+  EXPECT_LE(after, before / 4.5);
 }
 
 // Along the fibres of a bent bar distances are those of the straight bar up to the thickness, hence
 // the middles of its ends, which lie 8 apart along the bar, must come (nearly) that far apart in
-// space.
+// space, and opposite corners sqrt(8^2 + 1 + 1).
 TEST(Pipeline, bent_bar_becomes_straight)
 {
   const Mesh bent = Canonical_pose_test::bent_bar<Mesh>(40, 4, 4, 3.);
   const Point_matrix input = CP::point_matrix(bent), pose = canonical_pose(bent).pose;
-  const auto largest_distance = [](const Point_matrix& points) {
-    double largest = 0;
-    for(Eigen::Index i = 0; i < points.rows(); ++i)
-      largest = (std::max)(largest, (points.rowwise() - points.row(i)).rowwise().norm().maxCoeff());
-    return largest;
-  };
   EXPECT_LT(largest_distance(input), 6.5);
-  EXPECT_NEAR(largest_distance(pose), 8., 0.4);
+  EXPECT_NEAR(largest_distance(pose), std::sqrt(66.), 0.15);
 }
 
 // Geodesics on a ball are up to pi / 2 times as long as the straight ways, so that a target at their
@@ -113,7 +117,7 @@ TEST(Pipeline, ball_keeps_its_volume)
   const Outcome outcome = canonical_pose(Canonical_pose_test::icosphere<Mesh>(4, 1.));
   EXPECT_TRUE(outcome.summary.converged());
   EXPECT_LT(outcome.summary.target.scale, 1);
-  EXPECT_NEAR(outcome.summary.volume_ratio, 1, 0.25);
+  EXPECT_NEAR(outcome.summary.volume_ratio, 1, 0.05);
 }
 
 // Of all stages together: the same bytes on one thread and on more than there are cores.
@@ -125,32 +129,45 @@ TEST(Pipeline, number_of_threads_does_not_matter)
     [&] { EXPECT_EQ(canonical_pose(mesh).pose, first.pose); });
 }
 
-// Kernels, distances and solvers are choices of the same method: each straightens the bar.
-TEST(Pipeline, all_choices_run)
+// Kernels, distances and solvers are choices of the same method. Three squares across the bar are few for the
+// heat, whose distances are 5 % too long: from the other two it differs by 0.075 radii of gyration, which
+// differ from each other by 0.005 (the input differs by 0.28). Solvers differ by rounding.
+TEST(Pipeline, distances_and_solvers_are_choices)
 {
   const Mesh mesh = Canonical_pose_test::bent_bar<Mesh>(24, 3, 3, 3.);
   const Outcome reference = canonical_pose(mesh);
   CP::Options options;
   options.number_of_landmarks = 30;
-  for(const auto geodesics : {CP::Options::Geodesics::WAVEFRONT, CP::Options::Geodesics::EXACT})
-  {
-    options.geodesics = geodesics;
-    EXPECT_LT(Canonical_pose_test::relative_rms(canonical_pose(mesh, options).pose, reference.pose),
-              0.1);
-  }
+  options.geodesics = CP::Options::Geodesics::WAVEFRONT;
+  const Point_matrix wavefront = canonical_pose(mesh, options).pose;
+  options.geodesics = CP::Options::Geodesics::EXACT;
+  const Point_matrix exact = canonical_pose(mesh, options).pose;
+  EXPECT_LT(Canonical_pose_test::relative_rms(wavefront, exact), 0.01);
+  EXPECT_LT(Canonical_pose_test::relative_rms(exact, reference.pose), 0.12);
   options = CP::Options();
   options.solver = CP::Options::Solver::EIGEN;
   const Outcome eigen = canonical_pose(mesh, options);
-  EXPECT_LT((eigen.pose - reference.pose).norm(), 1e-6 * reference.pose.norm());
+  EXPECT_LT((eigen.pose - reference.pose).norm(), 1e-11 * reference.pose.norm());
   EXPECT_NE(eigen.summary.solver.find("Eigen"), std::string::npos);
-  options = CP::Options();
+}
+
+// Gaussian kernels tell large distances hardly apart and unbend less than the classical one, which makes the
+// bar longer by 2.0: by 0.62, and by 1.08 in the literal mode, whose body is softer.
+TEST(Pipeline, kernels_are_choices)
+{
+  const Mesh mesh = Canonical_pose_test::bent_bar<Mesh>(24, 3, 3, 3.);
+  const double length = largest_distance(CP::point_matrix(mesh));
+  CP::Options options;
   options.kernel = CP::Options::Kernel::GAUSSIAN;
-  EXPECT_LT(Canonical_pose_test::relative_rms(canonical_pose(mesh, options).pose, reference.pose),
-            0.3);
+  const Outcome gaussian = canonical_pose(mesh, options);
+  EXPECT_NEAR(largest_distance(gaussian.pose) - length, 0.62, 0.2);
+  EXPECT_EQ(gaussian.summary.target.kernel, "gaussian");
   options.kernel = CP::Options::Kernel::UNCENTERED_GAUSSIAN;
   options.paper_weights.emplace();
   const Outcome literal = canonical_pose(mesh, options);
-  EXPECT_TRUE(literal.summary.is_usable());
+  EXPECT_TRUE(literal.summary.converged());
+  EXPECT_NEAR(largest_distance(literal.pose) - length, 1.08, 0.25);
+  EXPECT_LT(literal.summary.inverted, 10u);
   EXPECT_EQ(literal.summary.target.kernel, "gaussian-uncentred");
 }
 
