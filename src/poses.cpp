@@ -13,3 +13,8 @@
 
 #include <CGAL/Canonical_pose_3/internal/pose_of_complex.h>
 #include <CGAL/Canonical_pose_3/internal/pose_of_surface.h>
+
+// The registrar of the default solver as a whole, for programs that take the steps themselves.
+template class CGAL::Canonical_pose_3::Tetrahedral_arap_registrar_3<
+  CGAL::Canonical_pose_3::internal::Body_view, CGAL::Default,
+  CGAL::Canonical_pose_3::Default_factor_traits_d>;

@@ -10,33 +10,11 @@
 #ifndef CGAL_CANONICAL_POSE_3_BENCHMARK_BODY_TRIAL_H
 #define CGAL_CANONICAL_POSE_3_BENCHMARK_BODY_TRIAL_H
 
-#include <CGAL/Canonical_pose_3/Lattice_body_3.h>
-#include <CGAL/Canonical_pose_3/Tetrahedral_arap_registrar_3.h>
-#include <CGAL/Canonical_pose_3/diagnose.h>
-#include <CGAL/Canonical_pose_3/mesh_3_body.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
-#include <CGAL/Canonical_pose_3/surface_measures.h>
-#ifdef CGAL_CANONICAL_POSE_3_USE_TETGEN
-#include <CGAL/Canonical_pose_3/tetgen_body.h>
-#endif
-#ifdef CGAL_CANONICAL_POSE_3_USE_CHOLMOD
-#include <Eigen/CholmodSupport>
-#endif
 
-#include <CGAL/Real_timer.h>
-
-#include "Child_process.h"
-#include "Chord_tetrahedra.h"
-
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
-#include <cstring>
 #include <functional>
-#include <limits>
-#include <set>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -88,166 +66,8 @@ struct Body_trial
   Point_matrix pose;
 };
 
-namespace internal {
-
-/// Number of entries of the Cholesky factor of the registration; 0 if it is not known.
-template <typename ElasticBody>
-std::size_t factor_nonzeros(const ElasticBody& body)
-{
-#ifdef CGAL_CANONICAL_POSE_3_USE_CHOLMOD
-  std::vector<Eigen::Triplet<double>> entries;
-  for(const std::array<int, 4>& cell : body.cells())
-    for(const int i : cell)
-      for(const int j : cell)
-        entries.emplace_back(i, j, 1);
-  Eigen::SparseMatrix<double> pattern(body.points().rows(), body.points().rows());
-  pattern.setFromTriplets(entries.begin(), entries.end());
-  pattern += Eigen::SparseMatrix<double>(body.embedding().transpose() * body.embedding());
-  Eigen::CholmodSupernodalLLT<Eigen::SparseMatrix<double>> solver;
-  solver.analyzePattern(pattern);
-  return static_cast<std::size_t>(solver.cholmod().lnz);
-#else
-  static_cast<void>(body);
-  return 0;
-#endif
-}
-
-/// Calls `use` with the body.
-template <typename Function>
-void with_body(const Body_kind kind, const Body_problem& problem, const Function& use)
-{
-  namespace CP = CGAL::Canonical_pose_3;
-  switch(kind)
-  {
-  case Body_kind::TETGEN: {
-    const CP::Diagnosis_3 diagnosis = CP::diagnose(problem.points, problem.triangles);
-    if(!diagnosis.is_clean())
-      throw std::invalid_argument("the surface is not clean");
-#ifdef CGAL_CANONICAL_POSE_3_USE_TETGEN
-    use([&] {
-      return CP::internal::tetgen_body_of_clean_surface(problem.points, problem.triangles);
-    });
-#else
-    throw std::invalid_argument("built without TetGen");
-#endif
-    break;
-  }
-  case Body_kind::LATTICE:
-    use([&] {
-      return CP::Lattice_body_3(problem.points, problem.triangles, problem.distances, 0,
-                                problem.caps);
-    });
-    break;
-  case Body_kind::MESH_3:
-    use([&] { return CP::mesh_3_body(problem.points, problem.triangles, problem.length_scale()); });
-    break;
-  case Body_kind::CHORDS:
-    use([&] {
-      return chord_tetrahedra(problem.points, problem.triangles, problem.caps, problem.distances,
-                              problem.length_scale());
-    });
-    break;
-  }
-}
-
-template <typename ElasticBody>
-long long euler_characteristic(const ElasticBody& body)
-{
-  std::set<std::array<int, 2>> edges;
-  std::set<std::array<int, 3>> facets;
-  std::set<int> vertices;
-  for(std::array<int, 4> cell : body.cells())
-  {
-    std::sort(cell.begin(), cell.end());
-    for(int i = 0; i < 4; ++i)
-    {
-      vertices.insert(cell[i]);
-      facets.insert({cell[i == 0 ? 1 : 0], cell[i <= 1 ? 2 : 1], cell[i <= 2 ? 3 : 2]});
-      for(int j = 0; j < i; ++j)
-        edges.insert({cell[j], cell[i]});
-    }
-  }
-  return static_cast<long long>(vertices.size()) - static_cast<long long>(edges.size())
-         + static_cast<long long>(facets.size()) - static_cast<long long>(body.cells().size());
-}
-
-template <typename ElasticBody>
-double farthest_outside(const ElasticBody& body, const Body_problem& problem)
-{
-  double result = 0;
-  if(problem.distance_outside)
-    for(const std::array<int, 4>& cell : body.cells())
-    {
-      Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-      for(const int v : cell)
-        sum += body.points().row(v);
-      result = (std::max)(result, problem.distance_outside(sum / 4));
-    }
-  return result;
-}
-
-/// Runs in the child. Returns the bytes of the numbers and of the pose.
-inline std::string try_body_here(const Body_kind kind, const Body_problem& problem)
-{
-  namespace CP = CGAL::Canonical_pose_3;
-  Body_trial::Numbers numbers = {};
-  Point_matrix pose;
-  with_body(kind, problem, [&](const auto& make_body) {
-    CGAL::Real_timer timer;
-    timer.start();
-    const auto body = make_body();
-    numbers.body_seconds = timer.time();
-    CP::Tetrahedral_arap_registrar_3<std::decay_t<decltype(body)>> registrar(
-      body, CP::vertex_area_shares(problem.points, problem.triangles), problem.length_scale());
-    registrar.set_target(problem.target);
-    Point_matrix body_pose;
-    const CP::Registration_summary summary = registrar.register_to_target(body_pose);
-    if(!summary.is_usable())
-      throw std::runtime_error("the registration met numbers that are not finite");
-    pose = registrar.surface_points(body_pose);
-    numbers.vertices = summary.body.vertices;
-    numbers.cells = summary.body.tetrahedra;
-    numbers.inverted = summary.inverted;
-    numbers.iterations = summary.iterations;
-    numbers.energy = summary.energy;
-    for(const auto& [stage, seconds] : summary.stages)
-      (stage == "factorization" ? numbers.factorization_seconds : numbers.iteration_seconds)
-        += seconds / (stage == "factorization" ? 1 : summary.iterations);
-    numbers.strain = CP::median_edge_strain(problem.points, pose, problem.triangles);
-    numbers.nonzeros = factor_nonzeros(body);
-    if(problem.distance_outside)
-    {
-      numbers.euler_characteristic = euler_characteristic(body);
-      numbers.farthest_outside = farthest_outside(body, problem);
-    }
-  });
-  std::string bytes(reinterpret_cast<const char*>(&numbers), sizeof(numbers));
-  return bytes.append(reinterpret_cast<const char*>(pose.data()),
-                      sizeof(double) * static_cast<std::size_t>(pose.size()));
-}
-
-} // namespace internal
-
 /// Registers a body of one kind in a process of its own, and waits for it.
-inline Body_trial try_body(const Body_kind kind, const Body_problem& problem)
-{
-  Child_process idle([] { return std::string(); }, Limits());
-  idle.wait();
-  Child_process child([&] { return internal::try_body_here(kind, problem); }, Limits{600, 0});
-  child.wait();
-  Body_trial result;
-  result.megabytes = child.peak_megabytes() - idle.peak_megabytes();
-  if(child.ending() != Child_process::RETURNED)
-  {
-    result.failure = child.description();
-    return result;
-  }
-  std::memcpy(&result.numbers, child.output().data(), sizeof(result.numbers));
-  result.pose.resize(problem.points.rows(), 3);
-  std::memcpy(result.pose.data(), child.output().data() + sizeof(result.numbers),
-              sizeof(double) * static_cast<std::size_t>(result.pose.size()));
-  return result;
-}
+Body_trial try_body(Body_kind kind, const Body_problem& problem);
 
 } // namespace Canonical_pose_benchmark
 

@@ -10,71 +10,14 @@
 #ifndef CGAL_CANONICAL_POSE_3_BENCHMARK_PREPARE_H
 #define CGAL_CANONICAL_POSE_3_BENCHMARK_PREPARE_H
 
-#include <CGAL/Canonical_pose_3/Heat_geodesics_3.h>
-#include <CGAL/Canonical_pose_3/Landmark_mds_target_builder_3.h>
-#include <CGAL/Canonical_pose_3/align_target.h>
-#include <CGAL/Canonical_pose_3/farthest_point_landmarks.h>
-#include <CGAL/Canonical_pose_3/internal/Indexed_mesh.h>
-#include <CGAL/Canonical_pose_3/surface_measures.h>
-#include <CGAL/Canonical_pose_3/target_handedness.h>
-
 #include "Body_trial.h"
-#include "Child_process.h"
-
-#include <cstddef>
-#include <cstring>
-#include <stdexcept>
-#include <string>
 
 namespace Canonical_pose_benchmark {
 
-namespace internal {
-
-/// Runs in the child. Returns the bytes of the target and, after it, of the distances.
-inline std::string targets_here(const Point_matrix& points, const Triangles& triangles)
-{
-  namespace CP = CGAL::Canonical_pose_3;
-  const CP::internal::Indexed_mesh mesh = CP::internal::indexed_mesh(points, triangles);
-  const CP::Heat_geodesics_3<CP::internal::Indexed_mesh> geodesics(mesh);
-  const CP::internal::Indexed_mesh::Vertex_index first(
-    static_cast<CP::internal::Indexed_mesh::size_type>(CP::extremal_point(points, triangles)));
-  const CP::Landmark_fields_3 fields = CP::farthest_point_landmarks(geodesics, 80, first);
-  CP::Landmark_mds_target_builder_3<> builder;
-  builder.build(fields);
-  const Eigen::VectorXd shares = CP::vertex_area_shares(points, triangles);
-  const Point_matrix& embedded = builder.targets();
-  const Point_matrix target = CP::align_target(
-    embedded, points, shares, CP::target_handedness(embedded, points, triangles, shares) < 0);
-  std::string bytes(reinterpret_cast<const char*>(target.data()),
-                    sizeof(double) * static_cast<std::size_t>(target.size()));
-  return bytes.append(reinterpret_cast<const char*>(fields.distances.data()),
-                      sizeof(double) * static_cast<std::size_t>(fields.distances.size()));
-}
-
-} // namespace internal
-
 /// Measures distances and finds the target as the package does by default; in a process of its own,
 /// since this one is to be without threads.
-inline Body_problem prepare(const Point_matrix& points, const Triangles& triangles,
-                            const Triangles& caps = Triangles())
-{
-  Child_process child([&] { return internal::targets_here(points, triangles); }, Limits());
-  child.wait();
-  if(child.ending() != Child_process::RETURNED)
-    throw std::runtime_error(child.description());
-  Body_problem problem;
-  problem.points = points;
-  problem.triangles = triangles;
-  problem.caps = caps;
-  problem.target.resize(points.rows(), 3);
-  const std::size_t size = sizeof(double) * static_cast<std::size_t>(problem.target.size());
-  const std::size_t column = sizeof(double) * static_cast<std::size_t>(points.rows());
-  problem.distances.resize(points.rows(),
-                           static_cast<Eigen::Index>((child.output().size() - size) / column));
-  std::memcpy(problem.target.data(), child.output().data(), size);
-  std::memcpy(problem.distances.data(), child.output().data() + size, child.output().size() - size);
-  return problem;
-}
+Body_problem prepare(const Point_matrix& points, const Triangles& triangles,
+                     const Triangles& caps = Triangles());
 
 } // namespace Canonical_pose_benchmark
 

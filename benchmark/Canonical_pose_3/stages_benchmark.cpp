@@ -7,189 +7,208 @@
 //
 // Author(s) : The Canonical_pose_3 authors
 
-// Times of single stages, on the articulated figure with 2 500, 10 000 and 53 000 vertices.
+// Times of the stages of canonical_pose_3() with its defaults, each called as the one call does: on the
+// articulated figure, sitting, with 2 500, 10 000 and 53 000 vertices, or on the mesh files given.
 //
-// How to read: one line per stage and size. All but `landmark_fields` (80 fields, chosen one after
-// the other), `batch_of_80_fields` and `one_iteration` are one call. `one_iteration` is a local and
-// a global step, averaged over twenty. Linear stages (diagnosis, target, tetgen_body,
-// one_iteration) take about five times as long from 10 000 to 53 000 vertices, factorisations
-// somewhat more. Compiler, flags and threads stand in the first lines.
-// Usage: stages_benchmark [--benchmark_filter=<expression>] [other options of Google Benchmark]
+// How to read: one line per stage and mesh. A stage begins with what those before it left. `fields` are 80 of
+// them, chosen one after the other; `one_iteration` is a local and a global step, averaged over twenty; all
+// others are one call. Compiler, flags and threads stand in the first lines.
+// Usage: stages_benchmark [--benchmark_filter=<expression>] [other options of Google Benchmark] [mesh files]
 
 #include <CGAL/Canonical_pose_3/Heat_geodesics_3.h>
 #include <CGAL/Canonical_pose_3/Landmark_mds_target_builder_3.h>
-#include <CGAL/Canonical_pose_3/Tetrahedral_arap_registrar_3.h>
+#include <CGAL/Canonical_pose_3/Lattice_body_3.h>
 #include <CGAL/Canonical_pose_3/align_target.h>
 #include <CGAL/Canonical_pose_3/diagnose.h>
 #include <CGAL/Canonical_pose_3/farthest_point_landmarks.h>
+#include <CGAL/Canonical_pose_3/front_landmarks.h>
+#include <CGAL/Canonical_pose_3/repair_surface.h>
 #include <CGAL/Canonical_pose_3/surface_measures.h>
-#include <CGAL/Canonical_pose_3/tetgen_body.h>
+#include <CGAL/Canonical_pose_3/target_handedness.h>
 
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
+#include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 
 #include <benchmark/benchmark.h>
 
 #include "../../examples/Canonical_pose_3/Articulated_figure.h"
+#include "Registrar.h"
 #include "setting.h"
 
-#include <map>
+#include <cstdlib>
+#include <exception>
+#include <functional>
+#include <iostream>
 #include <memory>
-#include <optional>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace CP = CGAL::Canonical_pose_3;
-using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
+using Mesh = CP::internal::Indexed_mesh;
 using Geodesics = CP::Heat_geodesics_3<Mesh>;
-using Registrar = CP::Tetrahedral_arap_registrar_3<CP::Conforming_body_3>;
+using Canonical_pose_benchmark::Registrar;
 using Canonical_pose_examples::Articulated_figure;
 
 namespace {
 
-// The figure of one size, and what the stages leave for the next.
-struct Figure
+// A surface, and what its stages leave for the next.
+struct Surface
 {
-  explicit Figure(const std::size_t n)
-    : mesh(Articulated_figure(n).make_mesh<Mesh>(Articulated_figure::named_poses()[1].angles)),
-      points(CP::point_matrix(mesh)), shares(CP::vertex_area_shares(mesh, mesh.points())),
-      geodesics(mesh), fields(CP::farthest_point_landmarks(geodesics, 80, Mesh::Vertex_index(0))),
-      body(CP::tetgen_body(mesh, mesh.points()))
+  explicit Surface(const Mesh& input)
+    : points(CP::point_matrix(input)), polygons(CP::internal::index_polygons(input)),
+      repaired(CP::repair_surface(points, polygons)),
+      mesh(CP::internal::indexed_mesh(repaired.points, repaired.triangles)),
+      first(Mesh::size_type(CP::extremal_point(repaired.points, repaired.triangles))),
+      geodesics(mesh), fields(CP::front_landmarks(geodesics, 80, first)),
+      shares(CP::vertex_area_shares(repaired.points, repaired.triangles)), body(lattice()),
+      view(body)
   {}
 
   CP::Point_matrix target() const
   {
     CP::Landmark_mds_target_builder_3<> builder;
     builder.build(fields);
-    return CP::align_target(builder.targets(), points, shares);
+    const bool is_mirrored
+      = CP::target_handedness(builder.targets(), repaired.points, repaired.triangles, shares) < 0;
+    return CP::align_target(builder.targets(), repaired.points, shares, is_mirrored);
+  }
+
+  CP::Lattice_body_3 lattice() const
+  {
+    return CP::Lattice_body_3(repaired.points, repaired.triangles, fields.distances, 0,
+                              repaired.caps);
   }
 
   Registrar registrar() const
   {
     CP::Registration_options options;
     options.energy_tolerance = options.move_tolerance = 0;
-    return Registrar(body, shares, fields.distances.maxCoeff(), options);
+    options.number_of_iterations = 20;
+    return Registrar(view, shares, fields.distances.maxCoeff(), options);
   }
 
-  Mesh mesh;
   CP::Point_matrix points;
-  Eigen::VectorXd shares;
+  std::vector<std::vector<std::size_t>> polygons;
+  CP::Repaired_surface_3 repaired;
+  Mesh mesh;
+  Mesh::Vertex_index first;
   Geodesics geodesics;
   CP::Landmark_fields_3 fields;
-  CP::Conforming_body_3 body;
+  Eigen::VectorXd shares;
+  CP::Lattice_body_3 body;
+  CP::internal::Body_view view;
 };
 
-const Figure& figure(const benchmark::State& state)
+void diagnosis(benchmark::State& state, const Surface& s)
 {
-  static std::map<std::size_t, std::unique_ptr<Figure>> figures;
-  std::unique_ptr<Figure>& result = figures[static_cast<std::size_t>(state.range(0))];
-  if(!result)
-    result = std::make_unique<Figure>(static_cast<std::size_t>(state.range(0)));
-  return *result;
-}
-
-void diagnosis(benchmark::State& state)
-{
-  const Figure& f = figure(state);
   for(auto _ : state)
-    benchmark::DoNotOptimize(CP::diagnose(f.mesh, f.mesh.points()));
+  {
+    benchmark::DoNotOptimize(CP::diagnose(s.points, s.polygons));
+    benchmark::DoNotOptimize(CP::repair_surface(s.points, s.polygons));
+  }
 }
 
-void geodesics_set_up(benchmark::State& state)
+void geodesics(benchmark::State& state, const Surface& s)
 {
-  const Figure& f = figure(state);
   for(auto _ : state)
-    benchmark::DoNotOptimize(Geodesics(f.mesh).index(Mesh::Vertex_index(0)));
+    benchmark::DoNotOptimize(Geodesics(s.mesh).index(s.first));
 }
 
-void one_field(benchmark::State& state)
+void fields(benchmark::State& state, const Surface& s)
 {
-  const Figure& f = figure(state);
   for(auto _ : state)
-    benchmark::DoNotOptimize(f.geodesics.distances(Mesh::Vertex_index(0)));
+    benchmark::DoNotOptimize(CP::front_landmarks(s.geodesics, 80, s.first));
 }
 
-void batch_of_80_fields(benchmark::State& state)
+void body(benchmark::State& state, const Surface& s)
 {
-  const Figure& f = figure(state);
-  std::vector<Mesh::Vertex_index> sources;
-  for(const std::size_t l : f.fields.landmarks)
-    sources.emplace_back(static_cast<Mesh::size_type>(l));
   for(auto _ : state)
-    benchmark::DoNotOptimize(f.geodesics.distances(sources));
+    benchmark::DoNotOptimize(s.lattice());
 }
 
-void landmark_fields(benchmark::State& state)
+void target(benchmark::State& state, const Surface& s)
 {
-  const Figure& f = figure(state);
   for(auto _ : state)
-    benchmark::DoNotOptimize(CP::farthest_point_landmarks(f.geodesics, 80, Mesh::Vertex_index(0)));
+    benchmark::DoNotOptimize(s.target());
 }
 
-void target(benchmark::State& state)
+void factorization(benchmark::State& state, const Surface& s)
 {
-  const Figure& f = figure(state);
-  for(auto _ : state)
-    benchmark::DoNotOptimize(f.target());
-}
-
-void tetgen_body(benchmark::State& state) // without the diagnosis
-{
-  const Figure& f = figure(state);
-  const auto triangles = CP::internal::index_triangles(f.mesh);
-  for(auto _ : state)
-    benchmark::DoNotOptimize(CP::internal::tetgen_body_of_clean_surface(f.points, triangles));
-}
-
-void factorization(benchmark::State& state)
-{
-  const Figure& f = figure(state);
   for(auto _ : state)
   {
     state.PauseTiming();
-    Registrar registrar = f.registrar();
+    Registrar registrar = s.registrar();
     state.ResumeTiming();
     registrar.factor();
   }
 }
 
-void one_iteration(benchmark::State& state)
+void one_iteration(benchmark::State& state, const Surface& s)
 {
-  const Figure& f = figure(state);
-  Registrar registrar = f.registrar();
-  registrar.set_target(f.target());
-  registrar.set_number_of_iterations(20);
-  CP::Point_matrix pose = f.body.points();
+  Registrar registrar = s.registrar();
+  registrar.set_target(s.target());
   for(auto _ : state)
   {
+    CP::Point_matrix pose;
     const CP::Registration_summary summary = registrar.register_to_target(pose);
     double seconds = 0; // the energy of the start takes a local step more
-    for(const auto& [stage, s] : summary.stages)
-      seconds += stage == "local_steps" ? s / 21 : stage == "global_steps" ? s / 20 : 0;
+    for(const auto& [stage, time] : summary.stages)
+      seconds += stage == "local_steps" ? time / 21 : stage == "global_steps" ? time / 20 : 0;
     state.SetIterationTime(seconds);
   }
 }
 
+// The surface is made when the first of its stages runs.
+void register_stages(const std::string& name, const std::function<Mesh()>& make_mesh)
+{
+  const auto surface = std::make_shared<std::unique_ptr<Surface>>();
+  const auto add = [&](const char* stage, void (*f)(benchmark::State&, const Surface&)) {
+    return benchmark::RegisterBenchmark((name + '/' + stage).c_str(),
+                                        [=](benchmark::State& state) {
+                                          if(!*surface)
+                                            *surface = std::make_unique<Surface>(make_mesh());
+                                          f(state, **surface);
+                                        })
+      ->Unit(benchmark::kMillisecond);
+  };
+  add("diagnosis", diagnosis)->UseRealTime();
+  add("geodesics", geodesics)->UseRealTime();
+  add("fields", fields)->UseRealTime();
+  add("body", body)->UseRealTime();
+  add("target", target)->UseRealTime();
+  add("factorization", factorization)->UseRealTime();
+  add("one_iteration", one_iteration)->UseManualTime();
+}
+
+Mesh read(const std::string& file)
+{
+  Mesh mesh;
+  if(!CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(file, mesh))
+    throw std::runtime_error("cannot read " + file);
+  return mesh;
+}
+
 } // namespace
-
-#define CANONICAL_POSE_3_STAGE(name)                                                               \
-  BENCHMARK(name)->Arg(2500)->Arg(10000)->Arg(53000)->Unit(benchmark::kMillisecond)
-
-CANONICAL_POSE_3_STAGE(diagnosis)->UseRealTime();
-CANONICAL_POSE_3_STAGE(geodesics_set_up)->UseRealTime();
-CANONICAL_POSE_3_STAGE(one_field)->UseRealTime();
-CANONICAL_POSE_3_STAGE(batch_of_80_fields)->UseRealTime();
-CANONICAL_POSE_3_STAGE(landmark_fields)->UseRealTime();
-CANONICAL_POSE_3_STAGE(target)->UseRealTime();
-CANONICAL_POSE_3_STAGE(tetgen_body)->UseRealTime();
-CANONICAL_POSE_3_STAGE(factorization)->UseRealTime();
-CANONICAL_POSE_3_STAGE(one_iteration)->UseManualTime();
 
 int main(int argc, char** argv)
 {
-  benchmark::Initialize(&argc, argv);
-  if(benchmark::ReportUnrecognizedArguments(argc, argv))
-    return 1;
-  benchmark::AddCustomContext("setting", Canonical_pose_benchmark::setting());
-  benchmark::RunSpecifiedBenchmarks();
-  return 0;
+  try
+  {
+    benchmark::Initialize(&argc, argv);
+    benchmark::AddCustomContext("setting", Canonical_pose_benchmark::setting());
+    for(int i = 1; i < argc; ++i)
+      register_stages(argv[i], [file = std::string(argv[i])] { return read(file); });
+    for(const std::size_t n :
+        argc > 1 ? std::vector<std::size_t>() : std::vector<std::size_t>{2500, 10000, 53000})
+      register_stages("figure/" + std::to_string(n), [n] {
+        return Articulated_figure(n).make_mesh<Mesh>(Articulated_figure::named_poses()[1].angles);
+      });
+    benchmark::RunSpecifiedBenchmarks();
+    return EXIT_SUCCESS;
+  }
+  catch(const std::exception& e)
+  {
+    std::cerr << "stages_benchmark: " << e.what() << '\n';
+    return EXIT_FAILURE;
+  }
 }
