@@ -94,7 +94,7 @@ TEST(Components, isolated_vertices_go_with_the_nearest)
   }
 }
 
-// The largest one has the pose that it has alone, and the others hang on it.
+// The largest one has the pose that it has alone. The others are moved as the body says, but keep their shape.
 TEST(Components, the_largest_carries_followers_and_the_others)
 {
   const Polygon_soup moved_bar = shapes::merged({}, bar(), 20.);
@@ -103,7 +103,11 @@ TEST(Components, the_largest_carries_followers_and_the_others)
   Point_matrix pose;
   const Point_matrix followers = pose_of_followers(two_bars(), options, pose);
   EXPECT_EQ(pose.bottomRows(pose.rows() - small_size), pose_of(moved_bar, CP::Options()).pose);
-  EXPECT_LT((followers - pose).cwiseAbs().maxCoeff(), 1e-9);
+  const Eigen::Index n = pose.rows() - small_size;
+  EXPECT_LT((followers - pose).bottomRows(n).cwiseAbs().maxCoeff(), 1e-9);
+  const Point_matrix small = pose.topRows(small_size);
+  EXPECT_LT(shapes::relative_rms(shapes::to_matrix(small_bar().points), small), 1e-12);
+  EXPECT_LT((followers.topRows(small_size).colwise().mean() - small.colwise().mean()).norm(), 1e-9);
 }
 
 // Each of many has the bytes that it has alone.

@@ -12,6 +12,7 @@
 
 #include <CGAL/Canonical_pose_3/Options.h>
 #include <CGAL/Canonical_pose_3/Registration_summary.h>
+#include <CGAL/Canonical_pose_3/align_target.h>
 #include <CGAL/Canonical_pose_3/internal/Constraint_element_traits.h>
 #include <CGAL/Canonical_pose_3/internal/Options_constraints.h>
 #include <CGAL/Canonical_pose_3/internal/Posed_component.h>
@@ -71,14 +72,17 @@ class Component_poses
 public:
   static constexpr std::size_t NONE = Results_by_rows::NONE;
 
-  // `points`: the vertices of the input. `components`: by decreasing size.
+  // `points`: the vertices of the input. `components`: by decreasing size. `others`: the vertices of each component
+  // that gets no pose of its own.
   Component_poses(const Point_matrix& points, const Input_rows& rows,
-                  const std::vector<Posed_component>& components, const Options& options)
+                  const std::vector<Posed_component>& components,
+                  const std::vector<std::vector<std::size_t>>& others, const Options& options)
     : m_points(points), m_representatives(rows.representatives), m_components(components),
       m_options(options), m_results(rows, components, m_component_of, options)
   {
     check_unit(points);
     locate_vertices(rows);
+    find_rigid_parts(rows, others);
     make_local_options();
     distribute(&Options::springs);
     distribute(&Options::directions);
@@ -151,6 +155,24 @@ private:
       m_component_of[v] = m_component_of[rows.representative(v)];
       m_local_of[v] = m_local_of[rows.representative(v)];
     }
+  }
+
+  // The components that do not touch one with a pose: far from the cells that they follow, these say how they are
+  // moved and turned, but would distort them.
+  void find_rigid_parts(const Input_rows& rows, const std::vector<std::vector<std::size_t>>& others)
+  {
+    std::vector<std::size_t> part_of(m_component_of.size(), NONE);
+    for(const std::vector<std::size_t>& vertices : others)
+      if(std::all_of(vertices.begin(), vertices.end(),
+                     [&](const std::size_t v) { return m_component_of[v] == NONE; }))
+      {
+        for(const std::size_t v : vertices)
+          part_of[v] = m_rigid_parts.size();
+        m_rigid_parts.emplace_back();
+      }
+    for(std::size_t v = 0; v < part_of.size(); ++v)
+      if(part_of[rows.representative(v)] != NONE)
+        m_rigid_parts[part_of[rows.representative(v)]].push_back(v);
   }
 
   void make_local_options()
@@ -281,12 +303,28 @@ private:
     for(std::size_t i = 0; i < m_attached.size(); ++i)
       pose.row(static_cast<Eigen::Index>(m_attached[i]))
         = m_pose_of_followers.row(static_cast<Eigen::Index>(i));
+    for(const std::vector<std::size_t>& part : m_rigid_parts)
+      move_rigidly(part, pose);
     if(m_options.intermediate_results != nullptr)
     {
       Intermediate_results results = m_results.returned(pose);
       results.pose_of_followers = m_pose_of_followers.bottomRows(m_options.followers.rows());
       *m_options.intermediate_results = std::move(results);
     }
+  }
+
+  // Replaces the pose of some vertices by the rigid motion nearest to it.
+  void move_rigidly(const std::vector<std::size_t>& vertices, Point_matrix& pose) const
+  {
+    Point_matrix rest(static_cast<Eigen::Index>(vertices.size()), 3), followed(rest.rows(), 3);
+    for(std::size_t i = 0; i < vertices.size(); ++i)
+    {
+      rest.row(static_cast<Eigen::Index>(i)) = m_points.row(static_cast<Eigen::Index>(vertices[i]));
+      followed.row(static_cast<Eigen::Index>(i)) = pose.row(static_cast<Eigen::Index>(vertices[i]));
+    }
+    const Point_matrix moved = align_target(rest, followed, Eigen::VectorXd::Ones(rest.rows()));
+    for(std::size_t i = 0; i < vertices.size(); ++i)
+      pose.row(static_cast<Eigen::Index>(vertices[i])) = moved.row(static_cast<Eigen::Index>(i));
   }
 
   // The summary of a component with what adds up over the smaller ones.
@@ -314,7 +352,8 @@ private:
   std::vector<std::size_t> m_shared;                   // vertices of several components
   std::vector<Options> m_local_options;
   std::vector<std::size_t> m_attached; // vertices without component
-  Point_matrix m_followers;            // the attached vertices, and those of the user
+  std::vector<std::vector<std::size_t>> m_rigid_parts;
+  Point_matrix m_followers; // the attached vertices, and those of the user
   std::vector<std::vector<Eigen::Index>> m_followers_of;
   Row_means m_pose{static_cast<std::size_t>(m_points.rows())};
   Point_matrix m_pose_of_followers;

@@ -75,8 +75,11 @@ pose_of_complex(const Point_matrix& points, const std::vector<std::array<int, 4>
   std::vector<Posed_component> components;
   for(const Complex_part& part : posed_parts)
     components.push_back(part.component);
+  std::vector<std::vector<std::size_t>> others;
+  for(std::size_t i = posed_parts.size(); i < parts.size(); ++i)
+    others.push_back(parts[i].component.vertices);
   Component_poses poses(points, {{}, parts.boundary_vertices(), "boundary vertex"}, components,
-                        options);
+                        others, options);
   const double seconds_for_diagnosis = timer.time() - seconds_for_body;
 
   Registration_summary summary = with_solver(options, [&](const auto factor_traits) {

@@ -110,9 +110,10 @@ public:
     timer.start();
     const Diagnosis_3 diagnosis = diagnose(m_points, m_polygons);
     const Repaired_surface_3 surface = repair_surface(m_points, m_polygons);
-    const std::vector<Posed_component> components
-      = components_of_indices(surface, components_to_pose(surface, diagnosis));
-    Component_poses poses(m_points, rows(surface), components, m_options);
+    const std::vector<std::size_t> posed = components_to_pose(surface, diagnosis);
+    const std::vector<Posed_component> components = components_of_indices(surface, posed);
+    Component_poses poses(m_points, rows(surface), components, vertices_of_others(surface, posed),
+                          m_options);
     timer.stop();
 
     Registration_summary summary = poses.run(
@@ -141,6 +142,21 @@ private:
     std::vector<std::size_t> vertices(surface.representatives.size());
     std::iota(vertices.begin(), vertices.end(), std::size_t(0));
     return {surface.representatives, std::move(vertices), "vertex"};
+  }
+
+  // The vertices of the components that are not among those to pose.
+  static std::vector<std::vector<std::size_t>>
+  vertices_of_others(const Repaired_surface_3& surface, const std::vector<std::size_t>& posed)
+  {
+    std::vector<std::vector<std::size_t>> result(surface.number_of_components);
+    std::vector<bool> is_posed(surface.number_of_components, false);
+    for(const std::size_t c : posed)
+      is_posed[c] = true;
+    for(std::size_t t = 0; t < surface.triangles.size(); ++t)
+      if(!is_posed[surface.component_of_triangle[t]])
+        for(const std::size_t v : surface.triangles[t])
+          result[surface.component_of_triangle[t]].push_back(surface.origins[v]);
+    return result;
   }
 
   std::vector<std::size_t> components_to_pose(const Repaired_surface_3& surface,
