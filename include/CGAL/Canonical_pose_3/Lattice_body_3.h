@@ -11,8 +11,10 @@
 #define CGAL_CANONICAL_POSE_3_LATTICE_BODY_3_H
 
 #include <CGAL/Canonical_pose_3/internal/configuration.h>
+#include <CGAL/Canonical_pose_3/internal/Edge_splitter.h>
 #include <CGAL/Canonical_pose_3/internal/Lattice_copies.h>
 #include <CGAL/Canonical_pose_3/internal/Principal_axes.h>
+#include <CGAL/Canonical_pose_3/internal/Side_of_nearest_face.h>
 #include <CGAL/Canonical_pose_3/internal/surface_chords.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 #include <CGAL/Canonical_pose_3/surface_measures.h>
@@ -79,8 +81,7 @@ public:
 
   <em>Complexity:</em> linear in the numbers of triangles, cubes and cubes along the chords.
   */
-  Lattice_body_3(const Point_matrix& points,
-                 const std::vector<std::array<std::size_t, 3>>& triangles,
+  Lattice_body_3(const Point_matrix& points, std::vector<std::array<std::size_t, 3>> triangles,
                  const Eigen::MatrixXd& distances, const double spacing = 0,
                  const std::vector<std::array<std::size_t, 3>>& caps = {})
   {
@@ -88,10 +89,13 @@ public:
     check(distances, spacing);
     m_unit = distances.maxCoeff();
     place(points, triangles);
-    const internal::Geodesic_bounds bounds(distances, m_unit);
+    check_vertices(triangles);
     if(spacing > 0 && is_too_small(spacing, triangles))
       throw std::invalid_argument("the spacing of the lattice, " + std::to_string(spacing)
                                   + " of the largest distance, is too small");
+    internal::Geodesic_bounds bounds(distances, m_unit);
+    split_faces(spacing > 0 ? (std::min)(spacing, LARGEST_SPACING) : LARGEST_SPACING, triangles,
+                bounds);
     const internal::Chord_finder find_chords(m_surface, triangles, caps, bounds);
     const auto chords_from_cubes = [&](double side) {
       while(internal::number_of_samples(m_surface, triangles, side) > LARGEST_NUMBER_OF_SAMPLES)
@@ -108,7 +112,7 @@ public:
     const internal::Lattice_copies copies(triangles, pieces, bounds);
     make_cells(pieces, copies);
     weigh_cells(pieces, copies, triangles);
-    embed(pieces, copies, triangles);
+    embed(pieces, copies, triangles, points.rows());
   }
 
   /// constructs the body of a triangle mesh.
@@ -143,7 +147,7 @@ public:
 
 private:
   static constexpr double SMALLEST_SPACING = 1. / 120, LARGEST_SPACING = 1. / 60;
-  static constexpr double LARGEST_NUMBER_OF_SAMPLES = 5e6;
+  static constexpr double LARGEST_NUMBER_OF_SAMPLES = 5e6, LARGEST_NUMBER_OF_PARTS = 1e6;
   static constexpr double LARGEST_NUMBER_OF_CUBES = 2e7; // in the box around the surface
   static constexpr double WANTED_CUBES = 7000;
 
@@ -175,6 +179,28 @@ private:
     m_centroid = frame.centroid;
     m_axes = frame.axes;
     m_surface = (scaled.rowwise() - m_centroid) * m_axes;
+  }
+
+  void check_vertices(const std::vector<std::array<std::size_t, 3>>& triangles) const
+  {
+    std::vector<bool> has_triangle(static_cast<std::size_t>(m_surface.rows()), false);
+    for(const auto& t : triangles)
+      for(const std::size_t v : t)
+        has_triangle[v] = true;
+    const auto found = std::find(has_triangle.begin(), has_triangle.end(), false);
+    if(found != has_triangle.end())
+      throw std::invalid_argument("vertex " + std::to_string(found - has_triangle.begin())
+                                  + " belongs to no triangle");
+  }
+
+  // Parts of the solid are told apart by a corner of each face: it must not lie far from the rest.
+  void split_faces(double longest_edge, std::vector<std::array<std::size_t, 3>>& triangles,
+                   internal::Geodesic_bounds& bounds)
+  {
+    while(internal::number_of_samples(m_surface, triangles, longest_edge) > LARGEST_NUMBER_OF_PARTS)
+      longest_edge *= 2;
+    const internal::Edge_splitter splitter(m_surface, triangles, longest_edge);
+    bounds.add_middles(splitter.edges(), m_surface);
   }
 
   // Half of what only a tenth of the chords is shorter than, in bounds, but no more cubes than wanted.
@@ -243,6 +269,7 @@ private:
     if(faces.empty())
       return 1;
     const std::array<int, 3> coordinates = pieces.coordinates(cell);
+    internal::Side_of_nearest_face side(m_surface, triangles, faces, 1e-9 * m_spacing);
     constexpr int n = 3;
     int inside = 0;
     for(int i = 0; i < n * n * n; ++i)
@@ -251,23 +278,7 @@ private:
       const Eigen::Vector3d point
         = pieces.low()
           + m_spacing * (Eigen::Vector3d(coordinates[0], coordinates[1], coordinates[2]) + place);
-      double nearest = std::numeric_limits<double>::max();
-      bool is_behind = false;
-      for(const int f : faces)
-      {
-        const std::array<std::size_t, 3>& t = triangles[static_cast<std::size_t>(f)];
-        const auto corner = [&](const std::size_t k) -> Eigen::Vector3d {
-          return m_surface.row(static_cast<Eigen::Index>(t[k]));
-        };
-        const Eigen::Vector3d middle = (corner(0) + corner(1) + corner(2)) / 3;
-        const double distance = (point - middle).squaredNorm();
-        if(distance < nearest)
-        {
-          nearest = distance;
-          is_behind = (corner(1) - corner(0)).cross(corner(2) - corner(0)).dot(point - middle) < 0;
-        }
-      }
-      inside += is_behind ? 1 : 0;
+      inside += side.is_behind(point) ? 1 : 0;
     }
     return (std::max)(inside, 1) / double(n * n * n);
   }
@@ -293,19 +304,16 @@ private:
   }
 
   void embed(const internal::Lattice_pieces& pieces, const internal::Lattice_copies& copies,
-             const std::vector<std::array<std::size_t, 3>>& triangles)
+             const std::vector<std::array<std::size_t, 3>>& triangles, const Eigen::Index n)
   {
-    std::vector<std::size_t> face_of_vertex(static_cast<std::size_t>(m_surface.rows()),
-                                            triangles.size());
+    std::vector<std::size_t> face_of_vertex(static_cast<std::size_t>(m_surface.rows()));
     for(std::size_t f = triangles.size(); f-- > 0;)
       for(const std::size_t v : triangles[f])
         face_of_vertex[v] = f;
     std::vector<Eigen::Triplet<double>> entries;
-    entries.reserve(4 * face_of_vertex.size());
-    for(std::size_t v = 0; v < face_of_vertex.size(); ++v)
+    entries.reserve(4 * static_cast<std::size_t>(n));
+    for(std::size_t v = 0; v < static_cast<std::size_t>(n); ++v)
     {
-      if(face_of_vertex[v] == triangles.size())
-        throw std::invalid_argument("vertex " + std::to_string(v) + " belongs to no triangle");
       const Eigen::Vector3d point = m_surface.row(static_cast<Eigen::Index>(v));
       const int cell = pieces.cell_of(point);
       const std::array<int, 3> coordinates = pieces.coordinates(cell);
@@ -329,7 +337,7 @@ private:
           corner |= std::size_t(1) << axes[k];
       }
     }
-    m_embedding.resize(m_surface.rows(), m_points.rows());
+    m_embedding.resize(n, m_points.rows());
     m_embedding.setFromTriplets(entries.begin(), entries.end());
   }
 

@@ -16,6 +16,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Canonical_pose_3 {
@@ -32,6 +34,27 @@ public:
     : m_distances(
       (distances.leftCols((std::min)(distances.cols(), NUMBER_OF_LANDMARKS)) / unit).cast<float>())
   {}
+
+  // Appends a vertex in the middle of each edge, of which ends may be such vertices themselves; `points`: all
+  // of them, in the unit of the bounds. If a landmark is seen from both ends through faces that unfold into
+  // a plane, its distance is that of the middle of the side of a triangle.
+  void add_middles(const std::vector<std::pair<std::size_t, std::size_t>>& edges,
+                   const Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>& points)
+  {
+    Eigen::Index row = m_distances.rows();
+    m_distances.conservativeResize(row + static_cast<Eigen::Index>(edges.size()), Eigen::NoChange);
+    for(const auto& edge : edges)
+    {
+      const auto v = static_cast<Eigen::Index>(edge.first),
+                 w = static_cast<Eigen::Index>(edge.second);
+      const double squared_length = (points.row(v) - points.row(w)).squaredNorm();
+      const Eigen::ArrayXd a = m_distances.row(v).transpose().cast<double>().array(),
+                           b = m_distances.row(w).transpose().cast<double>().array();
+      const Eigen::ArrayXd squares
+        = (2 * (a.square() + b.square()) - squared_length).max((a - b).square());
+      m_distances.row(row++) = (squares.sqrt() / 2).matrix().transpose().cast<float>();
+    }
+  }
 
   double operator()(const std::size_t v, const std::size_t w) const
   {

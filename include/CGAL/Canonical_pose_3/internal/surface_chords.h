@@ -83,7 +83,7 @@ void for_each_sample(const Row_points& points, const Index_triangle& t, const do
   }
 }
 
-// A bound on the number of samples of all faces.
+// A bound on the number of samples of all faces beyond one per face.
 inline double number_of_samples(const Row_points& points,
                                 const std::vector<Index_triangle>& triangles, const double step)
 {
@@ -94,7 +94,7 @@ inline double number_of_samples(const Row_points& points,
       = [&](const std::size_t k) { return points.row(static_cast<Eigen::Index>(t[k])); };
     const Eigen::Vector3d a = point(1) - point(0), b = point(2) - point(0);
     const double longest = (std::max)({a.norm(), b.norm(), (b - a).norm()});
-    sum += a.cross(b).norm() / (step * step) + 3 * longest / step + 1;
+    sum += a.cross(b).norm() / (step * step) + 3 * longest / step;
   }
   return sum;
 }
