@@ -1,0 +1,173 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#include <CGAL/Canonical_pose_3/internal/surface_chords.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "matchers.h"
+#include "shapes.h"
+
+namespace CP = CGAL::Canonical_pose_3;
+namespace shapes = Canonical_pose_test;
+
+namespace {
+
+using CP::internal::Chord;
+
+Eigen::MatrixXd straight_distances(const shapes::Triangle_soup& soup)
+{
+  const CP::Point_matrix points = shapes::to_matrix(soup.points);
+  const Eigen::Index step = points.rows() / 20;
+  Eigen::MatrixXd result(points.rows(), 20);
+  for(Eigen::Index j = 0; j < 20; ++j)
+    result.col(j) = (points.rowwise() - points.row(j * step)).rowwise().norm();
+  return result;
+}
+
+struct Chords
+{
+  Chords(const shapes::Triangle_soup& soup, const Eigen::MatrixXd& distances, const double side,
+         const shapes::Triangles& caps = {})
+    : points(shapes::to_matrix(soup.points)), triangles(soup.triangles),
+      samples(CP::internal::sample_surface(points, triangles, side)),
+      chords(CP::internal::Chord_finder(points, triangles, caps,
+                                        CP::internal::Geodesic_bounds(distances, 1))(samples))
+  {}
+  Eigen::RowVector3d normal(const std::size_t face) const
+  {
+    const auto p
+      = [&](const std::size_t k) { return points.row(Eigen::Index(triangles[face][k])); };
+    return (p(1) - p(0)).cross(p(2) - p(0)).normalized();
+  }
+
+  CP::internal::Row_points points;
+  shapes::Triangles triangles;
+  std::vector<CP::internal::Surface_sample> samples;
+  std::vector<Chord> chords;
+};
+
+// Chords run from their sample against the normal over their length.
+void expect_straight(const Chords& c)
+{
+  for(const Chord& chord : c.chords)
+    EXPECT_LE((chord.end - chord.start + chord.length * c.normal(chord.face).transpose()).norm(),
+              1e-12);
+}
+
+shapes::Triangle_soup plate(const double z)
+{
+  shapes::Triangle_soup soup
+    = shapes::boundary(shapes::tetrahedral_box(12, 12, 1, {{0.4, 0.4, 0.04}}));
+  for(auto& p : soup.points)
+    p[2] += z;
+  return soup;
+}
+
+} // namespace
+
+// Between parallel planes the length is their distance, but for rounding. The opposite sides of a prism with an
+// even number of sides are parallel, 2 r cos(pi / sides) apart; so are its ends.
+TEST(Surface_chords, of_parallel_faces)
+{
+  const std::array<double, 3> lengths = {{1., 0.8, 0.1}};
+  const shapes::Triangle_soup box = shapes::boundary(shapes::tetrahedral_box(20, 16, 2, lengths));
+  const Chords slab(box, straight_distances(box), 0.05);
+  EXPECT_EQ(slab.chords.size(), slab.samples.size());
+  expect_straight(slab);
+  for(const Chord& chord : slab.chords)
+  {
+    Eigen::Index axis;
+    slab.normal(chord.face).cwiseAbs().maxCoeff(&axis);
+    EXPECT_NEAR(chord.length, lengths[std::size_t(axis)], 1e-12);
+    EXPECT_TRUE(chord.exit_vertex);
+  }
+
+  const shapes::Triangle_soup prism = shapes::tube_soup(60, 24, 10., 0.5);
+  const Chords tube(prism, straight_distances(prism), 0.2);
+  EXPECT_EQ(tube.chords.size(), tube.samples.size());
+  expect_straight(tube);
+  for(const Chord& chord : tube.chords)
+    EXPECT_NEAR(chord.length,
+                std::abs(tube.normal(chord.face)[0]) > 0.5 ? 10. : std::cos(shapes::pi / 24),
+                1e-12);
+}
+
+// Facets of the sphere differ from it by h^2 / 8 at most, h = 0.08 being the length of an edge, and the way from one
+// passes the center at a distance of h at most.
+TEST(Surface_chords, of_a_ball)
+{
+  const shapes::Triangle_soup sphere = shapes::icosphere_soup(4, 1.);
+  const Chords ball(sphere, straight_distances(sphere), 0.1);
+  EXPECT_GT(ball.chords.size(), 500u);
+  EXPECT_EQ(ball.chords.size(), ball.samples.size());
+  expect_straight(ball);
+  for(const Chord& chord : ball.chords)
+    EXPECT_NEAR(chord.length, 2, 2 * 0.08 * 0.08);
+}
+
+// Two plates that overlap by half of their height, and are far apart by geodesics: the way through one of them
+// leads through the side of the other, but ends at its own other side.
+TEST(Surface_chords, of_overlapping_limbs)
+{
+  shapes::Triangle_soup both = plate(0);
+  const shapes::Triangle_soup other = plate(0.02);
+  const std::size_t n = both.points.size();
+  for(auto t : other.triangles)
+    both.triangles.push_back({{t[0] + n, t[1] + n, t[2] + n}});
+  both.points.insert(both.points.end(), other.points.begin(), other.points.end());
+  Eigen::MatrixXd distances = straight_distances(both);
+  for(Eigen::Index i = 0; i < distances.rows(); ++i)
+    for(Eigen::Index j = 0; j < distances.cols(); ++j)
+      if((i < Eigen::Index(n)) != (j < distances.cols() / 2))
+        distances(i, j) += 0.4;
+  const Chords plates(both, distances, 0.03);
+  for(const Chord& chord : plates.chords)
+    if(std::abs(plates.normal(chord.face)[2]) > 0.5)
+    {
+      EXPECT_NEAR(chord.length, 0.04, 1e-12);
+      ASSERT_TRUE(chord.exit_vertex);
+      EXPECT_EQ(*chord.exit_vertex < n, plates.triangles[chord.face][0] < n);
+    }
+  EXPECT_GT(plates.chords.size(), 400u);
+}
+
+// A box without lid: from its bottom there is no way out, until a cap closes it.
+TEST(Surface_chords, of_an_open_surface)
+{
+  shapes::Triangle_soup soup = shapes::boundary(shapes::tetrahedral_box(8, 8, 4, {{1., 1., 0.5}}));
+  const auto is_on_top = [&](const std::size_t v) { return soup.points[v][2] == 0.5; };
+  const auto lid
+    = std::stable_partition(soup.triangles.begin(), soup.triangles.end(), [&](const auto& t) {
+        return !std::all_of(t.begin(), t.end(), is_on_top);
+      });
+  const shapes::Triangles caps(lid, soup.triangles.end());
+  soup.triangles.erase(lid, soup.triangles.end());
+  const Eigen::MatrixXd distances = straight_distances(soup);
+  const auto number_from_bottom = [](const Chords& c) {
+    return std::count_if(c.chords.begin(), c.chords.end(),
+                         [&](const Chord& chord) { return c.normal(chord.face)[2] < -0.5; });
+  };
+  const Chords open(soup, distances, 0.1), closed(soup, distances, 0.1, caps);
+  EXPECT_EQ(number_from_bottom(open), 0);
+  EXPECT_GT(number_from_bottom(closed), 50);
+  EXPECT_EQ(closed.chords.size(), closed.samples.size());
+  for(const Chord& chord : closed.chords)
+  {
+    const bool ends_on_cap = closed.normal(chord.face)[2] < -0.5;
+    EXPECT_NEAR(chord.length, ends_on_cap ? 0.5 : 1., 1e-12);
+    EXPECT_EQ(chord.exit_vertex.has_value(), !ends_on_cap);
+  }
+}
