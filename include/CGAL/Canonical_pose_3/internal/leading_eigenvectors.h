@@ -23,13 +23,13 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
+// The largest eigenvalues of a symmetric matrix.
 struct Eigenpairs
 {
   Eigen::VectorXd values; // in decreasing order
   Eigen::MatrixXd vectors;
 };
 
-// The `count` largest eigenvalues of a symmetric matrix.
 inline Eigenpairs largest_of_all_eigenpairs(const Eigen::MatrixXd& matrix, const Eigen::Index count)
 {
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(matrix);
