@@ -11,9 +11,9 @@
 #define CGAL_CANONICAL_POSE_3_BIHARMONIC_DISTANCES_3_H
 
 #include <CGAL/Canonical_pose_3/Default_factor_traits_d.h>
-#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/Delaunay_surface.h>
 #include <CGAL/Canonical_pose_3/internal/Laplace_spectrum.h>
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/cotangent_operators.h>
 #include <CGAL/Canonical_pose_3/internal/for_each_block.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>

@@ -11,9 +11,9 @@
 #define CGAL_CANONICAL_POSE_3_HEAT_GEODESICS_3_H
 
 #include <CGAL/Canonical_pose_3/Default_factor_traits_d.h>
-#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/Heat_solver.h>
 #include <CGAL/Canonical_pose_3/internal/Intrinsic_triangulation.h>
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <CGAL/Default.h>

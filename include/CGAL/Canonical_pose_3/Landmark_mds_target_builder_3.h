@@ -10,9 +10,9 @@
 #ifndef CGAL_CANONICAL_POSE_3_LANDMARK_MDS_TARGET_BUILDER_3_H
 #define CGAL_CANONICAL_POSE_3_LANDMARK_MDS_TARGET_BUILDER_3_H
 
-#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/Landmark_fields_3.h>
 #include <CGAL/Canonical_pose_3/Squared_distance_kernel.h>
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/leading_eigenvectors.h>
 
 #include <CGAL/assertions.h>

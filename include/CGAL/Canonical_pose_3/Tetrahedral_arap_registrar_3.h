@@ -11,7 +11,6 @@
 #define CGAL_CANONICAL_POSE_3_TETRAHEDRAL_ARAP_REGISTRAR_3_H
 
 #include <CGAL/Canonical_pose_3/Default_factor_traits_d.h>
-#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/Registration_options.h>
 #include <CGAL/Canonical_pose_3/Registration_progress.h>
 #include <CGAL/Canonical_pose_3/Registration_summary.h>
@@ -22,6 +21,7 @@
 #include <CGAL/Canonical_pose_3/internal/Taubin_fairing.h>
 #include <CGAL/Canonical_pose_3/internal/Updated_factor.h>
 #include <CGAL/Canonical_pose_3/internal/check_registration.h>
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/low_rank_factors.h>
 #include <CGAL/Canonical_pose_3/internal/transposed_product.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>

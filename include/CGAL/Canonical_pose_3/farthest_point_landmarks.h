@@ -10,8 +10,8 @@
 #ifndef CGAL_CANONICAL_POSE_3_FARTHEST_POINT_LANDMARKS_H
 #define CGAL_CANONICAL_POSE_3_FARTHEST_POINT_LANDMARKS_H
 
-#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/Landmark_fields_3.h>
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <CGAL/assertions.h>

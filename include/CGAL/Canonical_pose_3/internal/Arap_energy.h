@@ -12,9 +12,9 @@
 
 #include <CGAL/Canonical_pose_3/internal/Buckets.h>
 #include <CGAL/Canonical_pose_3/internal/Column_sums.h>
-#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/Elastic_cell.h>
 #include <CGAL/Canonical_pose_3/internal/closest_rotation.h>
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/for_each_block.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 

@@ -10,8 +10,8 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_BEAM_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_BEAM_H
 
-#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/Virtual_source.h>
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 
 #include <array>
 #include <cstddef>

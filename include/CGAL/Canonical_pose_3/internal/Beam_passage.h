@@ -11,8 +11,8 @@
 #define CGAL_CANONICAL_POSE_3_INTERNAL_BEAM_PASSAGE_H
 
 #include <CGAL/Canonical_pose_3/internal/Beam.h>
-#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/Virtual_source.h>
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 
 namespace CGAL {
 namespace Canonical_pose_3 {

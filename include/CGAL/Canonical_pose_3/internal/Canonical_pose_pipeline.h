@@ -15,7 +15,6 @@
 #include <CGAL/Canonical_pose_3/Exact_geodesics_3.h>
 #include <CGAL/Canonical_pose_3/Gaussian_kernel.h>
 #include <CGAL/Canonical_pose_3/Heat_geodesics_3.h>
-#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/Landmark_mds_target_builder_3.h>
 #include <CGAL/Canonical_pose_3/Lattice_body_3.h>
 #include <CGAL/Canonical_pose_3/Options.h>
@@ -34,6 +33,7 @@
 #include <CGAL/Canonical_pose_3/internal/Posed_component.h>
 #include <CGAL/Canonical_pose_3/internal/check_number_of_landmarks.h>
 #include <CGAL/Canonical_pose_3/internal/check_registration.h>
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/flipped_faces.h>
 #include <CGAL/Canonical_pose_3/surface_measures.h>
 #include <CGAL/Canonical_pose_3/target_handedness.h>

@@ -10,11 +10,11 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_COMPONENT_ORIENTER_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_COMPONENT_ORIENTER_H
 
-#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/Repaired_surface_3.h>
 #include <CGAL/Canonical_pose_3/internal/Indexed_mesh.h>
 #include <CGAL/Canonical_pose_3/internal/Loop_triangulation.h>
 #include <CGAL/Canonical_pose_3/internal/Manifold_builder.h>
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 #include <CGAL/Canonical_pose_3/surface_measures.h>
 

@@ -10,9 +10,9 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_DELAUNAY_SURFACE_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_DELAUNAY_SURFACE_H
 
-#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/Intrinsic_triangulation.h>
 #include <CGAL/Canonical_pose_3/internal/Vertex_components.h>
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <Eigen/Core>

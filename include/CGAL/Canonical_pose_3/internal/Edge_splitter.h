@@ -10,8 +10,8 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_EDGE_SPLITTER_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_EDGE_SPLITTER_H
 
-#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/Surface_rays.h>
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 
 #include <boost/functional/hash.hpp>
 

@@ -10,8 +10,8 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_FOLDOVER_FREE_ENERGY_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_FOLDOVER_FREE_ENERGY_H
 
-#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/Elastic_cell.h>
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 
 #include <Eigen/Dense>
 

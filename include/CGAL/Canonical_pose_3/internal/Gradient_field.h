@@ -11,9 +11,9 @@
 #define CGAL_CANONICAL_POSE_3_INTERNAL_GRADIENT_FIELD_H
 
 #include <CGAL/Canonical_pose_3/internal/Buckets.h>
-#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/Intrinsic_triangulation.h>
 #include <CGAL/Canonical_pose_3/internal/Lanes.h>
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 
 #include <algorithm>
 #include <array>

@@ -10,11 +10,11 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_HEAT_SOLVER_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_HEAT_SOLVER_H
 
-#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/Delaunay_surface.h>
 #include <CGAL/Canonical_pose_3/internal/Gradient_field.h>
 #include <CGAL/Canonical_pose_3/internal/Intrinsic_triangulation.h>
 #include <CGAL/Canonical_pose_3/internal/Lane_factor.h>
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/cotangent_operators.h>
 #include <CGAL/Canonical_pose_3/internal/heat_lengths.h>
 #include <CGAL/Canonical_pose_3/internal/in_parallel.h>

@@ -10,8 +10,8 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_INDEXED_COMPLEX_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_INDEXED_COMPLEX_H
 
-#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/Tetrahedral_complex_traits_3.h>
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <CGAL/Kernel_traits.h>

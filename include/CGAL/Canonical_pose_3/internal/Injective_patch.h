@@ -10,12 +10,12 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_INJECTIVE_PATCH_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_INJECTIVE_PATCH_H
 
-#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/Elastic_cell.h>
 #include <CGAL/Canonical_pose_3/internal/Foldover_free_energy.h>
 #include <CGAL/Canonical_pose_3/internal/Inversion_barrier.h>
 #include <CGAL/Canonical_pose_3/internal/Sparse_factor.h>
 #include <CGAL/Canonical_pose_3/internal/closest_rotation.h>
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <Eigen/Dense>

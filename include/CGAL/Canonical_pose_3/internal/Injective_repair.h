@@ -12,10 +12,10 @@
 
 #include <CGAL/Canonical_pose_3/internal/Arap_energy.h>
 #include <CGAL/Canonical_pose_3/internal/Buckets.h>
-#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/Disjoint_sets.h>
 #include <CGAL/Canonical_pose_3/internal/Elastic_cell.h>
 #include <CGAL/Canonical_pose_3/internal/Injective_patch.h>
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <Eigen/SparseCore>

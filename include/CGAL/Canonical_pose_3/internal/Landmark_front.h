@@ -10,8 +10,8 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_LANDMARK_FRONT_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_LANDMARK_FRONT_H
 
-#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/Intrinsic_triangulation.h>
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/vertex_corners.h>
 
 #include <Eigen/Core>

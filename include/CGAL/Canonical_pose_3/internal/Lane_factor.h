@@ -10,9 +10,9 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_LANE_FACTOR_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_LANE_FACTOR_H
 
-#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/Lanes.h>
 #include <CGAL/Canonical_pose_3/internal/Sparse_factor.h>
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #ifdef CGAL_CANONICAL_POSE_3_USE_CHOLMOD
 #include <CGAL/Canonical_pose_3/Cholmod_factor_traits_d.h>
 #include <CGAL/Canonical_pose_3/internal/Supernodal_factor.h>

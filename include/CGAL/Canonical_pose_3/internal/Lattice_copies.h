@@ -10,10 +10,10 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_LATTICE_COPIES_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_LATTICE_COPIES_H
 
-#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/Disjoint_sets.h>
 #include <CGAL/Canonical_pose_3/internal/Geodesic_bounds.h>
 #include <CGAL/Canonical_pose_3/internal/Lattice_pieces.h>
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/for_each_block.h>
 
 #include <boost/container/static_vector.hpp>

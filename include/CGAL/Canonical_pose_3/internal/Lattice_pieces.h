@@ -11,8 +11,8 @@
 #define CGAL_CANONICAL_POSE_3_INTERNAL_LATTICE_PIECES_H
 
 #include <CGAL/Canonical_pose_3/internal/Buckets.h>
-#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/Surface_rays.h>
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/for_each_block.h>
 #include <CGAL/Canonical_pose_3/internal/surface_chords.h>
 

@@ -10,12 +10,12 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_MANIFOLD_BUILDER_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_MANIFOLD_BUILDER_H
 
-#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/Repaired_surface_3.h>
 #include <CGAL/Canonical_pose_3/internal/Disjoint_sets.h>
 #include <CGAL/Canonical_pose_3/internal/Indexed_mesh.h>
 #include <CGAL/Canonical_pose_3/internal/Side_pairing.h>
 #include <CGAL/Canonical_pose_3/internal/Triangle_soup.h>
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <algorithm>

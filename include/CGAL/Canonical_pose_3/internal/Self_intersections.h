@@ -10,9 +10,9 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_SELF_INTERSECTIONS_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_SELF_INTERSECTIONS_H
 
-#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/Indexed_mesh.h>
 #include <CGAL/Canonical_pose_3/internal/Triangle_soup.h>
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/for_each_block.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 

@@ -10,9 +10,9 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_SIDE_PAIRING_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_SIDE_PAIRING_H
 
-#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/Corner_table.h>
 #include <CGAL/Canonical_pose_3/internal/Indexed_mesh.h>
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <Eigen/Geometry>

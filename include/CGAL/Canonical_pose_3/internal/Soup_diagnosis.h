@@ -11,12 +11,12 @@
 #define CGAL_CANONICAL_POSE_3_INTERNAL_SOUP_DIAGNOSIS_H
 
 #include <CGAL/Canonical_pose_3/Diagnosis_3.h>
-#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/Corner_table.h>
 #include <CGAL/Canonical_pose_3/internal/Disjoint_sets.h>
 #include <CGAL/Canonical_pose_3/internal/Indexed_mesh.h>
 #include <CGAL/Canonical_pose_3/internal/Self_intersections.h>
 #include <CGAL/Canonical_pose_3/internal/Triangle_soup.h>
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <Eigen/Geometry>

@@ -11,8 +11,8 @@
 #define CGAL_CANONICAL_POSE_3_INTERNAL_SUPERNODAL_FACTOR_H
 
 #include <CGAL/Canonical_pose_3/internal/Cholmod_factor.h>
-#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/Supernodal_kernels.h>
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/state_of_the_process.h>
 
 #include <Eigen/Core>

@@ -10,8 +10,8 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_SUPERNODAL_KERNELS_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_SUPERNODAL_KERNELS_H
 
-#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/Lanes.h>
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 
 #include <cstddef>
 

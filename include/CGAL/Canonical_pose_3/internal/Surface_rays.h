@@ -12,8 +12,8 @@
 
 #include <CGAL/Canonical_pose_3/internal/Buckets.h>
 #include <CGAL/Canonical_pose_3/internal/Clipped_triangle.h>
-#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/Indexed_mesh.h>
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/for_each_block.h>
 
 #include <Eigen/Geometry>

@@ -11,9 +11,9 @@
 #define CGAL_CANONICAL_POSE_3_INTERNAL_UNFOLDED_SIDES_H
 
 #include <CGAL/Canonical_pose_3/internal/Buckets.h>
-#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/Intrinsic_triangulation.h>
 #include <CGAL/Canonical_pose_3/internal/Virtual_source.h>
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 
 #include <cmath>
 #include <cstddef>

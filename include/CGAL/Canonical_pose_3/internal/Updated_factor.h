@@ -10,8 +10,8 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_UPDATED_FACTOR_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_UPDATED_FACTOR_H
 
-#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/Sparse_factor.h>
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 
 #include <Eigen/Dense>
 #include <Eigen/SparseCore>

@@ -13,9 +13,9 @@
 #include <CGAL/Canonical_pose_3/internal/Arrival_queue.h>
 #include <CGAL/Canonical_pose_3/internal/Beam.h>
 #include <CGAL/Canonical_pose_3/internal/Beam_passage.h>
-#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/Least_distances.h>
 #include <CGAL/Canonical_pose_3/internal/Unfolded_sides.h>
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 
 #include <Eigen/Core>
 

@@ -10,11 +10,11 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_WAVEFRONT_SOLVER_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_WAVEFRONT_SOLVER_H
 
-#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/Delaunay_surface.h>
 #include <CGAL/Canonical_pose_3/internal/Intrinsic_triangulation.h>
 #include <CGAL/Canonical_pose_3/internal/Unfolded_sides.h>
 #include <CGAL/Canonical_pose_3/internal/Wavefront.h>
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <Eigen/Core>

@@ -10,8 +10,8 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_CHECK_REGISTRATION_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_CHECK_REGISTRATION_H
 
-#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/Disjoint_sets.h>
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 
 #include <CGAL/assertions.h>
 

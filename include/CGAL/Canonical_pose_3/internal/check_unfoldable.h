@@ -10,10 +10,10 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_CHECK_UNFOLDABLE_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_CHECK_UNFOLDABLE_H
 
-#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/Disjoint_sets.h>
 #include <CGAL/Canonical_pose_3/internal/Face_defect.h>
 #include <CGAL/Canonical_pose_3/internal/Intrinsic_triangulation.h>
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <Eigen/Dense>

@@ -11,8 +11,8 @@
 #define CGAL_CANONICAL_POSE_3_INTERNAL_COTANGENT_OPERATORS_H
 
 #include <CGAL/Canonical_pose_3/internal/Buckets.h>
-#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/Intrinsic_triangulation.h>
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>

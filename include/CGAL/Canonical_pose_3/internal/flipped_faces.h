@@ -10,10 +10,10 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_FLIPPED_FACES_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_FLIPPED_FACES_H
 
-#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/Indexed_mesh.h>
 #include <CGAL/Canonical_pose_3/internal/body_cells.h>
 #include <CGAL/Canonical_pose_3/internal/closest_rotation.h>
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/for_each_block.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 

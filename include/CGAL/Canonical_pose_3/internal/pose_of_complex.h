@@ -11,7 +11,6 @@
 #define CGAL_CANONICAL_POSE_3_INTERNAL_POSE_OF_COMPLEX_H
 
 #include <CGAL/Canonical_pose_3/Conforming_body_3.h>
-#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/Options.h>
 #include <CGAL/Canonical_pose_3/Registration_summary.h>
 #include <CGAL/Canonical_pose_3/diagnose.h>
@@ -19,6 +18,7 @@
 #include <CGAL/Canonical_pose_3/internal/Complex_parts.h>
 #include <CGAL/Canonical_pose_3/internal/Component_poses.h>
 #include <CGAL/Canonical_pose_3/internal/check_registration.h>
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/inline_definition.h>
 #include <CGAL/Canonical_pose_3/internal/with_solver.h>
 

@@ -10,7 +10,6 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_POSE_OF_SURFACE_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_POSE_OF_SURFACE_H
 
-#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/Options.h>
 #include <CGAL/Canonical_pose_3/Registration_summary.h>
 #include <CGAL/Canonical_pose_3/diagnose.h>

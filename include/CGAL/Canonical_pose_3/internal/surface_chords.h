@@ -10,9 +10,9 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_SURFACE_CHORDS_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_SURFACE_CHORDS_H
 
-#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/Geodesic_bounds.h>
 #include <CGAL/Canonical_pose_3/internal/Surface_rays.h>
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/for_each_block.h>
 
 #include <boost/functional/hash.hpp>

@@ -12,8 +12,8 @@
 
 #include <CGAL/Canonical_pose_3/Default_factor_traits_d.h>
 #include <CGAL/Canonical_pose_3/Eigen_factor_traits_d.h>
-#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/Options.h>
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #ifdef CGAL_CANONICAL_POSE_3_USE_CHOLMOD
 #include <CGAL/Canonical_pose_3/Cholmod_factor_traits_d.h>
 #endif
