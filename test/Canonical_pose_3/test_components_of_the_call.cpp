@@ -25,19 +25,13 @@
 namespace CP = CGAL::Canonical_pose_3;
 namespace shapes = Canonical_pose_test;
 using CP::Point_matrix;
+using shapes::bar;
 using shapes::Polygon_soup;
 using shapes::pose_of;
 using shapes::Pose_result;
+using shapes::small_bar;
 
 namespace {
-
-Polygon_soup bar() { return shapes::to_polygons(shapes::bent_bar()); }
-
-Polygon_soup small_bar()
-{
-  return shapes::to_polygons(
-    shapes::boundary(shapes::tetrahedral_bent_bar(16, 2, 2, 2., {{4., .5, .5}})));
-}
 
 const Eigen::Index small_size = Eigen::Index(small_bar().points.size());
 

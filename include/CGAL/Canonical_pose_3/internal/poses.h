@@ -14,12 +14,12 @@
 // compile. A program of several sources may do so once: where CGAL_CANONICAL_POSE_3_COMPILED_APART is
 // defined there are declarations only, and another source has the definitions.
 #ifndef CGAL_CANONICAL_POSE_3_COMPILED_APART
-#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/pose_of_complex.h>
 #include <CGAL/Canonical_pose_3/internal/pose_of_surface.h>
 #else
 #include <CGAL/Canonical_pose_3/Options.h>
 #include <CGAL/Canonical_pose_3/Registration_summary.h>
+#include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <array>
