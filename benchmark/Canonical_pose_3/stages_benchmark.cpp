@@ -68,8 +68,10 @@ struct Surface
   {
     CP::Landmark_mds_target_builder_3<> builder;
     builder.build(fields);
+    auto closed = repaired.triangles;
+    closed.insert(closed.end(), repaired.caps.begin(), repaired.caps.end());
     const bool is_mirrored
-      = CP::target_handedness(builder.targets(), repaired.points, repaired.triangles, shares) < 0;
+      = CP::target_handedness(builder.targets(), repaired.points, closed, shares) < 0;
     return CP::align_target(builder.targets(), repaired.points, shares, is_mirrored);
   }
 
@@ -196,13 +198,14 @@ int main(int argc, char** argv)
   {
     benchmark::Initialize(&argc, argv);
     benchmark::AddCustomContext("setting", Canonical_pose_benchmark::setting());
-    for(int i = 1; i < argc; ++i)
-      register_stages(argv[i], [file = std::string(argv[i])] { return read(file); });
-    for(const std::size_t n :
-        argc > 1 ? std::vector<std::size_t>() : std::vector<std::size_t>{2500, 10000, 53000})
-      register_stages("figure/" + std::to_string(n), [n] {
-        return Articulated_figure(n).make_mesh<Mesh>(Articulated_figure::named_poses()[1].angles);
-      });
+    const std::vector<std::string> files(argv + 1, argv + argc);
+    for(const std::string& file : files)
+      register_stages(file.substr(file.find_last_of('/') + 1), [file] { return read(file); });
+    if(files.empty())
+      for(const std::size_t n : {2500, 10000, 53000})
+        register_stages("figure/" + std::to_string(n), [n] {
+          return Articulated_figure(n).make_mesh<Mesh>(Articulated_figure::named_poses()[1].angles);
+        });
     benchmark::RunSpecifiedBenchmarks();
     return EXIT_SUCCESS;
   }
