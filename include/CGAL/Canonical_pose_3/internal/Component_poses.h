@@ -101,7 +101,7 @@ public:
     return result;
   }
 
-  // `run(c, options, pose, results)` brings component c into its pose.
+  // `run(c, options)` brings component c into its pose and returns a `Component_result`.
   template <typename Function>
   Registration_summary run(const Function& run, Point_matrix& pose)
   {
@@ -111,12 +111,10 @@ public:
     {
       const Intermediate_results given = m_results.given_to(c);
       m_local_options[c].given = &given;
-      Point_matrix pose_of_component;
-      Intermediate_results results;
-      Registration_summary one = run(c, m_local_options[c], pose_of_component, results);
-      if(one.is_usable())
-        take(c, pose_of_component, std::move(results));
-      summary = summary ? joined(std::move(one), *summary) : std::move(one);
+      Component_result one = run(c, m_local_options[c]);
+      summary = summary ? joined(one.summary, *summary) : one.summary;
+      if(one.summary.is_usable())
+        take(c, std::move(one));
     }
     if(summary->is_usable())
       finish(pose);
@@ -184,6 +182,7 @@ private:
     common.symmetric_pairs.clear();
     common.followers.resize(0, 3);
     common.matching_weights.resize(0);
+    common.stiffness.resize(0);
     common.intermediate_results = nullptr;
     m_local_options.assign(m_components.size(), common);
     if(m_options.matching_weights.size() > 0)
@@ -280,17 +279,17 @@ private:
     return result;
   }
 
-  void take(const std::size_t c, const Point_matrix& pose, Intermediate_results results)
+  void take(const std::size_t c, Component_result result)
   {
-    const Posed_component& component = m_components[c];
-    for(std::size_t i = 0; i < component.vertices.size(); ++i)
-      if(m_component_of[component.vertices[i]] == c)
-        m_pose.add(component.vertices[i], pose.row(static_cast<Eigen::Index>(i)));
+    const std::vector<std::size_t>& vertices = m_components[c].vertices;
+    for(std::size_t i = 0; i < vertices.size(); ++i)
+      if(m_component_of[vertices[i]] == c)
+        m_pose.add(vertices[i], result.pose.row(static_cast<Eigen::Index>(i)));
     for(std::size_t i = 0; i < m_followers_of[c].size(); ++i)
       m_pose_of_followers.row(m_followers_of[c][i])
-        = results.pose_of_followers.row(static_cast<Eigen::Index>(i));
+        = result.intermediate_results.pose_of_followers.row(static_cast<Eigen::Index>(i));
     if(m_options.intermediate_results != nullptr)
-      m_results.take(c, std::move(results));
+      m_results.take(c, std::move(result.intermediate_results));
   }
 
   void finish(Point_matrix& pose) const

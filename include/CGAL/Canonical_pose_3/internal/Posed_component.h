@@ -10,6 +10,8 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_POSED_COMPONENT_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_POSED_COMPONENT_H
 
+#include <CGAL/Canonical_pose_3/Options.h>
+#include <CGAL/Canonical_pose_3/Registration_summary.h>
 #include <CGAL/Canonical_pose_3/internal/Indexed_mesh.h>
 #include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
@@ -28,10 +30,20 @@ struct Posed_component
 {
   Point_matrix points;
   std::vector<Index_triangle> triangles, caps;
-  std::vector<std::size_t> faces; // of each triangle: the face of the input that it is part of
-  std::vector<std::size_t>
-    field_rows;                      // of each vertex of the surface: its row in fields and targets
-  std::vector<std::size_t> vertices; // of each row of the pose: the vertex of the input
+  // the face of the input that each triangle is part of
+  std::vector<std::size_t> faces;
+  // the row in fields and targets of each vertex of the surface
+  std::vector<std::size_t> field_rows;
+  // the vertex of the input that each row of the pose is
+  std::vector<std::size_t> vertices;
+};
+
+// What comes out for a component, in its rows.
+struct Component_result
+{
+  Registration_summary summary;
+  Point_matrix pose;
+  Intermediate_results intermediate_results;
 };
 
 } // namespace internal

@@ -85,8 +85,7 @@ pose_of_complex(const Point_matrix& points, const std::vector<std::array<int, 4>
   Registration_summary summary = with_solver(options, [&](const auto factor_traits) {
     using Factor_traits = std::decay_t<decltype(factor_traits)>;
     return poses.run(
-      [&](const std::size_t c, Options& local_options, Point_matrix& pose_of_part,
-          Intermediate_results& results) {
+      [&](const std::size_t c, Options local_options) -> Component_result {
         const Complex_part& part = posed_parts[c];
         Real_timer body_timer;
         body_timer.start();
@@ -97,9 +96,10 @@ pose_of_complex(const Point_matrix& points, const std::vector<std::array<int, 4>
         if(options.stiffness.size() > 0)
           local_options.stiffness = Component_poses::values_at(options.stiffness, part.cells);
         Canonical_pose_pipeline<Factor_traits> pipeline(part.component, local_options, diagnosis);
-        Registration_summary one = pipeline.run(body_of_part, part.surface_vertices, pose_of_part);
-        results = std::move(pipeline.results());
-        return one;
+        Point_matrix pose_of_part;
+        const Registration_summary one
+          = pipeline.run(body_of_part, part.surface_vertices, pose_of_part);
+        return {one, std::move(pose_of_part), std::move(pipeline.results())};
       },
       pose);
   });

@@ -116,15 +116,14 @@ public:
     timer.stop();
 
     Registration_summary summary = poses.run(
-      [&](const std::size_t c, Options& options, Point_matrix& pose_of_component,
-          Intermediate_results& results) {
+      [&](const std::size_t c, Options options) -> Component_result {
         if(m_options.stiffness.size() > 0)
           options.stiffness
             = Component_poses::values_at(m_options.stiffness, components[c].vertices);
         Canonical_pose_pipeline<FactorTraits> pipeline(components[c], options, diagnosis);
-        Registration_summary one = pipeline.run(pose_of_component);
-        results = std::move(pipeline.results());
-        return one;
+        Point_matrix pose_of_component;
+        const Registration_summary one = pipeline.run(pose_of_component);
+        return {one, std::move(pose_of_component), std::move(pipeline.results())};
       },
       pose);
     summary.add_seconds("diagnosis", timer.time());
