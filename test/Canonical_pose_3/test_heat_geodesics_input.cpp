@@ -81,7 +81,8 @@ TEST(Heat_geodesics_input, one_triangle)
 TEST(Heat_geodesics_input, components)
 {
   Triangle_soup soup = icosphere_soup(2, 1.);
-  const Eigen::VectorXd alone = Heat(to_mesh<Mesh>(soup)).distances(Mesh::Vertex_index(0));
+  const Mesh mesh_alone = to_mesh<Mesh>(soup);
+  const Eigen::VectorXd alone = Heat(mesh_alone).distances(Mesh::Vertex_index(0));
   const std::size_t n = soup.points.size();
   soup.points.push_back({{5., 5., 5.}});
   for(std::size_t i = 0; i < n; ++i)

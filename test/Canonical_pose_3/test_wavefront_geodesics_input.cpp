@@ -75,7 +75,8 @@ TEST(Wavefront_geodesics_input, one_triangle)
 TEST(Wavefront_geodesics_input, components)
 {
   Triangle_soup soup = icosphere_soup(2, 1.);
-  const Eigen::VectorXd alone = Wavefront(to_mesh<Mesh>(soup)).distances(Mesh::Vertex_index(0));
+  const Mesh mesh_alone = to_mesh<Mesh>(soup);
+  const Eigen::VectorXd alone = Wavefront(mesh_alone).distances(Mesh::Vertex_index(0));
   const std::size_t n = soup.points.size();
   soup.points.push_back({{5., 5., 5.}});
   for(std::size_t i = 0; i < n; ++i)
