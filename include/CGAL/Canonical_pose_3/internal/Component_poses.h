@@ -161,8 +161,9 @@ private:
   {
     std::vector<std::size_t> part_of(m_component_of.size(), NONE);
     for(const std::vector<std::size_t>& vertices : others)
-      if(std::all_of(vertices.begin(), vertices.end(),
-                     [&](const std::size_t v) { return m_component_of[v] == NONE; }))
+      if(!vertices.empty()
+         && std::all_of(vertices.begin(), vertices.end(),
+                        [&](const std::size_t v) { return m_component_of[v] == NONE; }))
       {
         for(const std::size_t v : vertices)
           part_of[v] = m_rigid_parts.size();
