@@ -173,7 +173,7 @@ TEST(Weights_of_surfaces, bad_factors_are_named)
                     "the matching weight of every vertex is 0");
   options.matching_weights.head(n / 2).setOnes();
   EXPECT_THROW_WITH(shapes::pose_of(bars, options), std::invalid_argument,
-                    "the matching weight of every vertex is 0");
+                    "all matching weights are 0 in the part around vertex");
 }
 
 TEST(Weights_of_surfaces, property_values_are_in_the_order_of_the_vertices)
