@@ -19,14 +19,14 @@
 #include <CGAL/Canonical_pose_3/Wavefront_geodesics_3.h>
 #include <CGAL/Canonical_pose_3/internal/Face_defect.h>
 #include <CGAL/Canonical_pose_3/internal/Indexed_mesh.h>
-#include <CGAL/Canonical_pose_3/internal/with_solver.h>
+#include <CGAL/Canonical_pose_3/internal/Solver.h>
+#include <CGAL/Canonical_pose_3/internal/Thread_limit.h>
 #include <CGAL/Canonical_pose_3/repair_surface.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <stdexcept>
 #include <string>
-#include <type_traits>
 #include <vector>
 
 namespace Canonical_pose_tool {
@@ -56,20 +56,19 @@ inline Eigen::MatrixXd compute_distances(const Mesh_file& input,
   std::vector<Surface::Vertex_index> sources;
   for(const std::size_t source : source_rows)
     sources.emplace_back(static_cast<Surface::size_type>(copies[source]));
-  const Eigen::MatrixXd distances
-    = CGAL::Canonical_pose_3::internal::with_solver(options, [&](const auto factor_traits) {
-        typedef std::decay_t<decltype(factor_traits)> Factor_traits;
-        if(options.geodesics == Options::Geodesics::EXACT)
-          return CGAL::Canonical_pose_3::internal::with_faces_of_input(
-            repaired.face_of_triangle, [&] {
-              return CGAL::Canonical_pose_3::Exact_geodesics_3<Surface>(surface).distances(sources);
-            });
-        if(options.geodesics == Options::Geodesics::WAVEFRONT)
-          return CGAL::Canonical_pose_3::Wavefront_geodesics_3<Surface>(surface).distances(sources);
-        return CGAL::Canonical_pose_3::Heat_geodesics_3<Surface, CGAL::Default, CGAL::Default,
-                                                        Factor_traits>(surface)
-          .distances(sources);
+  const CGAL::Canonical_pose_3::internal::Thread_limit limit(options);
+  const CGAL::Canonical_pose_3::internal::Solver solver(options);
+  const Eigen::MatrixXd distances = [&]() -> Eigen::MatrixXd {
+    if(options.geodesics == Options::Geodesics::EXACT)
+      return CGAL::Canonical_pose_3::internal::with_faces_of_input(repaired.face_of_triangle, [&] {
+        return CGAL::Canonical_pose_3::Exact_geodesics_3<Surface>(surface).distances(sources);
       });
+    if(options.geodesics == Options::Geodesics::WAVEFRONT)
+      return CGAL::Canonical_pose_3::Wavefront_geodesics_3<Surface>(surface).distances(sources);
+    return CGAL::Canonical_pose_3::Heat_geodesics_3<Surface>(surface, surface.points(), {},
+                                                             solver.lane_factor_maker)
+      .distances(sources);
+  }();
   Eigen::MatrixXd result(static_cast<Eigen::Index>(copies.size()), distances.cols());
   for(std::size_t v = 0; v < copies.size(); ++v)
     result.row(static_cast<Eigen::Index>(v)) = distances.row(static_cast<Eigen::Index>(copies[v]));

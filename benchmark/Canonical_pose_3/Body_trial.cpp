@@ -10,6 +10,7 @@
 #include "Body_trial.h"
 
 #include <CGAL/Canonical_pose_3/Lattice_body_3.h>
+#include <CGAL/Canonical_pose_3/Tetrahedral_arap_registrar_3.h>
 #include <CGAL/Canonical_pose_3/diagnose.h>
 #include <CGAL/Canonical_pose_3/mesh_3_body.h>
 #include <CGAL/Canonical_pose_3/surface_measures.h>
@@ -24,12 +25,12 @@
 
 #include "Child_process.h"
 #include "Chord_tetrahedra.h"
-#include "Registrar.h"
 
 #include <algorithm>
 #include <cstring>
 #include <set>
 #include <stdexcept>
+#include <type_traits>
 
 namespace Canonical_pose_benchmark {
 
@@ -141,9 +142,8 @@ std::string try_body_here(const Body_kind kind, const Body_problem& problem)
     timer.start();
     const auto body = make_body();
     numbers.body_seconds = timer.time();
-    const Body_view view(body);
-    Registrar registrar(view, CP::vertex_area_shares(problem.points, problem.triangles),
-                        problem.length_scale());
+    CP::Tetrahedral_arap_registrar_3<std::decay_t<decltype(body)>> registrar(
+      body, CP::vertex_area_shares(problem.points, problem.triangles), problem.length_scale());
     registrar.set_target(problem.target);
     Point_matrix body_pose;
     const CP::Registration_summary summary = registrar.register_to_target(body_pose);
@@ -159,11 +159,11 @@ std::string try_body_here(const Body_kind kind, const Body_problem& problem)
       (stage == "factorization" ? numbers.factorization_seconds : numbers.iteration_seconds)
         += seconds / (stage == "factorization" ? 1 : summary.iterations);
     numbers.strain = CP::median_edge_strain(problem.points, pose, problem.triangles);
-    numbers.nonzeros = factor_nonzeros(view);
+    numbers.nonzeros = factor_nonzeros(Body_view(body));
     if(problem.distance_outside)
     {
-      numbers.euler_characteristic = euler_characteristic(view);
-      numbers.farthest_outside = farthest_outside(view, problem);
+      numbers.euler_characteristic = euler_characteristic(Body_view(body));
+      numbers.farthest_outside = farthest_outside(Body_view(body), problem);
     }
   });
   std::string bytes(reinterpret_cast<const char*>(&numbers), sizeof(numbers));

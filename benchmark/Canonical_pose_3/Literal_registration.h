@@ -84,7 +84,7 @@ public:
     }
     m_seconds.rotations += timer.time();
     timer.reset();
-    CGAL::Canonical_pose_3::internal::Sparse_factor<> factor;
+    CGAL::Canonical_pose_3::internal::Sparse_factor factor;
     factor.factor(matrix(), "the literal matrix");
     m_seconds.matrix += timer.time();
     timer.reset();

@@ -128,7 +128,7 @@ private:
   Point_matrix m_rest;
   Eigen::VectorXd m_shares;
   Eigen::SparseMatrix<double> m_cotangents; // times l^2 / A
-  CGAL::Canonical_pose_3::internal::Sparse_factor<> m_factor;
+  CGAL::Canonical_pose_3::internal::Sparse_factor m_factor;
   std::vector<Eigen::Matrix3d> m_rotations; // of the vertices
 };
 

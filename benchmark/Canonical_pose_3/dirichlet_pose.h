@@ -34,11 +34,10 @@ dirichlet_pose(const ElasticBody& body, const Eigen::VectorXd& shares,
   const double alpha = detail_length * detail_length;
   const CP::Point_matrix rest = body.points() / length_scale;
   const Eigen::SparseMatrix<double> laplacian
-    = CP::internal::Arap_energy<CGAL::Default>(rest, body.cells(), body.cell_weights(),
-                                               Eigen::VectorXd())
+    = CP::internal::Arap_energy(rest, body.cells(), body.cell_weights(), Eigen::VectorXd())
         .matrix(alpha);
   const Eigen::SparseMatrix<double> weighted = shares.asDiagonal() * body.embedding();
-  CP::internal::Sparse_factor<> factor;
+  CP::internal::Sparse_factor factor;
   factor.factor(laplacian + Eigen::SparseMatrix<double>(body.embedding().transpose() * weighted),
                 "the matrix of the Dirichlet energy");
   // the gradients of the rest pose are identities

@@ -21,12 +21,12 @@
 // Usage: energies_benchmark [--vertices 10000] [--detail-length 0.1] [--prefix P] [mesh files]
 
 #include <CGAL/Canonical_pose_3/Lattice_body_3.h>
+#include <CGAL/Canonical_pose_3/Tetrahedral_arap_registrar_3.h>
 #include <CGAL/Canonical_pose_3/diagnose.h>
 #include <CGAL/Canonical_pose_3/repair_surface.h>
 #include <CGAL/Canonical_pose_3/surface_measures.h>
 
 #include "Argument_list.h"
-#include "Registrar.h"
 #include "Surface_arap.h"
 #include "dirichlet_pose.h"
 #include "prepare.h"
@@ -94,8 +94,8 @@ public:
                                   problem.caps);
     CP::Registration_options options;
     options.detail_length = detail_length;
-    const CP::internal::Body_view view(body);
-    Registrar registrar(view, m_shares, length_scale, options);
+    CP::Tetrahedral_arap_registrar_3<CP::Lattice_body_3> registrar(body, m_shares, length_scale,
+                                                                   options);
     registrar.set_target(problem.target);
     Point_matrix body_pose;
     if(!registrar.register_to_target(body_pose).is_usable())

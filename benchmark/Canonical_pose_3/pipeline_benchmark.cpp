@@ -29,6 +29,7 @@
 #include <CGAL/canonical_pose_3.h>
 
 #include <CGAL/Canonical_pose_3/Heat_geodesics_3.h>
+#include <CGAL/Canonical_pose_3/Tetrahedral_arap_registrar_3.h>
 #include <CGAL/Canonical_pose_3/front_landmarks.h>
 #include <CGAL/Canonical_pose_3/surface_measures.h>
 #include <CGAL/Canonical_pose_3/tetgen_body.h>
@@ -40,7 +41,6 @@
 
 #include "../../examples/Canonical_pose_3/Articulated_figure.h"
 #include "Literal_registration.h"
-#include "Registrar.h"
 #include "median.h"
 #include "setting.h"
 
@@ -166,8 +166,8 @@ Literal run_literal(const Mesh& mesh, const CP::Intermediate_results& results,
   const double length_scale = results.landmark_fields->distances.maxCoeff();
   CP::Registration_options options;
   options.acceleration_window = 0;
-  const CP::internal::Body_view view(body);
-  Canonical_pose_benchmark::Registrar registrar(view, weights, length_scale, options);
+  CP::Tetrahedral_arap_registrar_3<CP::Conforming_body_3> registrar(body, weights, length_scale,
+                                                                    options);
   registrar.set_target(*results.target);
   registrar.set_number_of_iterations(0);
   CP::Point_matrix start, pose;

@@ -18,6 +18,7 @@
 #include <CGAL/Canonical_pose_3/Heat_geodesics_3.h>
 #include <CGAL/Canonical_pose_3/Landmark_mds_target_builder_3.h>
 #include <CGAL/Canonical_pose_3/Lattice_body_3.h>
+#include <CGAL/Canonical_pose_3/Tetrahedral_arap_registrar_3.h>
 #include <CGAL/Canonical_pose_3/align_target.h>
 #include <CGAL/Canonical_pose_3/diagnose.h>
 #include <CGAL/Canonical_pose_3/farthest_point_landmarks.h>
@@ -31,7 +32,6 @@
 #include <benchmark/benchmark.h>
 
 #include "../../examples/Canonical_pose_3/Articulated_figure.h"
-#include "Registrar.h"
 #include "setting.h"
 
 #include <cstdlib>
@@ -46,7 +46,7 @@
 namespace CP = CGAL::Canonical_pose_3;
 using Mesh = CP::internal::Indexed_mesh;
 using Geodesics = CP::Heat_geodesics_3<Mesh>;
-using Canonical_pose_benchmark::Registrar;
+using Registrar = CP::Tetrahedral_arap_registrar_3<CP::Lattice_body_3>;
 using Canonical_pose_examples::Articulated_figure;
 
 namespace {
@@ -60,8 +60,7 @@ struct Surface
       mesh(CP::internal::indexed_mesh(repaired.points, repaired.triangles)),
       first(Mesh::size_type(CP::extremal_point(repaired.points, repaired.triangles))),
       geodesics(mesh), fields(CP::front_landmarks(geodesics, 80, first)),
-      shares(CP::vertex_area_shares(repaired.points, repaired.triangles)), body(lattice()),
-      view(body)
+      shares(CP::vertex_area_shares(repaired.points, repaired.triangles)), body(lattice())
   {}
 
   CP::Point_matrix target() const
@@ -86,7 +85,7 @@ struct Surface
     CP::Registration_options options;
     options.energy_tolerance = options.move_tolerance = 0;
     options.number_of_iterations = 20;
-    return Registrar(view, shares, fields.distances.maxCoeff(), options);
+    return Registrar(body, shares, fields.distances.maxCoeff(), options);
   }
 
   CP::Point_matrix points;
@@ -98,7 +97,6 @@ struct Surface
   CP::Landmark_fields_3 fields;
   Eigen::VectorXd shares;
   CP::Lattice_body_3 body;
-  CP::internal::Body_view view;
 };
 
 void diagnosis(benchmark::State& state, const Surface& s)

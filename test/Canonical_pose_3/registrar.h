@@ -7,7 +7,7 @@
 //
 // Author(s) : The Canonical_pose_3 authors
 
-// The registrars that several tests use; registrar.cpp compiles their long parts, once for all tests.
+// The registrars that several tests use.
 
 #ifndef CGAL_CANONICAL_POSE_3_TEST_REGISTRAR_H
 #define CGAL_CANONICAL_POSE_3_TEST_REGISTRAR_H
@@ -19,18 +19,11 @@
 
 namespace Canonical_pose_test {
 
-typedef CGAL::Canonical_pose_3::Tetrahedral_arap_registrar_3<
-  CGAL::Canonical_pose_3::Conforming_body_3>
-  Registrar;
-typedef CGAL::Canonical_pose_3::Tetrahedral_arap_registrar_3<
-  CGAL::Canonical_pose_3::Conforming_body_3, CGAL::Deformation_Eigen_closest_rotation_traits_3>
-  Svd_registrar;
+using Registrar
+  = CGAL::Canonical_pose_3::Tetrahedral_arap_registrar_3<CGAL::Canonical_pose_3::Conforming_body_3>;
+using Svd_registrar = CGAL::Canonical_pose_3::Tetrahedral_arap_registrar_3<
+  CGAL::Canonical_pose_3::Conforming_body_3, CGAL::Deformation_Eigen_closest_rotation_traits_3>;
 
 } // namespace Canonical_pose_test
-
-extern template class CGAL::Canonical_pose_3::Tetrahedral_arap_registrar_3<
-  CGAL::Canonical_pose_3::Conforming_body_3>;
-extern template class CGAL::Canonical_pose_3::Tetrahedral_arap_registrar_3<
-  CGAL::Canonical_pose_3::Conforming_body_3, CGAL::Deformation_Eigen_closest_rotation_traits_3>;
 
 #endif // CGAL_CANONICAL_POSE_3_TEST_REGISTRAR_H

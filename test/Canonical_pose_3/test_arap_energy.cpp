@@ -28,7 +28,7 @@ namespace {
 
 std::atomic<std::size_t> allocated_bytes{0};
 
-using Energy = CP::internal::Arap_energy<CGAL::Default>;
+using Energy = CP::internal::Arap_energy;
 
 Energy energy(const shapes::Tetrahedral_soup& body)
 {

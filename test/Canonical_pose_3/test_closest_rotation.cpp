@@ -59,7 +59,7 @@ std::vector<Matrix3d> rotations_of_pack(const std::vector<Matrix3d>& matrices)
   CPI::Matrix_3<CPI::Pack> f, r;
   for(int k = 0; k < 9 * CPI::pack_size; ++k)
     f[k % 9 / 3][k % 3][k / 9] = matrices[k / 9](k % 9 / 3, k % 3);
-  CPI::closest_rotations<CGAL::Default>(f, r);
+  CPI::closest_rotations(f, r);
   std::vector<Matrix3d> result(CPI::pack_size);
   for(int k = 0; k < 9 * CPI::pack_size; ++k)
     result[k / 9](k % 9 / 3, k % 3) = r[k % 9 / 3][k % 3][k / 9];
@@ -153,11 +153,11 @@ TEST(Closest_rotation, of_what_is_not_finite_is_a_rotation)
 // A model of CGAL's concept can be given instead.
 TEST(Closest_rotation, by_traits)
 {
-  typedef CGAL::Deformation_Eigen_closest_rotation_traits_3 Traits;
+  using Traits = CGAL::Deformation_Eigen_closest_rotation_traits_3;
   Random_matrices random;
   for(int run = 0; run < 100; ++run)
   {
     const Matrix3d m = random.matrix();
-    EXPECT_LT((CPI::closest_rotation<Traits>(m) - reference(m)).norm(), 1e-10);
+    EXPECT_LT((CPI::rotation_by_traits<Traits>(m) - reference(m)).norm(), 1e-10);
   }
 }

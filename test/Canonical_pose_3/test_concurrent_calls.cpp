@@ -83,7 +83,7 @@ TEST(Concurrent_calls, factors_of_volumes)
   std::vector<std::function<Eigen::MatrixXd()>> jobs;
   for(const int n : {22, 23, 24, 25})
     jobs.push_back([matrix = volume_matrix(n)] {
-      CP::internal::Sparse_factor<CP::Default_factor_traits_d> factor;
+      CP::internal::Sparse_factor factor;
       factor.factor(matrix, "the test matrix");
       return factor.solve(shapes::waves(matrix.rows(), 2));
     });

@@ -29,7 +29,7 @@ class Factor_traits : public testing::Test
 protected:
   static std::string refusal(const Sparse_matrix& matrix)
   {
-    internal::Sparse_factor<Traits> factor;
+    internal::Sparse_factor factor(internal::make_factor<Traits>);
     return message_of<std::runtime_error>([&] { factor.factor(matrix, "the test matrix"); });
   }
   static std::string not_definite()
@@ -51,14 +51,14 @@ TYPED_TEST(Factor_traits, solves)
   for(const Sparse_matrix& matrix :
       {grid_matrix(30, 1, 0.01), grid_matrix(14, 14, 0.01), grid_matrix(1, 1, 2.)})
   {
-    internal::Sparse_factor<TypeParam> factor;
+    internal::Sparse_factor factor(internal::make_factor<TypeParam>);
     EXPECT_FALSE(factor.is_factored());
     factor.factor(matrix, "the test matrix");
     EXPECT_TRUE(factor.is_factored());
     const Eigen::MatrixXd b = waves(matrix.rows(), 5);
     EXPECT_LT((matrix * factor.solve(b) - b).cwiseAbs().maxCoeff(), 1e-11);
     const Sparse_matrix lower = matrix.triangularView<Eigen::Lower>();
-    internal::Sparse_factor<TypeParam> from_lower;
+    internal::Sparse_factor from_lower(internal::make_factor<TypeParam>);
     from_lower.factor(lower, "its lower triangle");
     EXPECT_EQ(from_lower.solve(b), factor.solve(b));
     EXPECT_EQ(factor.solve(Eigen::MatrixXd(b.rows(), 0)).cols(), 0);
@@ -70,7 +70,7 @@ TYPED_TEST(Factor_traits, columns_are_independent)
 {
   for(const Sparse_matrix& matrix : {grid_matrix(40, 1, 0.01), grid_matrix(14, 14, 0.01)})
   {
-    internal::Sparse_factor<TypeParam> factor;
+    internal::Sparse_factor factor(internal::make_factor<TypeParam>);
     factor.factor(matrix, "the test matrix");
     const Eigen::MatrixXd b = waves(matrix.rows(), 19), block = factor.solve(b);
     Eigen::MatrixXd single(b.rows(), b.cols());
@@ -103,7 +103,7 @@ TYPED_TEST(Factor_traits, refuses_what_is_not_positive_definite)
 // After a refusal nothing is factored; a new matrix of another size is.
 TYPED_TEST(Factor_traits, is_used_again)
 {
-  internal::Sparse_factor<TypeParam> factor;
+  internal::Sparse_factor factor(internal::make_factor<TypeParam>);
   factor.factor(grid_matrix(5, 1, 1.), "the first matrix");
   EXPECT_THROW(factor.factor(grid_matrix(6, 1, -9.), "the second matrix"), std::runtime_error);
   EXPECT_FALSE(factor.is_factored());
@@ -150,7 +150,7 @@ TEST(Cholmod_factor_traits, holds_openblas_to_one_thread)
   for(int threads : {1, 2})
   {
     openblas_set_num_threads(threads);
-    Sparse_factor<Cholmod_factor_traits_d> factor;
+    Sparse_factor factor(make_factor<Cholmod_factor_traits_d>);
     factor.factor(matrix, "the test matrix");
     results.push_back(factor.solve(waves(matrix.rows(), 3)));
     EXPECT_EQ(openblas_get_num_threads(), threads);

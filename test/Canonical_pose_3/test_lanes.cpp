@@ -29,7 +29,7 @@ class Lane_factors : public testing::Test
 {
 protected:
   // The columns of `b`, solved for in lanes; the order of elimination is undone.
-  static Eigen::MatrixXd solve(const Lane_factor<Traits>& factor, const Eigen::MatrixXd& b)
+  static Eigen::MatrixXd solve(const Lane_factor_base& factor, const Eigen::MatrixXd& b)
   {
     const std::vector<int> places = factor.places();
     Lane_rows rows(NUMBER_OF_LANES * places.size(), 0.);
@@ -62,16 +62,16 @@ TYPED_TEST(Lane_factors, solve_lane_by_lane)
   for(const Sparse_matrix& matrix :
       {grid_matrix(40, 1, 0.01), grid_matrix(14, 14, 0.01), grid_matrix(1, 1, 2.)})
   {
-    Lane_factor<TypeParam> factor;
-    ASSERT_TRUE(factor.analyze(matrix));
-    ASSERT_TRUE(factor.factor(matrix));
-    const Eigen::MatrixXd b = waves(matrix.rows(), 8), x = this->solve(factor, b);
+    const auto factor = make_lane_factor<TypeParam>();
+    ASSERT_TRUE(factor->analyze(matrix));
+    ASSERT_TRUE(factor->factor(matrix));
+    const Eigen::MatrixXd b = waves(matrix.rows(), 8), x = this->solve(*factor, b);
     EXPECT_LT((matrix * x - b).cwiseAbs().maxCoeff(), 1e-11);
     for(Eigen::Index k = 0; k < 8; ++k)
-      EXPECT_EQ(this->solve(factor, b.col(k)), x.col(k));
+      EXPECT_EQ(this->solve(*factor, b.col(k)), x.col(k));
     Eigen::MatrixXd impulse = Eigen::MatrixXd::Zero(matrix.rows(), 3);
     impulse(matrix.rows() / 2, 1) = 1;
-    EXPECT_LT((matrix * this->solve(factor, impulse) - impulse).cwiseAbs().maxCoeff(), 1e-11);
+    EXPECT_LT((matrix * this->solve(*factor, impulse) - impulse).cwiseAbs().maxCoeff(), 1e-11);
   }
 }
 
@@ -80,14 +80,14 @@ TYPED_TEST(Lane_factors, share_an_analysis)
 {
   const Sparse_matrix first = grid_matrix(14, 14, 0.01), second = grid_matrix(14, 14, 3.);
   const Eigen::MatrixXd b = waves(first.rows(), 2);
-  Lane_factor<TypeParam> factor;
-  ASSERT_TRUE(factor.analyze(first));
-  Lane_factor<TypeParam> other = factor;
-  ASSERT_TRUE(factor.factor(first));
-  ASSERT_TRUE(other.factor(second));
-  EXPECT_LT((first * this->solve(factor, b) - b).cwiseAbs().maxCoeff(), 1e-11);
-  EXPECT_LT((second * this->solve(other, b) - b).cwiseAbs().maxCoeff(), 1e-11);
-  EXPECT_FALSE(other.factor(grid_matrix(14, 14, -1.)));
+  const auto factor = make_lane_factor<TypeParam>();
+  ASSERT_TRUE(factor->analyze(first));
+  const auto other = factor->copy();
+  ASSERT_TRUE(factor->factor(first));
+  ASSERT_TRUE(other->factor(second));
+  EXPECT_LT((first * this->solve(*factor, b) - b).cwiseAbs().maxCoeff(), 1e-11);
+  EXPECT_LT((second * this->solve(*other, b) - b).cwiseAbs().maxCoeff(), 1e-11);
+  EXPECT_FALSE(other->factor(grid_matrix(14, 14, -1.)));
 }
 
 // Calls f(run) with each version of the kernel that this processor can run.

@@ -19,7 +19,7 @@
 
 namespace {
 
-typedef CGAL::Canonical_pose_3::internal::Updated_factor<> Updated_factor;
+using CGAL::Canonical_pose_3::internal::Updated_factor;
 typedef Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic> Long_matrix;
 
 // A chain that is held weakly: entries of very different size, as those of a registration.

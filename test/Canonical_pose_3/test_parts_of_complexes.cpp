@@ -17,6 +17,7 @@
 #include "matchers.h"
 #include "shapes.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -179,6 +180,34 @@ TEST(Parts_of_complexes, the_largest_carries_the_others)
   results.target.reset();
   options.given = &results;
   EXPECT_EQ(pose_of(two_bars(), options).pose, first.pose);
+}
+
+// A few thousand cells around a bar keep their six edges: what is done per part must not depend on the others.
+TEST(Parts_of_complexes, thousands)
+{
+  Tetrahedral_soup soup = small_bar();
+  const std::array<std::array<double, 3>, 4> corners
+    = {{{{0, 0, 0}}, {{1, 0, 0}}, {{0, 1, 0}}, {{0, 0, 1}}}};
+  constexpr std::size_t number = 4000;
+  for(std::size_t i = 0; i < number; ++i)
+  {
+    const std::size_t n = soup.points.size();
+    for(const auto& c : corners)
+      soup.points.push_back(
+        {{10 + 0.1 * (double(i % 20) + c[0] / 2), 0.1 * (double(i / 20 % 20) + c[1] / 2),
+          0.1 * (double(i / 400) + c[2] / 2)}});
+    soup.cells.push_back({{n, n + 1, n + 2, n + 3}});
+  }
+  const Point_matrix rest = shapes::to_matrix(soup.points);
+  const Point_matrix pose = pose_of(soup, with(CP::Options::Components::LARGEST)).pose;
+  EXPECT_EQ(pose.topRows(small_size), pose_of(small_bar()).pose);
+  double largest_change = 0;
+  for(Eigen::Index i = small_size; i < rest.rows(); i += 4)
+    for(Eigen::Index j = i; j < i + 4; ++j)
+      for(Eigen::Index k = i; k < j; ++k)
+        largest_change = std::max(largest_change, std::abs((pose.row(j) - pose.row(k)).norm()
+                                                           - (rest.row(j) - rest.row(k)).norm()));
+  EXPECT_LT(largest_change, 1e-12);
 }
 
 // A cell that hangs on an edge of the bar has no surface of its own worth a pose: it is part of the body. A

@@ -10,7 +10,6 @@
 #ifndef CGAL_CANONICAL_POSE_3_BIHARMONIC_DISTANCES_3_H
 #define CGAL_CANONICAL_POSE_3_BIHARMONIC_DISTANCES_3_H
 
-#include <CGAL/Canonical_pose_3/Default_factor_traits_d.h>
 #include <CGAL/Canonical_pose_3/internal/Delaunay_surface.h>
 #include <CGAL/Canonical_pose_3/internal/Laplace_spectrum.h>
 #include <CGAL/Canonical_pose_3/internal/configuration.h>
@@ -87,7 +86,6 @@ class Biharmonic_distances_3
   using Point_map = typename Default::Get<VertexPointMap, Default_point_map>::type;
   using Geometry =
     typename Default::Lazy_get<Traits, internal::Lazy_kernel_of_point_map<Point_map>>::type;
-  using Solver_traits = typename Default::Get<FactorTraits, Default_factor_traits_d>::type;
   using Row_map =
     typename boost::property_map<TriangleMesh, dynamic_vertex_property_t<std::size_t>>::const_type;
 
@@ -264,8 +262,9 @@ private:
     {
       if(own.size() == 1)
         continue;
-      const internal::Laplace_spectrum<Solver_traits> spectrum(
-        block(laplacian, own, place_in_component), entries(mass, own), count);
+      const internal::Laplace_spectrum spectrum(block(laplacian, own, place_in_component),
+                                                entries(mass, own), count,
+                                                internal::make_factor<FactorTraits>);
       for(std::size_t i = 0; i < own.size(); ++i)
         m_embedding.row(own[i]).head(spectrum.eigenvalues().size())
           = spectrum.eigenfunctions()

@@ -10,9 +10,9 @@
 #ifndef CGAL_CANONICAL_POSE_3_HEAT_GEODESICS_3_H
 #define CGAL_CANONICAL_POSE_3_HEAT_GEODESICS_3_H
 
-#include <CGAL/Canonical_pose_3/Default_factor_traits_d.h>
 #include <CGAL/Canonical_pose_3/internal/Heat_solver.h>
 #include <CGAL/Canonical_pose_3/internal/Intrinsic_triangulation.h>
+#include <CGAL/Canonical_pose_3/internal/Lane_factor.h>
 #include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
@@ -97,7 +97,6 @@ class Heat_geodesics_3
   using Point_map = typename Default::Get<VertexPointMap, Default_point_map>::type;
   using Geometry =
     typename Default::Lazy_get<Traits, internal::Lazy_kernel_of_point_map<Point_map>>::type;
-  using Solver_traits = typename Default::Get<FactorTraits, Default_factor_traits_d>::type;
   using Row_map =
     typename boost::property_map<TriangleMesh, dynamic_vertex_property_t<std::size_t>>::const_type;
 
@@ -142,11 +141,18 @@ public:
   */
   Heat_geodesics_3(const TriangleMesh& tmesh, Point_map vertex_point_map,
                    const Geometry& traits = Geometry())
-    : m_tmesh(&tmesh), m_rows(internal::number_vertices(tmesh)),
-      m_solver(internal::face_corners(tmesh, m_rows), point_matrix(tmesh, vertex_point_map, traits))
+    : Heat_geodesics_3(tmesh, vertex_point_map, traits, internal::make_lane_factor<FactorTraits>)
   {}
 
   /// \cond SKIP_IN_MANUAL
+  // By a solver chosen at run time.
+  Heat_geodesics_3(const TriangleMesh& tmesh, Point_map vertex_point_map, const Geometry& traits,
+                   const internal::Lane_factor_maker factor_maker)
+    : m_tmesh(&tmesh), m_rows(internal::number_vertices(tmesh)),
+      m_solver(internal::face_corners(tmesh, m_rows), point_matrix(tmesh, vertex_point_map, traits),
+               factor_maker)
+  {}
+
   explicit Heat_geodesics_3(const TriangleMesh&&) = delete;
   Heat_geodesics_3(const TriangleMesh&&, Point_map, const Geometry& = Geometry()) = delete;
   /// \endcond
@@ -263,7 +269,7 @@ private:
 
   const TriangleMesh* m_tmesh;
   Row_map m_rows;
-  internal::Heat_solver<Solver_traits> m_solver;
+  internal::Heat_solver m_solver;
 };
 
 } // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION

@@ -10,35 +10,22 @@
 #ifndef CGAL_CANONICAL_POSE_3_TETRAHEDRAL_ARAP_REGISTRAR_3_H
 #define CGAL_CANONICAL_POSE_3_TETRAHEDRAL_ARAP_REGISTRAR_3_H
 
-#include <CGAL/Canonical_pose_3/Default_factor_traits_d.h>
 #include <CGAL/Canonical_pose_3/Registration_options.h>
 #include <CGAL/Canonical_pose_3/Registration_progress.h>
 #include <CGAL/Canonical_pose_3/Registration_summary.h>
-#include <CGAL/Canonical_pose_3/internal/Arap_energy.h>
-#include <CGAL/Canonical_pose_3/internal/Injective_repair.h>
-#include <CGAL/Canonical_pose_3/internal/Quasi_newton_direction.h>
+#include <CGAL/Canonical_pose_3/internal/Arap_registration.h>
+#include <CGAL/Canonical_pose_3/internal/Body_view.h>
+#include <CGAL/Canonical_pose_3/internal/Factor_base.h>
 #include <CGAL/Canonical_pose_3/internal/Registration_constraint_base.h>
-#include <CGAL/Canonical_pose_3/internal/Taubin_fairing.h>
-#include <CGAL/Canonical_pose_3/internal/Updated_factor.h>
-#include <CGAL/Canonical_pose_3/internal/check_registration.h>
+#include <CGAL/Canonical_pose_3/internal/Rotation_routines.h>
 #include <CGAL/Canonical_pose_3/internal/configuration.h>
-#include <CGAL/Canonical_pose_3/internal/low_rank_factors.h>
-#include <CGAL/Canonical_pose_3/internal/transposed_product.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <CGAL/Default.h>
-#include <CGAL/Real_timer.h>
-#include <CGAL/assertions.h>
 
-#include <Eigen/SparseCore>
+#include <Eigen/Core>
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
 #include <memory>
-#include <optional>
-#include <string>
-#include <vector>
 
 namespace CGAL {
 namespace Canonical_pose_3 {
@@ -107,16 +94,10 @@ public:
                                const double length_scale,
                                const Registration_options& options = Registration_options(),
                                const Eigen::VectorXd& stiffness = Eigen::VectorXd())
-    : m_body(body), m_length_scale(internal::checked_length_scale(length_scale)),
-      m_options(options), m_weights(internal::checked_matching_weights(body, matching_weights)),
-      m_embedding_transposed(body.embedding().transpose()),
-      m_arap(body.points() / length_scale, body.cells(), body.cell_weights(),
-             internal::checked_stiffness(stiffness, body.cells().size()))
-  {
-    m_options.check();
-    if(m_options.fairing_passes > 0)
-      m_fairing.emplace(body.points(), body.cells());
-  }
+    : m_registration(internal::Body_view(body), matching_weights, length_scale, options, stiffness,
+                     internal::rotation_routines<ClosestRotationTraits>(),
+                     internal::make_factor<FactorTraits>)
+  {}
 
   /// \cond SKIP_IN_MANUAL
   Tetrahedral_arap_registrar_3(const ElasticBody&&, const Eigen::VectorXd&, double,
@@ -132,9 +113,8 @@ public:
   template <typename Constraint>
   void add_constraint(Constraint& constraint)
   {
-    m_constraints.push_back(
+    m_registration.add_constraint(
       std::make_unique<internal::Registration_constraint_model<Constraint>>(constraint));
-    m_factored_revisions.reset();
   }
 
   /// \cond SKIP_IN_MANUAL
@@ -147,28 +127,17 @@ public:
   template <typename Constraint>
   void remove_constraint(const Constraint& constraint)
   {
-    const auto place = std::find_if(m_constraints.begin(), m_constraints.end(),
-                                    [&](const auto& c) { return c->is_model_of(&constraint); });
-    CGAL_precondition(place != m_constraints.end());
-    m_constraints.erase(place);
-    m_factored_revisions.reset();
+    m_registration.remove_constraint(&constraint);
   }
 
   /// sets the target \f$ \hat v \f$ (\f$ n \times 3 \f$); no factorisation is needed.
   /// \pre The number of rows is that of the surface vertices.
   /// \throws std::invalid_argument if a coordinate is not finite.
-  void set_target(const Point_matrix& target)
-  {
-    CGAL_precondition(target.rows() == m_weights.size());
-    internal::check_finite(target);
-    m_target = target / m_length_scale;
-    internal::transposed_product(m_body.embedding(), m_weights.asDiagonal() * m_target,
-                                 m_target_term);
-  }
+  void set_target(const Point_matrix& target) { m_registration.set_target(target); }
 
   /// factors the matrix, or updates its factor, unless that has been done for the present constraints.
   /// \throws std::runtime_error if the matrix is not positive definite to working precision.
-  void factor();
+  void factor() { m_registration.factor(); }
 
   /*!
   runs the iteration.
@@ -192,353 +161,30 @@ public:
   */
   Registration_summary register_to_target(Point_matrix& body_points,
                                           const Registration_visitor& visitor
-                                          = Registration_visitor());
+                                          = Registration_visitor())
+  {
+    return m_registration.register_to_target(body_points, visitor);
+  }
 
   /// returns the surface vertices \f$ Bv \f$ (\f$ n \times 3 \f$) at body positions \f$ v \f$ (\f$
   /// N \times 3 \f$).
   Point_matrix surface_points(const Point_matrix& body_points) const
   {
-    CGAL_precondition(body_points.rows() == m_body.points().rows());
-    return m_body.embedding() * body_points;
+    return m_registration.surface_points(body_points);
   }
 
   /// changes the cap on the number of iterations; no factorisation is needed. Not negative.
   void set_number_of_iterations(const int number_of_iterations)
   {
-    CGAL_precondition(number_of_iterations >= 0);
-    m_options.number_of_iterations = number_of_iterations;
+    m_registration.set_number_of_iterations(number_of_iterations);
   }
 
   /// returns the options.
-  const Registration_options& options() const { return m_options; }
+  const Registration_options& options() const { return m_registration.options(); }
 
 private:
-  // Beyond this rank a factorisation is cheaper than the solves for an update and the products with it
-  // in the iterations of one registration (measured on the armadillo in a body of TetGen).
-  static constexpr std::size_t MOST_RANK_OF_AN_UPDATE = 32;
-
-  typedef typename Default::Get<FactorTraits, Default_factor_traits_d>::type Factor_traits;
-  typedef internal::Updated_factor<Factor_traits> Factor;
-
-  template <typename Function>
-  static void timed(Registration_summary& summary, const char* stage, const Function& f)
-  {
-    Real_timer timer;
-    timer.start();
-    f();
-    summary.add_seconds(stage, timer.time());
-  }
-
-  // The matrix without constraints.
-  Eigen::SparseMatrix<double> assemble_matrix() const
-  {
-    std::vector<Eigen::Triplet<double>> entries;
-    for(Eigen::Index i = 0; i < m_weights.size(); ++i)
-      entries.emplace_back(static_cast<int>(i), static_cast<int>(i),
-                           (1 + m_options.tikhonov) * m_weights[i]);
-    return m_arap.matrix(m_options.detail_length * m_options.detail_length)
-           + brought_to_body(surface_matrix(entries));
-  }
-
-  Eigen::SparseMatrix<double> assemble_constraint_matrix() const
-  {
-    std::vector<Eigen::Triplet<double>> entries;
-    for(const auto& constraint : m_constraints)
-      constraint->add_to_matrix(entries);
-    return surface_matrix(entries);
-  }
-
-  Eigen::SparseMatrix<double> constrained_matrix() const
-  {
-    return m_matrix + brought_to_body(m_constraint_matrix);
-  }
-
-  Eigen::SparseMatrix<double>
-  surface_matrix(const std::vector<Eigen::Triplet<double>>& entries) const
-  {
-    Eigen::SparseMatrix<double> result(m_weights.size(), m_weights.size());
-    result.setFromTriplets(entries.begin(), entries.end());
-    return result;
-  }
-
-  Eigen::SparseMatrix<double> brought_to_body(const Eigen::SparseMatrix<double>& surface) const
-  {
-    const Eigen::SparseMatrix<double> surface_embedded = surface * m_body.embedding();
-    return m_embedding_transposed * surface_embedded;
-  }
-
-  // Updates the factor for the difference between the constraints that it was made with and the
-  // present ones. Returns false if a new factorisation is cheaper or more accurate.
-  bool update_factor()
-  {
-    const Eigen::SparseMatrix<double> change = m_constraint_matrix - m_factored_constraint_matrix;
-    Eigen::SparseMatrix<double> v;
-    Eigen::VectorXd d;
-    const std::size_t most = MOST_RANK_OF_AN_UPDATE;
-    return internal::low_rank_factors(change, 2 * most, v, d) // a spring has two rows
-           && d.size() <= static_cast<Eigen::Index>(most)
-           && m_factor.update(m_embedding_transposed * v, d);
-  }
-
-  Point_matrix start() const
-  {
-    Eigen::MatrixXd solution;
-    m_factor.solve((1 + m_options.tikhonov) * m_target_term, solution);
-    Point_matrix v = solution;
-    for(Eigen::Index i = 0; i < m_weights.size(); ++i)
-      if(m_weights[i] > 0)
-      {
-        Eigen::SparseMatrix<double>::InnerIterator entry(m_embedding_transposed, i);
-        const Eigen::Index vertex = entry.row();
-        if(entry.value() == 1 && !++entry)
-          v.row(vertex) = m_target.row(i);
-      }
-    return v;
-  }
-
-  // Local step: finds surface, rotations and energies at v.
-  void evaluate(const Point_matrix& v, Registration_summary& summary)
-  {
-    internal::transposed_product(m_embedding_transposed, v, m_surface);
-    const auto arap = m_arap.fit_rotations(v);
-    summary.energy_match
-      = ((m_surface - m_target).array().square().colwise() * m_weights.array()).sum();
-    summary.energy_arap = m_options.detail_length * m_options.detail_length * arap.energy;
-    summary.energy_constraints = 0;
-    if(!m_constraints.empty())
-    {
-      const Point_matrix points = m_surface * m_length_scale;
-      for(const auto& constraint : m_constraints)
-        summary.energy_constraints
-          += constraint->energy(points) / (m_length_scale * m_length_scale);
-    }
-    summary.energy = summary.energy_match + summary.energy_arap + summary.energy_constraints;
-    summary.inverted = arap.inverted;
-    summary.volume_ratio = arap.volume_ratio;
-  }
-
-  // For surface and rotations of the last local step, the right-hand side minus what the constraints
-  // have on the left-hand side.
-  const Point_matrix& right_hand_side()
-  {
-    find_surface_terms();
-    m_arap.add_to_right_hand_side(m_options.detail_length * m_options.detail_length,
-                                  m_right_hand_side);
-    return m_right_hand_side;
-  }
-
-  // Its terms that do not depend on rotations.
-  void find_surface_terms()
-  {
-    m_right_hand_side = m_target_term;
-    if(m_options.tikhonov > 0 || !m_constraints.empty())
-    {
-      const Point_matrix points = m_surface * m_length_scale;
-      Point_matrix sum = Point_matrix::Zero(points.rows(), 3), term;
-      for(const auto& constraint : m_constraints)
-        constraint->add_to_right_hand_side(points, sum);
-      sum -= m_constraint_matrix * points;
-      internal::transposed_product(
-        m_body.embedding(),
-        m_options.tikhonov * (m_weights.asDiagonal() * m_surface) + sum / m_length_scale, term);
-      m_right_hand_side += term;
-    }
-  }
-
-  // Half the gradient of the energy at v, where the last local step was.
-  void half_gradient(const Point_matrix& v, Point_matrix& result)
-  {
-    internal::transposed_product(m_matrix, v, result); // which is symmetric
-    result -= right_hand_side();
-  }
-
-  // Turns inverted cells right side out, from the last local step on.
-  void repair(Point_matrix& v, Registration_summary& summary)
-  {
-    timed(summary, "global_steps", [&] {
-      find_surface_terms();
-      Eigen::SparseMatrix<double> matrix = m_matrix;
-      if(!m_constraints.empty()) // which go to the left-hand side
-      {
-        const Eigen::SparseMatrix<double> constraints = brought_to_body(m_constraint_matrix);
-        matrix += constraints;
-        m_right_hand_side += constraints * v;
-      }
-      const internal::Injective_repair<ClosestRotationTraits, Factor_traits> repair(
-        m_arap, m_options.detail_length * m_options.detail_length, matrix);
-      const auto outcome = repair(m_right_hand_side, m_body.points() / m_length_scale, v);
-      if(!outcome.is_minimal && summary.converged())
-        summary.termination = Registration_summary::ITERATION_LIMIT;
-      if(outcome.vertices_from_rest > 0)
-        summary.warnings.push_back("inverted cells resisted repair: "
-                                   + std::to_string(outcome.vertices_from_rest)
-                                   + " vertices of the body started anew from the rest pose");
-    });
-    timed(summary, "local_steps", [&] { evaluate(v, summary); });
-    summary.energy_history.push_back(summary.energy);
-    if(summary.inverted > 0)
-      summary.warnings.push_back(std::to_string(summary.inverted)
-                                 + " cells are inverted although none should be");
-  }
-
-  // The largest way of a surface vertex when the body moves by `step`.
-  double largest_move(const Eigen::MatrixXd& step) const
-  {
-    Point_matrix moves;
-    internal::transposed_product(m_embedding_transposed, step, moves);
-    return std::sqrt(moves.rowwise().squaredNorm().maxCoeff());
-  }
-
-  // Returns whether to go on after an iteration that moved the body by `step`.
-  bool visit(const Registration_visitor& visitor, const Registration_summary& summary,
-             const Eigen::MatrixXd& step) const
-  {
-    return !visitor
-           || visitor({summary.iterations, summary.energy, summary.energy_match,
-                       summary.energy_arap, summary.energy_constraints, largest_move(step)});
-  }
-
-  void iterate(Point_matrix& v, const bool is_warm_start, const Registration_visitor& visitor,
-               Registration_summary& summary)
-  {
-    const bool is_accelerated = !m_fairing && m_options.tikhonov == 0;
-    internal::Quasi_newton_direction direction(is_accelerated ? m_options.acceleration_window : 0);
-    Eigen::MatrixXd step, solution;
-    Point_matrix next, gradient, previous_gradient;
-    const auto solve = [&](Eigen::MatrixXd& x) {
-      m_factor.solve(x, solution);
-      x.swap(solution);
-    };
-    const auto plain_move = [&] { // in the last iteration
-      if(!direction.has_memory())
-        return largest_move(step);
-      Eigen::MatrixXd plain_step = gradient;
-      timed(summary, "global_steps", [&] { solve(plain_step); });
-      return largest_move(plain_step);
-    };
-    bool is_small = false; // the last change of the energy
-    summary.termination = Registration_summary::ITERATION_LIMIT;
-    while(summary.iterations < m_options.number_of_iterations && std::isfinite(summary.energy))
-    {
-      if(m_fairing && (is_warm_start || summary.iterations > 0))
-        timed(summary, "local_steps", [&] {
-          m_arap.fit_rotations((*m_fairing)(v, m_options.fairing_passes, m_options.fairing_lambda,
-                                            m_options.fairing_mu));
-        });
-      timed(summary, "global_steps", [&] {
-        half_gradient(v, gradient);
-        if(summary.iterations > 0)
-          direction.remember(-step, gradient - previous_gradient);
-        step = gradient;
-        direction.apply(step, solve);
-        next = v - step;
-      });
-      const double previous = summary.energy;
-      timed(summary, "local_steps", [&] { evaluate(next, summary); });
-      if(direction.has_memory()
-         && !(summary.energy <= previous - 0.2 * gradient.cwiseProduct(step).sum()))
-      {
-        direction.forget();
-        timed(summary, "global_steps", [&] {
-          step = gradient;
-          solve(step);
-          next = v - step;
-        });
-        timed(summary, "local_steps", [&] { evaluate(next, summary); });
-      }
-      v.swap(next);
-      ++summary.iterations;
-      summary.energy_history.push_back(summary.energy);
-      const bool goes_on = !std::isfinite(summary.energy) || visit(visitor, summary, step);
-      const bool was_small = is_small;
-      is_small = std::abs(previous - summary.energy)
-                 <= m_options.energy_tolerance * (std::max)(previous, 1e-15);
-      if(is_small && (was_small || !direction.has_memory())
-         && plain_move() <= m_options.move_tolerance)
-      {
-        summary.termination = Registration_summary::CONVERGED;
-        return;
-      }
-      if(!goes_on)
-      {
-        summary.termination = Registration_summary::CANCELED;
-        return;
-      }
-      gradient.swap(previous_gradient);
-    }
-    if(!std::isfinite(summary.energy))
-      summary.termination = Registration_summary::NOT_FINITE;
-  }
-
-  const ElasticBody& m_body;
-  double m_length_scale;
-  Registration_options m_options;
-  Eigen::VectorXd m_weights;
-  Eigen::SparseMatrix<double> m_embedding_transposed;
-  internal::Arap_energy<ClosestRotationTraits> m_arap;
-  std::optional<internal::Taubin_fairing> m_fairing;
-  std::vector<std::unique_ptr<internal::Registration_constraint_base>> m_constraints;
-  std::optional<std::vector<std::size_t>> m_factored_revisions; // none: constraints came or went
-  Eigen::SparseMatrix<double> m_matrix;                         // without constraints
-  // on the surface: now, and in the factor without its update
-  Eigen::SparseMatrix<double> m_constraint_matrix, m_factored_constraint_matrix;
-  Factor m_factor;
-  Point_matrix m_target, m_target_term; // the target, and its term of the right-hand side
-  Point_matrix m_surface, m_right_hand_side;
+  internal::Arap_registration m_registration;
 };
-
-// The long parts, outside of the class: they are not inline, so they are not compiled again where an
-// instance is declared extern.
-
-template <typename ElasticBody, typename ClosestRotationTraits, typename FactorTraits>
-void Tetrahedral_arap_registrar_3<ElasticBody, ClosestRotationTraits, FactorTraits>::factor()
-{
-  std::vector<std::size_t> revisions;
-  for(const auto& constraint : m_constraints)
-    revisions.push_back(constraint->matrix_revision());
-  if(m_factored_revisions == revisions)
-    return;
-  m_factored_revisions.reset();
-  if(m_matrix.size() == 0)
-    m_matrix = assemble_matrix();
-  m_constraint_matrix = assemble_constraint_matrix();
-  if(!m_factor.is_factored() || !update_factor())
-  {
-    m_factor.factor(m_constraints.empty() ? m_matrix : constrained_matrix(),
-                    "the matrix of the registration");
-    m_factored_constraint_matrix = m_constraint_matrix;
-  }
-  m_factored_revisions = revisions;
-}
-
-template <typename ElasticBody, typename ClosestRotationTraits, typename FactorTraits>
-Registration_summary
-Tetrahedral_arap_registrar_3<ElasticBody, ClosestRotationTraits, FactorTraits>::register_to_target(
-  Point_matrix& body_points, const Registration_visitor& visitor)
-{
-  CGAL_precondition(m_target.rows() == m_weights.size());
-  CGAL_precondition(body_points.rows() == 0 || body_points.rows() == m_body.points().rows());
-  Registration_summary summary;
-  summary.solver = Factor::name();
-  for(const char* stage : {"factorization", "local_steps", "global_steps"})
-    summary.add_seconds(stage, 0);
-  summary.body.vertices = static_cast<std::size_t>(m_body.points().rows());
-  summary.body.tetrahedra = m_body.cells().size();
-  timed(summary, "factorization", [&] { factor(); });
-
-  Point_matrix v;
-  timed(summary, "global_steps", [&] {
-    v = body_points.rows() == 0 ? start() : Point_matrix(body_points / m_length_scale);
-  });
-  timed(summary, "local_steps", [&] { evaluate(v, summary); });
-  summary.energy_history.push_back(summary.energy);
-  iterate(v, body_points.rows() > 0, visitor, summary);
-  if(m_options.injective && summary.is_usable() && summary.inverted > 0)
-    repair(v, summary);
-  if(summary.is_usable())
-    body_points = v * m_length_scale;
-  return summary;
-}
 
 } // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3

@@ -57,9 +57,9 @@ inline Point_matrix align_target(const Point_matrix& target, const Point_matrix&
   // Normalised, as the models compare determinants and entries with absolute bounds.
   const double size = covariance.cwiseAbs().maxCoeff();
   const Eigen::Matrix3d rotation
-    = size > 0
-        ? internal::closest_rotation<Deformation_Eigen_closest_rotation_traits_3>(covariance / size)
-        : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
+    = size > 0 ? internal::rotation_by_traits<Deformation_Eigen_closest_rotation_traits_3>(
+        covariance / size)
+               : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
   moved = moved * rotation.transpose();
   moved.rowwise() += point_mean;
   return moved;

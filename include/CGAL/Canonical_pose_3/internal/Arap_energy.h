@@ -13,7 +13,7 @@
 #include <CGAL/Canonical_pose_3/internal/Buckets.h>
 #include <CGAL/Canonical_pose_3/internal/Column_sums.h>
 #include <CGAL/Canonical_pose_3/internal/Elastic_cell.h>
-#include <CGAL/Canonical_pose_3/internal/closest_rotation.h>
+#include <CGAL/Canonical_pose_3/internal/Rotation_routines.h>
 #include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/for_each_block.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
@@ -37,8 +37,6 @@ namespace internal {
 // what its local and global steps need. Cells are computed with in packs. Each block of cells sums
 // its own part of sum_t w_t G_t^t R_t, in slots of its own, one per vertex that it touches; the parts
 // are summed per vertex. So the order of all sums is fixed.
-// `ClosestRotationTraits`: a model of `DeformationClosestRotationTraits_3`, or `Default`.
-template <typename ClosestRotationTraits>
 class Arap_energy
 {
 public:
@@ -52,8 +50,10 @@ public:
 
   // `stiffness`: factors of the weights, or nothing.
   Arap_energy(const Point_matrix& rest, const std::vector<std::array<int, 4>>& cells,
-              const Eigen::VectorXd& weights, const Eigen::VectorXd& stiffness)
-    : m_number_of_cells(cells.size()), m_packs((cells.size() + pack_size - 1) / pack_size)
+              const Eigen::VectorXd& weights, const Eigen::VectorXd& stiffness,
+              const Rotation_routines& rotations = default_rotation_routines())
+    : m_rotations(rotations), m_number_of_cells(cells.size()),
+      m_packs((cells.size() + pack_size - 1) / pack_size)
   {
     for(std::size_t i = 0; i < pack_size * m_packs.size(); ++i)
     {
@@ -77,6 +77,8 @@ public:
     }
     assign_slots(static_cast<std::size_t>(rest.rows()));
   }
+
+  const Rotation_routines& rotations() const { return m_rotations; }
 
   std::size_t number_of_cells() const { return m_number_of_cells; }
 
@@ -254,7 +256,7 @@ private:
       for(int j = 0; j < 3; ++j)
         f[i][j] = edges[0][i] * cells.gradients[0][j] + edges[1][i] * cells.gradients[1][j]
                   + edges[2][i] * cells.gradients[2][j];
-    closest_rotations<ClosestRotationTraits>(f, r);
+    m_rotations.eight(f, r);
 
     Pack difference = Pack::Zero();
     for(int i = 0; i < 3; ++i)
@@ -282,6 +284,7 @@ private:
     }
   }
 
+  Rotation_routines m_rotations;
   std::size_t m_number_of_cells;
   std::vector<Cell_pack> m_packs;
   std::vector<std::array<double, 3>> m_slots; // blocks one after the other

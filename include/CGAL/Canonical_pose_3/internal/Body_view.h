@@ -33,8 +33,6 @@ public:
     : m_points(body.points()), m_cells(body.cells()), m_cell_weights(body.cell_weights()),
       m_volume(body.volume()), m_embedding(body.embedding())
   {}
-  Body_view(const Body_view&) = delete;
-  Body_view& operator=(const Body_view&) = delete;
 
   const Point_matrix& points() const { return m_points; }
   const std::vector<std::array<int, 4>>& cells() const { return m_cells; }

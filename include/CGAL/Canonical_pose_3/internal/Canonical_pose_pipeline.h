@@ -20,17 +20,19 @@
 #include <CGAL/Canonical_pose_3/Options.h>
 #include <CGAL/Canonical_pose_3/Registration_summary.h>
 #include <CGAL/Canonical_pose_3/Squared_distance_kernel.h>
-#include <CGAL/Canonical_pose_3/Tetrahedral_arap_registrar_3.h>
 #include <CGAL/Canonical_pose_3/Wavefront_geodesics_3.h>
 #include <CGAL/Canonical_pose_3/align_target.h>
 #include <CGAL/Canonical_pose_3/cell_stiffness.h>
 #include <CGAL/Canonical_pose_3/farthest_point_landmarks.h>
 #include <CGAL/Canonical_pose_3/front_landmarks.h>
+#include <CGAL/Canonical_pose_3/internal/Arap_registration.h>
 #include <CGAL/Canonical_pose_3/internal/Body_view.h>
 #include <CGAL/Canonical_pose_3/internal/Face_defect.h>
 #include <CGAL/Canonical_pose_3/internal/Indexed_mesh.h>
 #include <CGAL/Canonical_pose_3/internal/Options_constraints.h>
 #include <CGAL/Canonical_pose_3/internal/Posed_component.h>
+#include <CGAL/Canonical_pose_3/internal/Rotation_routines.h>
+#include <CGAL/Canonical_pose_3/internal/Solver.h>
 #include <CGAL/Canonical_pose_3/internal/check_number_of_landmarks.h>
 #include <CGAL/Canonical_pose_3/internal/check_registration.h>
 #include <CGAL/Canonical_pose_3/internal/configuration.h>
@@ -44,7 +46,6 @@
 #include <CGAL/Canonical_pose_3/tetgen_body.h>
 #endif
 
-#include <CGAL/Default.h>
 #include <CGAL/Random.h>
 #include <CGAL/Real_timer.h>
 
@@ -64,14 +65,13 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // The steps of canonical_pose_3() for one component, with options in its own rows.
-template <typename FactorTraits>
 class Canonical_pose_pipeline
 {
 public:
   Canonical_pose_pipeline(const Posed_component& component, const Options& options,
-                          const Diagnosis_3& diagnosis)
+                          const Solver& solver, const Diagnosis_3& diagnosis)
     : m_component(component), m_points(component.points), m_triangles(component.triangles),
-      m_options(options)
+      m_options(options), m_solver(solver)
   {
     for(const char* stage : {"diagnosis", "geodesics", "target", "body", "factorization",
                              "local_steps", "global_steps"})
@@ -226,9 +226,10 @@ private:
       m_results.landmark_fields = front_landmarks(Wavefront_geodesics_3<Indexed_mesh>(mesh),
                                                   m_options.number_of_landmarks, vertex);
     else
-      m_results.landmark_fields = front_landmarks(
-        Heat_geodesics_3<Indexed_mesh, CGAL::Default, CGAL::Default, FactorTraits>(mesh),
-        m_options.number_of_landmarks, vertex);
+      m_results.landmark_fields
+        = front_landmarks(Heat_geodesics_3<Indexed_mesh>(mesh, get(vertex_point, mesh), {},
+                                                         m_solver.lane_factor_maker),
+                          m_options.number_of_landmarks, vertex);
   }
 
   Point_matrix find_target(const Eigen::VectorXd& shares)
@@ -302,10 +303,10 @@ private:
 
     check_that_body_is_held(body, weights);
     Options_constraints constraints(m_options, static_cast<std::size_t>(n));
-    Tetrahedral_arap_registrar_3<Body_view, CGAL::Default, FactorTraits> registrar(
-      body, weights, m_length_scale, registration_options(body), stiffness);
-    constraints.add_to(registrar);
-    registrar.set_target(target_of_body());
+    Arap_registration registration(body, weights, m_length_scale, registration_options(body),
+                                   stiffness, default_rotation_routines(), m_solver.factor_maker);
+    constraints.add_to(registration);
+    registration.set_target(target_of_body());
     Registration_visitor visitor;
     if(m_options.visitor)
       visitor = [&](Registration_progress progress) { // which counts all iterations
@@ -313,13 +314,13 @@ private:
         return m_options.visitor(progress);
       };
     Point_matrix body_pose;
-    take(registrar.register_to_target(body_pose, visitor));
+    take(registration.register_to_target(body_pose, visitor));
     if(is_size_free && m_summary.is_usable() && m_summary.volume_ratio > TOLERATED_VOLUME_RATIO
        && m_summary.termination != Registration_summary::CANCELED)
     {
       shrink_target(shares);
-      registrar.set_target(target_of_body());
-      take(registrar.register_to_target(body_pose, visitor));
+      registration.set_target(target_of_body());
+      take(registration.register_to_target(body_pose, visitor));
     }
     if(m_summary.is_usable())
     {
@@ -410,6 +411,7 @@ private:
   const Point_matrix& m_points;
   const std::vector<Index_triangle>& m_triangles;
   const Options& m_options;
+  const Solver m_solver;
   Intermediate_results m_results;
   Registration_summary m_summary;
   double m_length_scale = 0;

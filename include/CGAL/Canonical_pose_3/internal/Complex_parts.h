@@ -76,11 +76,13 @@ public:
   {
     Complex_part part;
     part.cells = m_cells_of_parts[i];
+    part.component = component_of(m_outer_surfaces[i]);
     for(const std::size_t t : part.cells)
       for(const int v : m_cells[t])
         part.component.vertices.push_back(static_cast<std::size_t>(v));
     sort_and_make_unique(part.component.vertices);
-    take_surface(m_outer_surfaces[i], part);
+    for(const std::size_t row : part.component.field_rows)
+      part.surface_vertices.push_back(index_in(part.component.vertices, m_boundary_vertices[row]));
     return part;
   }
 
@@ -177,10 +179,8 @@ private:
     std::vector<double> largest(parts.size(), -std::numeric_limits<double>::infinity());
     for(std::vector<std::size_t>& surface : members(surfaces, m_triangles.size()))
     {
-      std::vector<Index_triangle> triangles;
-      for(const std::size_t i : surface)
-        triangles.push_back(m_triangles[i]);
-      const double volume = signed_volume(m_boundary_points, triangles);
+      const Posed_component component = component_of(surface);
+      const double volume = signed_volume(component.points, component.triangles);
       const std::size_t p = part_of_cell[m_boundary_faces[surface.front()] / 4];
       if(volume > largest[p])
       {
@@ -228,9 +228,10 @@ private:
                            m_cells_of_parts.end());
   }
 
-  void take_surface(const std::vector<std::size_t>& surface, Complex_part& part) const
+  // A surface with its own numbers of vertices, but without the vertices of the pose.
+  Posed_component component_of(const std::vector<std::size_t>& surface) const
   {
-    Posed_component& component = part.component;
+    Posed_component component;
     for(const std::size_t i : surface)
       component.field_rows.insert(component.field_rows.end(), m_triangles[i].begin(),
                                   m_triangles[i].end());
@@ -244,12 +245,9 @@ private:
     }
     component.points.resize(static_cast<Eigen::Index>(component.field_rows.size()), 3);
     for(std::size_t i = 0; i < component.field_rows.size(); ++i)
-    {
       component.points.row(static_cast<Eigen::Index>(i))
         = m_boundary_points.row(static_cast<Eigen::Index>(component.field_rows[i]));
-      part.surface_vertices.push_back(
-        index_in(component.vertices, m_boundary_vertices[component.field_rows[i]]));
-    }
+    return component;
   }
 
   const Point_matrix& m_points;

@@ -110,8 +110,9 @@ public:
     for(std::size_t c = m_components.size(); c-- > 0 && (!summary || summary->is_usable());)
     {
       const Intermediate_results given = m_results.given_to(c);
-      m_local_options[c].given = &given;
-      Component_result one = run(c, m_local_options[c]);
+      Options options = m_local_options[c];
+      options.given = &given;
+      Component_result one = run(c, std::move(options));
       summary = summary ? joined(one.summary, *summary) : one.summary;
       if(one.summary.is_usable())
         take(c, std::move(one));

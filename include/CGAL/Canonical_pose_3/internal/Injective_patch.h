@@ -13,8 +13,8 @@
 #include <CGAL/Canonical_pose_3/internal/Elastic_cell.h>
 #include <CGAL/Canonical_pose_3/internal/Foldover_free_energy.h>
 #include <CGAL/Canonical_pose_3/internal/Inversion_barrier.h>
+#include <CGAL/Canonical_pose_3/internal/Rotation_routines.h>
 #include <CGAL/Canonical_pose_3/internal/Sparse_factor.h>
-#include <CGAL/Canonical_pose_3/internal/closest_rotation.h>
 #include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
@@ -40,16 +40,17 @@ namespace internal {
 //   d^t A d / 2 + d^t g + sum_t w_t (p(F_t) - trace(R_t^t F_t)),
 // half of that of a registration up to a constant: A and g hold all quadratic terms, the |F_t|^2 of
 // the cells among them. The penalty p is a `Foldover_free_energy` or an `Inversion_barrier`.
-template <typename ClosestRotationTraits, typename FactorTraits>
 class Injective_patch
 {
 public:
   // `points`: the free ones first. `matrix` and `gradient`: A, with an entry wherever a cell connects
   // two vertices, and g.
   Injective_patch(Point_matrix points, std::vector<Elastic_cell> cells,
-                  Eigen::SparseMatrix<double> matrix, Point_matrix gradient)
-    : m_points(std::move(points)), m_start(m_points.topRows(gradient.rows())),
-      m_cells(std::move(cells)), m_matrix(std::move(matrix)), m_gradient(std::move(gradient))
+                  Eigen::SparseMatrix<double> matrix, Point_matrix gradient,
+                  const Rotation_routines& rotations, const Factor_maker factor_maker)
+    : m_rotations(rotations), m_factor_maker(factor_maker), m_points(std::move(points)),
+      m_start(m_points.topRows(gradient.rows())), m_cells(std::move(cells)),
+      m_matrix(std::move(matrix)), m_gradient(std::move(gradient))
   {
     for(const Elastic_cell& cell : m_cells)
       m_total_weight += cell.weight;
@@ -95,9 +96,7 @@ public:
     for(const Elastic_cell& cell : m_cells)
     {
       const Eigen::Matrix3d f = cell.deformation(points);
-      result
-        += cell.weight
-           * (penalty.value(f) - f.cwiseProduct(closest_rotation<ClosestRotationTraits>(f)).sum());
+      result += cell.weight * (penalty.value(f) - f.cwiseProduct(m_rotations.one(f)).sum());
     }
     return result;
   }
@@ -110,8 +109,7 @@ public:
     for(const Elastic_cell& cell : m_cells)
     {
       const Eigen::Matrix3d f = cell.deformation(points);
-      const Eigen::Matrix3d stress
-        = cell.weight * (penalty.gradient(f) - closest_rotation<ClosestRotationTraits>(f));
+      const Eigen::Matrix3d stress = cell.weight * (penalty.gradient(f) - m_rotations.one(f));
       for(int k = 0; k < 4; ++k)
         if(cell.vertices[k] < free())
           result.row(cell.vertices[k]) += cell.gradients.row(k) * stress.transpose();
@@ -168,7 +166,7 @@ private:
   template <typename Penalty>
   Point_matrix newton_step(const Penalty& penalty, const Point_matrix& g) const
   {
-    Sparse_factor<FactorTraits> factor;
+    Sparse_factor factor(m_factor_maker);
     factor.factor(hessian(penalty), "the matrix of a part of the body");
     const Eigen::VectorXd by_vertex = g.transpose().reshaped();
     const Eigen::VectorXd step = factor.solve(by_vertex);
@@ -228,6 +226,8 @@ private:
     return result;
   }
 
+  Rotation_routines m_rotations;
+  Factor_maker m_factor_maker;
   Point_matrix m_points, m_start;
   std::vector<Elastic_cell> m_cells;
   Eigen::SparseMatrix<double> m_matrix;

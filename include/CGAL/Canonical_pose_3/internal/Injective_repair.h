@@ -41,15 +41,14 @@ namespace internal {
 // around them, see `Injective_patch`; those that are left are tried again in larger ones. As a last
 // resort all starts from the rest pose, where no cell is inverted. In the end the energy of all patches
 // is lowered.
-template <typename ClosestRotationTraits, typename FactorTraits>
 class Injective_repair
 {
 public:
   // `matrix`: of the registration, which must outlive this; `cell_factor`: of the term of the cells, as
   // in `matrix`.
-  Injective_repair(const Arap_energy<ClosestRotationTraits>& arap, const double cell_factor,
-                   const Eigen::SparseMatrix<double>& matrix)
-    : m_matrix(matrix)
+  Injective_repair(const Arap_energy& arap, const double cell_factor,
+                   const Eigen::SparseMatrix<double>& matrix, const Factor_maker factor_maker)
+    : m_rotations(arap.rotations()), m_factor_maker(factor_maker), m_matrix(matrix)
   {
     for(std::size_t t = 0; t < arap.number_of_cells(); ++t)
       m_cells.push_back(arap.cell(t));
@@ -83,7 +82,7 @@ public:
                      std::logical_or<bool>());
       if(is_growing)
         for_each_patch(is_free, right_hand_side, points,
-                       [](Patch& patch) { patch.remove_foldovers(); });
+                       [](Injective_patch& patch) { patch.remove_foldovers(); });
       else // whole components
         for(std::size_t v = 0; v < is_free.size(); ++v)
           if(is_free[v])
@@ -95,7 +94,7 @@ public:
     // from the rest pose it is a long way
     const int steps = outcome.vertices_from_rest > 0 ? STEPS_FROM_REST : STEPS_OF_A_PATCH;
     std::atomic<bool> is_minimal = true;
-    for_each_patch(was_free, right_hand_side, points, [&](Patch& patch) {
+    for_each_patch(was_free, right_hand_side, points, [&](Injective_patch& patch) {
       if(!patch.descend_to_the_barrier(steps))
         is_minimal = false;
     });
@@ -104,8 +103,6 @@ public:
   }
 
 private:
-  using Patch = Injective_patch<ClosestRotationTraits, FactorTraits>;
-
   static constexpr int STEPS_OF_A_PATCH = 50, STEPS_FROM_REST = 500;
 
   std::vector<bool> vertices_of_inverted_cells(const Point_matrix& points) const
@@ -167,7 +164,7 @@ private:
     });
     // reads and writes points of this patch, and reads fixed ones
     const auto change = [&](const int p) {
-      Patch patch = make_patch(vertices[p], cells[p], right_hand_side, points);
+      Injective_patch patch = make_patch(vertices[p], cells[p], right_hand_side, points);
       function(patch);
       int i = 0;
       for(const int v : vertices[p])
@@ -182,8 +179,8 @@ private:
   }
 
   template <typename Vertices, typename Cells>
-  Patch make_patch(const Vertices& free_vertices, const Cells& cells,
-                   const Point_matrix& right_hand_side, const Point_matrix& points) const
+  Injective_patch make_patch(const Vertices& free_vertices, const Cells& cells,
+                             const Point_matrix& right_hand_side, const Point_matrix& points) const
   {
     std::vector<int> vertices(free_vertices.begin(), free_vertices.end());
     const int m = static_cast<int>(vertices.size());
@@ -222,10 +219,12 @@ private:
     Point_matrix patch_points(static_cast<Eigen::Index>(vertices.size()), 3);
     for(std::size_t i = 0; i < vertices.size(); ++i)
       patch_points.row(static_cast<Eigen::Index>(i)) = points.row(vertices[i]);
-    return Patch(std::move(patch_points), std::move(patch_cells), std::move(matrix),
-                 std::move(gradient));
+    return Injective_patch(std::move(patch_points), std::move(patch_cells), std::move(matrix),
+                           std::move(gradient), m_rotations, m_factor_maker);
   }
 
+  Rotation_routines m_rotations;
+  Factor_maker m_factor_maker;
   const Eigen::SparseMatrix<double>& m_matrix;
   std::vector<Elastic_cell> m_cells;
 };

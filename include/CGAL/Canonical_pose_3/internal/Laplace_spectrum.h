@@ -29,14 +29,13 @@ namespace internal {
 
 // The smallest positive eigenvalues of L phi = lambda M phi on a connected surface, L the cotangent
 // Laplacian and M the diagonal of the lumped mass, with eigenfunctions that are orthonormal by M.
-template <class FactorTraits>
 class Laplace_spectrum
 {
 public:
   // At most `count` eigenvalues, of n - 1. Throws `std::runtime_error` if they are not found.
   Laplace_spectrum(const Eigen::SparseMatrix<double>& laplacian, const Eigen::VectorXd& mass,
-                   Eigen::Index count)
-    : m_roots(mass.cwiseSqrt())
+                   Eigen::Index count, const Factor_maker factor_maker)
+    : m_factor_maker(factor_maker), m_roots(mass.cwiseSqrt())
   {
     count = (std::min)(count, mass.size() - 1);
     if(mass.size() <= (std::max)(LARGEST_DENSE_SIZE, 4 * count))
@@ -60,8 +59,9 @@ private:
     typedef double Scalar;
 
     Shifted_inverse(const Eigen::SparseMatrix<double>& laplacian, const Eigen::VectorXd& mass,
-                    const Eigen::VectorXd& roots, const double shift)
-      : m_roots(roots), m_constant(roots.normalized())
+                    const Eigen::VectorXd& roots, const double shift,
+                    const Factor_maker factor_maker)
+      : m_roots(roots), m_constant(roots.normalized()), m_factor(factor_maker)
     {
       Eigen::SparseMatrix<double> matrix = laplacian;
       matrix.diagonal() += shift * mass;
@@ -82,7 +82,7 @@ private:
   private:
     const Eigen::VectorXd& m_roots;
     Eigen::VectorXd m_constant;
-    Sparse_factor<FactorTraits> m_factor;
+    Sparse_factor m_factor;
   };
 
   void solve_densely(const Eigen::SparseMatrix<double>& laplacian, const Eigen::Index count)
@@ -101,7 +101,7 @@ private:
                          const Eigen::Index count)
   {
     const double shift = 1 / mass.sum(); // of the order of the smallest eigenvalue
-    Shifted_inverse operation(laplacian, mass, m_roots, shift);
+    Shifted_inverse operation(laplacian, mass, m_roots, shift, m_factor_maker);
     Spectra::SymEigsSolver<Shifted_inverse> solver(operation, count, 2 * count + 20);
     solver.init();
     solver.compute(Spectra::SortRule::LargestAlge, 1000, 1e-10, Spectra::SortRule::LargestAlge);
@@ -111,6 +111,7 @@ private:
     m_eigenfunctions = solver.eigenvectors();
   }
 
+  Factor_maker m_factor_maker;
   Eigen::VectorXd m_roots, m_eigenvalues;
   Eigen::MatrixXd m_eigenfunctions;
 };

@@ -11,9 +11,13 @@
 #define CGAL_CANONICAL_POSE_3_INTERNAL_OPTIONS_CONSTRAINTS_H
 
 #include <CGAL/Canonical_pose_3/Options.h>
+#include <CGAL/Canonical_pose_3/internal/Arap_registration.h>
+#include <CGAL/Canonical_pose_3/internal/Registration_constraint_base.h>
 #include <CGAL/Canonical_pose_3/internal/configuration.h>
 
 #include <cstddef>
+#include <memory>
+#include <type_traits>
 
 namespace CGAL {
 namespace Canonical_pose_3 {
@@ -37,12 +41,13 @@ public:
   }
 
   // Adds what is not empty.
-  template <typename Registrar>
-  void add_to(Registrar& registrar)
+  void add_to(Arap_registration& registration)
   {
     const auto add = [&](auto& adaptor) {
       if(!adaptor.elements().empty())
-        registrar.add_constraint(adaptor);
+        registration.add_constraint(
+          std::make_unique<Registration_constraint_model<std::decay_t<decltype(adaptor)>>>(
+            adaptor));
     };
     add(m_springs);
     add(m_directions);

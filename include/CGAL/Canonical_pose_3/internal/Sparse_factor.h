@@ -10,13 +10,14 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_SPARSE_FACTOR_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_SPARSE_FACTOR_H
 
-#include <CGAL/Canonical_pose_3/Default_factor_traits_d.h>
+#include <CGAL/Canonical_pose_3/internal/Factor_base.h>
 #include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/assertions.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
+#include <memory>
 #include <stdexcept>
 #include <string>
 
@@ -26,21 +27,20 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // A factorization of a symmetric positive definite matrix, kept for any number of solves.
-// `FactorTraits`: a model of `SparseLinearAlgebraWithBlockFactorTraits_d`.
 // Solving is const and may be done from several threads at once.
-template <class FactorTraits = Default_factor_traits_d>
 class Sparse_factor
 {
 public:
+  explicit Sparse_factor(const Factor_maker maker = make_default_factor) : m_solver(maker()) {}
+
   // `matrix`: full symmetric (or its lower triangle); `what`: its name, in words, for the message.
   // Throws `std::runtime_error` when the matrix is not positive definite; nothing is factored then.
   void factor(const Eigen::SparseMatrix<double>& matrix, const char* what)
   {
     CGAL_precondition(matrix.rows() == matrix.cols());
-    typename FactorTraits::NT denominator;
     m_what = what;
     m_size = -1;
-    if(!m_traits.factor(typename FactorTraits::Matrix(matrix), denominator))
+    if(!m_solver->factor(matrix))
       throw std::runtime_error(m_what + " is not positive definite (" + name() + ")");
     m_size = matrix.rows();
   }
@@ -61,16 +61,16 @@ public:
     CGAL_precondition(is_factored());
     CGAL_precondition(right_hand_sides.rows() == m_size);
     solutions.resize(right_hand_sides.rows(), right_hand_sides.cols());
-    if(!m_traits.linear_solver(right_hand_sides, solutions) || !solutions.allFinite())
+    if(!m_solver->solve(right_hand_sides, solutions) || !solutions.allFinite())
       throw std::runtime_error("a solution for " + m_what + " is not finite (" + name() + ")");
   }
 
   bool is_factored() const { return m_size >= 0; }
 
-  static const char* name() { return FactorTraits::name(); }
+  const char* name() const { return m_solver->name(); }
 
 private:
-  FactorTraits m_traits;
+  std::unique_ptr<Factor_base> m_solver;
   std::string m_what;
   Eigen::Index m_size = -1;
 };

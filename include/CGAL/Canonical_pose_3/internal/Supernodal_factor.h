@@ -84,6 +84,8 @@ public:
     run_kernel<Backward_substitution>(&matrix, rows.data());
   }
 
+  static const char* name() { return "CHOLMOD"; }
+
 private:
   Supernodal_matrix view() const
   {

@@ -25,7 +25,7 @@
 #include <CGAL/AABB_traits.h>
 #endif
 
-#include <Eigen/QR>
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <cmath>
@@ -90,10 +90,11 @@ public:
       return Eigen::Vector3d(q.x() - p.x(), q.y() - p.y(), q.z() - p.z());
     };
     const Kernel::Triangle_3& t = found->triangle;
-    Eigen::Matrix<double, 3, 2> edges;
-    edges << vector(t[1]) - vector(t[0]), vector(t[2]) - vector(t[0]);
-    const Eigen::Vector2d x = edges.colPivHouseholderQr().solve(-vector(t[0]));
-    return {found->index, Eigen::Vector3d(1 - x.sum(), x[0], x[1])};
+    const Eigen::Vector3d a = vector(t[1]) - vector(t[0]), b = vector(t[2]) - vector(t[0]);
+    const Eigen::Vector3d rest = b - a.dot(b) / a.squaredNorm() * a; // orthogonal to a
+    const double y = -vector(t[0]).dot(rest) / rest.squaredNorm();
+    const double x = (-vector(t[0]) - y * b).dot(a) / a.squaredNorm();
+    return {found->index, Eigen::Vector3d(1 - x - y, x, y)};
   }
 
 private:

@@ -25,11 +25,11 @@ namespace internal {
 // with a diagonal matrix D of few rows, by the identity of Woodbury:
 //   A^{-1} = A0^{-1} - W (D^{-1} + S)^{-1} W^t,  W = A0^{-1} U,  S = U^t W.
 // Entries of D may be of either sign.
-// `FactorTraits`: a model of `SparseLinearAlgebraWithBlockFactorTraits_d`.
-template <class FactorTraits = Default_factor_traits_d>
 class Updated_factor
 {
 public:
+  explicit Updated_factor(const Factor_maker maker = make_default_factor) : m_factor(maker) {}
+
   // Factors A0 and forgets the update; see `Sparse_factor::factor()`.
   void factor(const Eigen::SparseMatrix<double>& matrix, const char* what)
   {
@@ -81,12 +81,12 @@ public:
 
   bool is_factored() const { return m_factor.is_factored(); }
 
-  static const char* name() { return Sparse_factor<FactorTraits>::name(); }
+  const char* name() const { return m_factor.name(); }
 
 private:
   static constexpr double LARGEST_AMPLIFICATION = 1e6; // of rounding errors
 
-  Sparse_factor<FactorTraits> m_factor;
+  Sparse_factor m_factor;
   Eigen::SparseMatrix<double> m_u; // no columns if there is no update
   Eigen::MatrixXd m_w, m_core;     // W, (D^{-1} + S)^{-1}
 };

@@ -10,15 +10,15 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_CLOSEST_ROTATION_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_CLOSEST_ROTATION_H
 
+#include <CGAL/Canonical_pose_3/internal/Rotation_routines.h>
 #include <CGAL/Canonical_pose_3/internal/configuration.h>
+#include <CGAL/Canonical_pose_3/internal/inline_definition.h>
 
-#include <CGAL/Default.h>
 #include <CGAL/Deformation_Eigen_closest_rotation_traits_3.h>
 
 #include <Eigen/Core>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <type_traits>
 
@@ -26,14 +26,6 @@ namespace CGAL {
 namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
-
-// Eight numbers that are computed with at once.
-using Pack = Eigen::Array<double, 8, 1>;
-constexpr int pack_size = 8;
-
-// `m[row][column]`; with packs, eight matrices.
-template <typename Real>
-using Matrix_3 = std::array<std::array<Real, 3>, 3>;
 
 // What the closed form below tells besides the rotation.
 template <typename Real>
@@ -111,73 +103,39 @@ inline bool is_reliable(const double root, const double last_step, const double 
   return slope > 0.03 * root * root * root && last_step <= 1e-8 * root && root > 1e-70;
 }
 
-// By a model of CGAL's `DeformationClosestRotationTraits_3`. Those models return V U^t of their
-// argument U S V^t, hence the transposition.
-template <typename ClosestRotationTraits>
-Eigen::Matrix3d rotation_by_traits(const Eigen::Matrix3d& m)
-{
-  ClosestRotationTraits traits;
-  typename ClosestRotationTraits::Matrix argument = traits.zero_matrix();
-  typename ClosestRotationTraits::Matrix rotation = traits.zero_matrix();
-  for(int i = 0; i < 3; ++i)
-    for(int j = 0; j < 3; ++j)
-      argument(i, j) = m(j, i);
-  traits.compute_close_rotation(argument, rotation);
-  Eigen::Matrix3d result;
-  for(int i = 0; i < 3; ++i)
-    for(int j = 0; j < 3; ++j)
-      result(i, j) = rotation(i, j);
-  return result;
-}
-
 // The rotation R (determinant +1) closest to m in the Frobenius norm: in closed form, and by a
-// singular value decomposition where that is not reliable; or by the traits. Some rotation if m is
-// not finite.
-template <typename ClosestRotationTraits = Default>
-Eigen::Matrix3d closest_rotation(const Eigen::Matrix3d& m)
+// singular value decomposition where that is not reliable. Some rotation if m is not finite.
+inline Eigen::Matrix3d closest_rotation(const Eigen::Matrix3d& m)
 {
   if(!m.allFinite())
     return Eigen::Matrix3d::Identity();
-  if constexpr(std::is_same<ClosestRotationTraits, Default>::value)
-  {
-    Matrix_3<double> f, r;
-    for(int k = 0; k < 9; ++k)
-      f[k / 3][k % 3] = m(k / 3, k % 3);
-    const Rotation_root<double> q = rotation_by_root(f, r);
-    if(!is_reliable(q.root, q.last_step, q.slope))
-      return rotation_by_traits<Deformation_Eigen_closest_rotation_traits_3>(m);
-    Eigen::Matrix3d result;
-    for(int k = 0; k < 9; ++k)
-      result(k / 3, k % 3) = r[k / 3][k % 3];
-    return result;
-  }
-  else
-    return rotation_by_traits<ClosestRotationTraits>(m);
+  Matrix_3<double> f, r;
+  for(int k = 0; k < 9; ++k)
+    f[k / 3][k % 3] = m(k / 3, k % 3);
+  const Rotation_root<double> q = rotation_by_root(f, r);
+  if(!is_reliable(q.root, q.last_step, q.slope))
+    return rotation_by_traits<Deformation_Eigen_closest_rotation_traits_3>(m);
+  Eigen::Matrix3d result;
+  for(int k = 0; k < 9; ++k)
+    result(k / 3, k % 3) = r[k / 3][k % 3];
+  return result;
 }
 
 // The same for eight matrices.
-template <typename ClosestRotationTraits>
-void closest_rotations(const Matrix_3<Pack>& f, Matrix_3<Pack>& r)
+inline void closest_rotations(const Matrix_3<Pack>& f, Matrix_3<Pack>& r)
 {
-  const auto one_by_one = [&](const int lane) {
-    Eigen::Matrix3d m;
-    for(int k = 0; k < 9; ++k)
-      m(k / 3, k % 3) = f[k / 3][k % 3][lane];
-    m = closest_rotation<ClosestRotationTraits>(m);
-    for(int k = 0; k < 9; ++k)
-      r[k / 3][k % 3][lane] = m(k / 3, k % 3);
-  };
-  if constexpr(std::is_same<ClosestRotationTraits, Default>::value)
-  {
-    const Rotation_root<Pack> q = rotation_by_root(f, r);
-    for(int lane = 0; lane < pack_size; ++lane)
-      if(!is_reliable(q.root[lane], q.last_step[lane], q.slope[lane]))
-        one_by_one(lane);
-  }
-  else
-    for(int lane = 0; lane < pack_size; ++lane)
-      one_by_one(lane);
+  const Rotation_root<Pack> q = rotation_by_root(f, r);
+  for(int lane = 0; lane < pack_size; ++lane)
+    if(!is_reliable(q.root[lane], q.last_step[lane], q.slope[lane]))
+      for_lane(f, r, lane, closest_rotation);
 }
+
+#ifndef CGAL_CANONICAL_POSE_3_COMPILED_APART
+CGAL_CANONICAL_POSE_3_DEFINITION Rotation_routines default_rotation_routines()
+{
+  return {closest_rotation, closest_rotations};
+}
+#endif
 
 } // namespace internal
 } // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION

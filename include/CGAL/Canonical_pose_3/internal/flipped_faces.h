@@ -110,7 +110,7 @@ std::size_t flipped_faces(const ElasticBody& body, const std::vector<Index_trian
           before.col(k) = body.points().row(c[k]) - body.points().row(c[3]);
           after.col(k) = body_pose.row(c[k]) - body_pose.row(c[3]);
         }
-        const Eigen::Matrix3d rotation = closest_rotation<>(after * before.inverse());
+        const Eigen::Matrix3d rotation = closest_rotation(after * before.inverse());
         if(!((rotation * normal(rest, triangles[f])).dot(normal(pose, triangles[f])) > 0))
           ++counts[block];
       }

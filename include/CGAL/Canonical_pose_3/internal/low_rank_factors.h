@@ -29,10 +29,9 @@ namespace internal {
 // Finds V and d with V diag(d) V^t = `matrix`, which is symmetric, V of orthonormal columns and d
 // without zeros. Rows that are not joined by an entry are treated apart, so that small entries keep
 // their digits beside large ones elsewhere. Returns false, and finds nothing, if more than `most_rows`
-// rows are not zero. A template, so that eigenvectors are compiled where they are needed only.
-template <class Dense_matrix = Eigen::MatrixXd>
-bool low_rank_factors(const Eigen::SparseMatrix<double>& matrix, const std::size_t most_rows,
-                      Eigen::SparseMatrix<double>& v, Eigen::VectorXd& d)
+// rows are not zero.
+inline bool low_rank_factors(const Eigen::SparseMatrix<double>& matrix, const std::size_t most_rows,
+                             Eigen::SparseMatrix<double>& v, Eigen::VectorXd& d)
 {
   constexpr double relative_zero = 1e-14; // of an eigenvalue
   Disjoint_sets sets(static_cast<std::size_t>(matrix.cols()));
@@ -60,11 +59,11 @@ bool low_rank_factors(const Eigen::SparseMatrix<double>& matrix, const std::size
   for(const auto& [representative, group] : groups)
   {
     const Eigen::Index k = static_cast<Eigen::Index>(group.size());
-    Dense_matrix block(k, k);
+    Eigen::MatrixXd block(k, k);
     for(Eigen::Index i = 0; i < k; ++i)
       for(Eigen::Index j = 0; j < k; ++j)
         block(i, j) = matrix.coeff(group[i], group[j]);
-    const Eigen::SelfAdjointEigenSolver<Dense_matrix> spectrum(block);
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> spectrum(block);
     const double largest = spectrum.eigenvalues().cwiseAbs().maxCoeff();
     for(Eigen::Index j = 0; j < k; ++j)
       if(std::abs(spectrum.eigenvalues()[j]) > relative_zero * largest)

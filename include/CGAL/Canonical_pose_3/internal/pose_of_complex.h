@@ -17,10 +17,11 @@
 #include <CGAL/Canonical_pose_3/internal/Canonical_pose_pipeline.h>
 #include <CGAL/Canonical_pose_3/internal/Complex_parts.h>
 #include <CGAL/Canonical_pose_3/internal/Component_poses.h>
+#include <CGAL/Canonical_pose_3/internal/Solver.h>
+#include <CGAL/Canonical_pose_3/internal/Thread_limit.h>
 #include <CGAL/Canonical_pose_3/internal/check_registration.h>
 #include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/inline_definition.h>
-#include <CGAL/Canonical_pose_3/internal/with_solver.h>
 
 #include <CGAL/Real_timer.h>
 
@@ -28,7 +29,6 @@
 #include <cstddef>
 #include <stdexcept>
 #include <string>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -63,6 +63,8 @@ CGAL_CANONICAL_POSE_3_DEFINITION Registration_summary
 pose_of_complex(const Point_matrix& points, const std::vector<std::array<int, 4>>& cells,
                 const Options& options, Point_matrix& pose)
 {
+  const Thread_limit limit(options);
+  const Solver solver(options);
   check_options(options, static_cast<std::size_t>(points.rows()));
   checked_stiffness(options.stiffness, cells.size());
   Real_timer timer;
@@ -82,27 +84,23 @@ pose_of_complex(const Point_matrix& points, const std::vector<std::array<int, 4>
                         others, options);
   const double seconds_for_diagnosis = timer.time() - seconds_for_body;
 
-  Registration_summary summary = with_solver(options, [&](const auto factor_traits) {
-    using Factor_traits = std::decay_t<decltype(factor_traits)>;
-    return poses.run(
-      [&](const std::size_t c, Options local_options) -> Component_result {
-        const Complex_part& part = posed_parts[c];
-        Real_timer body_timer;
-        body_timer.start();
-        const Conforming_body_3 body_of_part(rows_of(points, part.component.vertices),
-                                             parts.local_cells(part),
-                                             part.component.vertices.size());
-        seconds_for_body += body_timer.time();
-        if(options.stiffness.size() > 0)
-          local_options.stiffness = Component_poses::values_at(options.stiffness, part.cells);
-        Canonical_pose_pipeline<Factor_traits> pipeline(part.component, local_options, diagnosis);
-        Point_matrix pose_of_part;
-        const Registration_summary one
-          = pipeline.run(body_of_part, part.surface_vertices, pose_of_part);
-        return {one, std::move(pose_of_part), std::move(pipeline.results())};
-      },
-      pose);
-  });
+  Registration_summary summary = poses.run(
+    [&](const std::size_t c, Options local_options) -> Component_result {
+      const Complex_part& part = posed_parts[c];
+      Real_timer body_timer;
+      body_timer.start();
+      const Conforming_body_3 body_of_part(rows_of(points, part.component.vertices),
+                                           parts.local_cells(part), part.component.vertices.size());
+      seconds_for_body += body_timer.time();
+      if(options.stiffness.size() > 0)
+        local_options.stiffness = Component_poses::values_at(options.stiffness, part.cells);
+      Canonical_pose_pipeline pipeline(part.component, local_options, solver, diagnosis);
+      Point_matrix pose_of_part;
+      const Registration_summary one
+        = pipeline.run(body_of_part, part.surface_vertices, pose_of_part);
+      return {one, std::move(pose_of_part), std::move(pipeline.results())};
+    },
+    pose);
   summary.add_seconds("diagnosis", seconds_for_diagnosis);
   summary.add_seconds("body", seconds_for_body);
   return summary;

@@ -17,10 +17,11 @@
 #include <CGAL/Canonical_pose_3/internal/Component_poses.h>
 #include <CGAL/Canonical_pose_3/internal/Disjoint_sets.h>
 #include <CGAL/Canonical_pose_3/internal/Posed_component.h>
+#include <CGAL/Canonical_pose_3/internal/Solver.h>
+#include <CGAL/Canonical_pose_3/internal/Thread_limit.h>
 #include <CGAL/Canonical_pose_3/internal/check_registration.h>
 #include <CGAL/Canonical_pose_3/internal/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/inline_definition.h>
-#include <CGAL/Canonical_pose_3/internal/with_solver.h>
 #include <CGAL/Canonical_pose_3/repair_surface.h>
 #include <CGAL/Canonical_pose_3/surface_measures.h>
 
@@ -30,7 +31,6 @@
 #include <numeric>
 #include <stdexcept>
 #include <string>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -92,7 +92,6 @@ inline std::vector<Posed_component> components_of_indices(const Repaired_surface
 
 // canonical_pose_3() for any polygons: examines and repairs them, brings the components requested into
 // their pose, and carries the pose back to the vertices of the input.
-template <typename FactorTraits>
 class Pose_of_surface
 {
 public:
@@ -101,7 +100,7 @@ public:
     : m_points(points), m_polygons(polygons), m_options(options)
   {}
 
-  Registration_summary run(Point_matrix& pose) const
+  Registration_summary run(const Solver& solver, Point_matrix& pose) const
   {
     check_options(m_options, static_cast<std::size_t>(m_points.rows()));
     check_factors(m_options.stiffness, m_points.rows(), "stiffness", "vertex", false);
@@ -120,7 +119,7 @@ public:
         if(m_options.stiffness.size() > 0)
           options.stiffness
             = Component_poses::values_at(m_options.stiffness, components[c].vertices);
-        Canonical_pose_pipeline<FactorTraits> pipeline(components[c], options, diagnosis);
+        Canonical_pose_pipeline pipeline(components[c], options, solver, diagnosis);
         Point_matrix pose_of_component;
         const Registration_summary one = pipeline.run(pose_of_component);
         return {one, std::move(pose_of_component), std::move(pipeline.results())};
@@ -216,10 +215,9 @@ CGAL_CANONICAL_POSE_3_DEFINITION Registration_summary
 pose_of_surface(const Point_matrix& points, const std::vector<std::vector<std::size_t>>& polygons,
                 const Options& options, Point_matrix& pose)
 {
-  return with_solver(options, [&](const auto factor_traits) {
-    typedef std::decay_t<decltype(factor_traits)> Factor_traits;
-    return Pose_of_surface<Factor_traits>(points, polygons, options).run(pose);
-  });
+  const Thread_limit limit(options);
+  const Solver solver(options);
+  return Pose_of_surface(points, polygons, options).run(solver, pose);
 }
 
 } // namespace internal
