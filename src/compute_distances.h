@@ -17,10 +17,10 @@
 #include <CGAL/Canonical_pose_3/Heat_geodesics_3.h>
 #include <CGAL/Canonical_pose_3/Options.h>
 #include <CGAL/Canonical_pose_3/Wavefront_geodesics_3.h>
-#include <CGAL/Canonical_pose_3/internal/Face_defect.h>
-#include <CGAL/Canonical_pose_3/internal/Indexed_mesh.h>
-#include <CGAL/Canonical_pose_3/internal/Solver.h>
-#include <CGAL/Canonical_pose_3/internal/Thread_limit.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/Solver.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/Thread_limit.h>
+#include <CGAL/Canonical_pose_3/internal/soup/Face_defect.h>
+#include <CGAL/Canonical_pose_3/internal/soup/Indexed_mesh.h>
 #include <CGAL/Canonical_pose_3/repair_surface.h>
 
 #include <algorithm>

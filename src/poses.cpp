@@ -11,5 +11,5 @@
 
 #define CGAL_CANONICAL_POSE_3_DEFINE_APART
 
-#include <CGAL/Canonical_pose_3/internal/pose_of_complex.h>
-#include <CGAL/Canonical_pose_3/internal/pose_of_surface.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/pose_of_complex.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/pose_of_surface.h>

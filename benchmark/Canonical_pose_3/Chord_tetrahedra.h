@@ -11,7 +11,7 @@
 #define CGAL_CANONICAL_POSE_3_BENCHMARK_CHORD_TETRAHEDRA_H
 
 #include <CGAL/Canonical_pose_3/Conforming_body_3.h>
-#include <CGAL/Canonical_pose_3/internal/surface_chords.h>
+#include <CGAL/Canonical_pose_3/internal/lattice/surface_chords.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <Eigen/Geometry>

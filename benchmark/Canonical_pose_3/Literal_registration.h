@@ -11,7 +11,7 @@
 #define CGAL_CANONICAL_POSE_3_BENCHMARK_LITERAL_REGISTRATION_H
 
 #include <CGAL/Canonical_pose_3/Conforming_body_3.h>
-#include <CGAL/Canonical_pose_3/internal/Sparse_factor.h>
+#include <CGAL/Canonical_pose_3/internal/linear_algebra/Sparse_factor.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <CGAL/Real_timer.h>

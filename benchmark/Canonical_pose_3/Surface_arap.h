@@ -10,7 +10,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_BENCHMARK_SURFACE_ARAP_H
 #define CGAL_CANONICAL_POSE_3_BENCHMARK_SURFACE_ARAP_H
 
-#include <CGAL/Canonical_pose_3/internal/Sparse_factor.h>
+#include <CGAL/Canonical_pose_3/internal/linear_algebra/Sparse_factor.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <CGAL/Deformation_Eigen_closest_rotation_traits_3.h>

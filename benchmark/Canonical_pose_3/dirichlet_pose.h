@@ -10,8 +10,8 @@
 #ifndef CGAL_CANONICAL_POSE_3_BENCHMARK_DIRICHLET_POSE_H
 #define CGAL_CANONICAL_POSE_3_BENCHMARK_DIRICHLET_POSE_H
 
-#include <CGAL/Canonical_pose_3/internal/Arap_energy.h>
-#include <CGAL/Canonical_pose_3/internal/Sparse_factor.h>
+#include <CGAL/Canonical_pose_3/internal/energy/Arap_energy.h>
+#include <CGAL/Canonical_pose_3/internal/linear_algebra/Sparse_factor.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <CGAL/Default.h>

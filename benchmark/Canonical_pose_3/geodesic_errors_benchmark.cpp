@@ -27,7 +27,7 @@
 #include <CGAL/Canonical_pose_3/Exact_geodesics_3.h>
 #include <CGAL/Canonical_pose_3/Heat_geodesics_3.h>
 #include <CGAL/Canonical_pose_3/Wavefront_geodesics_3.h>
-#include <CGAL/Canonical_pose_3/internal/Indexed_mesh.h>
+#include <CGAL/Canonical_pose_3/internal/soup/Indexed_mesh.h>
 #include <CGAL/Canonical_pose_3/repair_surface.h>
 #include <CGAL/Heat_method_3/Surface_mesh_geodesic_distances_3.h>
 

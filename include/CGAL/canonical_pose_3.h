@@ -13,9 +13,9 @@
 #include <CGAL/Canonical_pose_3/Options.h>
 #include <CGAL/Canonical_pose_3/Registration_summary.h>
 #include <CGAL/Canonical_pose_3/diagnose.h>
-#include <CGAL/Canonical_pose_3/internal/Indexed_complex.h>
-#include <CGAL/Canonical_pose_3/internal/Indexed_mesh.h>
-#include <CGAL/Canonical_pose_3/internal/poses.h>
+#include <CGAL/Canonical_pose_3/internal/body/Indexed_complex.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/poses.h>
+#include <CGAL/Canonical_pose_3/internal/soup/Indexed_mesh.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/Real_timer.h>

@@ -10,7 +10,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_TEST_SURFACE_WITH_RAYS_H
 #define CGAL_CANONICAL_POSE_3_TEST_SURFACE_WITH_RAYS_H
 
-#include <CGAL/Canonical_pose_3/internal/Surface_rays.h>
+#include <CGAL/Canonical_pose_3/internal/lattice/Surface_rays.h>
 
 #include <CGAL/Random.h>
 

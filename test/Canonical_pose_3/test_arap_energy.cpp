@@ -7,7 +7,7 @@
 //
 // Author(s) : The Canonical_pose_3 authors
 
-#include <CGAL/Canonical_pose_3/internal/Arap_energy.h>
+#include <CGAL/Canonical_pose_3/internal/energy/Arap_energy.h>
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 //
 // Author(s) : The Canonical_pose_3 authors
 
-#include <CGAL/Canonical_pose_3/internal/closest_rotation.h>
+#include <CGAL/Canonical_pose_3/internal/energy/closest_rotation.h>
 
 #include <gtest/gtest.h>
 

@@ -9,7 +9,7 @@
 
 // Several calls at once from threads of the user's program give the same bytes as one after the other.
 
-#include <CGAL/Canonical_pose_3/internal/Sparse_factor.h>
+#include <CGAL/Canonical_pose_3/internal/linear_algebra/Sparse_factor.h>
 #include <CGAL/canonical_pose_3.h>
 
 #include <CGAL/Simple_cartesian.h>

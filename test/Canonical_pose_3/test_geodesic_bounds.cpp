@@ -7,7 +7,7 @@
 //
 // Author(s) : The Canonical_pose_3 authors
 
-#include <CGAL/Canonical_pose_3/internal/Geodesic_bounds.h>
+#include <CGAL/Canonical_pose_3/internal/lattice/Geodesic_bounds.h>
 
 #include <gtest/gtest.h>
 

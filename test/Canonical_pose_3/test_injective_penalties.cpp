@@ -7,8 +7,8 @@
 //
 // Author(s) : The Canonical_pose_3 authors
 
-#include <CGAL/Canonical_pose_3/internal/Foldover_free_energy.h>
-#include <CGAL/Canonical_pose_3/internal/Inversion_barrier.h>
+#include <CGAL/Canonical_pose_3/internal/injective/Foldover_free_energy.h>
+#include <CGAL/Canonical_pose_3/internal/injective/Inversion_barrier.h>
 
 #include <CGAL/Random.h>
 

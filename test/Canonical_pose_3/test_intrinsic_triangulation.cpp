@@ -8,10 +8,10 @@
 // Author(s) : The Canonical_pose_3 authors
 #include "geodesic_fixtures.h"
 
-#include <CGAL/Canonical_pose_3/internal/Gradient_field.h>
-#include <CGAL/Canonical_pose_3/internal/Intrinsic_triangulation.h>
-#include <CGAL/Canonical_pose_3/internal/Sparse_factor.h>
-#include <CGAL/Canonical_pose_3/internal/cotangent_operators.h>
+#include <CGAL/Canonical_pose_3/internal/heat/Gradient_field.h>
+#include <CGAL/Canonical_pose_3/internal/intrinsic/Intrinsic_triangulation.h>
+#include <CGAL/Canonical_pose_3/internal/intrinsic/cotangent_operators.h>
+#include <CGAL/Canonical_pose_3/internal/linear_algebra/Sparse_factor.h>
 
 #include <gtest/gtest.h>
 

@@ -9,9 +9,9 @@
 #include "geodesic_fixtures.h"
 #include "sparse_matrices.h"
 
-#include <CGAL/Canonical_pose_3/internal/Gradient_field.h>
-#include <CGAL/Canonical_pose_3/internal/Lane_factor.h>
-#include <CGAL/Canonical_pose_3/internal/Supernodal_kernels.h>
+#include <CGAL/Canonical_pose_3/internal/heat/Gradient_field.h>
+#include <CGAL/Canonical_pose_3/internal/linear_algebra/Lane_factor.h>
+#include <CGAL/Canonical_pose_3/internal/linear_algebra/Supernodal_kernels.h>
 
 #include <gtest/gtest.h>
 

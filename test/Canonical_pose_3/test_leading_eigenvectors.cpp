@@ -8,7 +8,7 @@
 // Author(s) : The Canonical_pose_3 authors
 
 #include <CGAL/Canonical_pose_3/Landmark_mds_target_builder_3.h>
-#include <CGAL/Canonical_pose_3/internal/leading_eigenvectors.h>
+#include <CGAL/Canonical_pose_3/internal/linear_algebra/leading_eigenvectors.h>
 
 #include <CGAL/Random.h>
 

@@ -7,8 +7,8 @@
 //
 // Author(s) : The Canonical_pose_3 authors
 
-#include <CGAL/Canonical_pose_3/internal/Updated_factor.h>
-#include <CGAL/Canonical_pose_3/internal/low_rank_factors.h>
+#include <CGAL/Canonical_pose_3/internal/linear_algebra/Updated_factor.h>
+#include <CGAL/Canonical_pose_3/internal/linear_algebra/low_rank_factors.h>
 
 #include <gtest/gtest.h>
 

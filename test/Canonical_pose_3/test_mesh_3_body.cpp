@@ -7,7 +7,7 @@
 //
 // Author(s) : The Canonical_pose_3 authors
 
-#include <CGAL/Canonical_pose_3/internal/Disjoint_sets.h>
+#include <CGAL/Canonical_pose_3/internal/support/Disjoint_sets.h>
 #include <CGAL/Canonical_pose_3/mesh_3_body.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

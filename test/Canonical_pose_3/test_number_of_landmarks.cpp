@@ -8,7 +8,7 @@
 // Author(s) : The Canonical_pose_3 authors
 
 #include <CGAL/canonical_pose_3.h>
-#include <CGAL/Canonical_pose_3/internal/check_number_of_landmarks.h>
+#include <CGAL/Canonical_pose_3/internal/target/check_number_of_landmarks.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

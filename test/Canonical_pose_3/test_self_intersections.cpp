@@ -7,9 +7,9 @@
 //
 // Author(s) : The Canonical_pose_3 authors
 
-#include <CGAL/Canonical_pose_3/internal/Indexed_mesh.h>
-#include <CGAL/Canonical_pose_3/internal/Self_intersections.h>
-#include <CGAL/Canonical_pose_3/internal/Triangle_soup.h>
+#include <CGAL/Canonical_pose_3/internal/soup/Indexed_mesh.h>
+#include <CGAL/Canonical_pose_3/internal/soup/Self_intersections.h>
+#include <CGAL/Canonical_pose_3/internal/soup/Triangle_soup.h>
 
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 

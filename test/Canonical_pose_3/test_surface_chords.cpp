@@ -7,7 +7,7 @@
 //
 // Author(s) : The Canonical_pose_3 authors
 
-#include <CGAL/Canonical_pose_3/internal/surface_chords.h>
+#include <CGAL/Canonical_pose_3/internal/lattice/surface_chords.h>
 
 #include <gtest/gtest.h>
 

@@ -10,11 +10,11 @@
 #ifndef CGAL_CANONICAL_POSE_3_BIHARMONIC_DISTANCES_3_H
 #define CGAL_CANONICAL_POSE_3_BIHARMONIC_DISTANCES_3_H
 
-#include <CGAL/Canonical_pose_3/internal/Delaunay_surface.h>
-#include <CGAL/Canonical_pose_3/internal/Laplace_spectrum.h>
-#include <CGAL/Canonical_pose_3/internal/configuration.h>
-#include <CGAL/Canonical_pose_3/internal/cotangent_operators.h>
-#include <CGAL/Canonical_pose_3/internal/for_each_block.h>
+#include <CGAL/Canonical_pose_3/internal/intrinsic/Delaunay_surface.h>
+#include <CGAL/Canonical_pose_3/internal/intrinsic/cotangent_operators.h>
+#include <CGAL/Canonical_pose_3/internal/linear_algebra/Laplace_spectrum.h>
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+#include <CGAL/Canonical_pose_3/internal/support/for_each_block.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <CGAL/Default.h>

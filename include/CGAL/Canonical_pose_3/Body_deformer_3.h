@@ -10,9 +10,9 @@
 #ifndef CGAL_CANONICAL_POSE_3_BODY_DEFORMER_3_H
 #define CGAL_CANONICAL_POSE_3_BODY_DEFORMER_3_H
 
-#include <CGAL/Canonical_pose_3/internal/Triangle_tree.h>
-#include <CGAL/Canonical_pose_3/internal/body_cells.h>
-#include <CGAL/Canonical_pose_3/internal/configuration.h>
+#include <CGAL/Canonical_pose_3/internal/body/body_cells.h>
+#include <CGAL/Canonical_pose_3/internal/soup/Triangle_tree.h>
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <Eigen/Dense>

@@ -11,10 +11,10 @@
 #define CGAL_CANONICAL_POSE_3_CHOLMOD_FACTOR_TRAITS_D_H
 
 #include <CGAL/Canonical_pose_3/Eigen_factor_traits_d.h>
-#include <CGAL/Canonical_pose_3/internal/Cholmod_factor.h>
-#include <CGAL/Canonical_pose_3/internal/Cholmod_workspace.h>
-#include <CGAL/Canonical_pose_3/internal/configuration.h>
-#include <CGAL/Canonical_pose_3/internal/state_of_the_process.h>
+#include <CGAL/Canonical_pose_3/internal/linear_algebra/Cholmod_factor.h>
+#include <CGAL/Canonical_pose_3/internal/linear_algebra/Cholmod_workspace.h>
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+#include <CGAL/Canonical_pose_3/internal/support/state_of_the_process.h>
 #include <CGAL/Eigen_sparse_matrix.h>
 #include <CGAL/Eigen_vector.h>
 #include <CGAL/assertions.h>

@@ -10,8 +10,8 @@
 #ifndef CGAL_CANONICAL_POSE_3_CONSTRAINT_LIST_3_H
 #define CGAL_CANONICAL_POSE_3_CONSTRAINT_LIST_3_H
 
-#include <CGAL/Canonical_pose_3/internal/Constraint_element_traits.h>
-#include <CGAL/Canonical_pose_3/internal/configuration.h>
+#include <CGAL/Canonical_pose_3/internal/registration/Constraint_element_traits.h>
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 
 #include <CGAL/assertions.h>
 

@@ -10,7 +10,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_DEFAULT_FACTOR_TRAITS_D_H
 #define CGAL_CANONICAL_POSE_3_DEFAULT_FACTOR_TRAITS_D_H
 
-#include <CGAL/Canonical_pose_3/internal/configuration.h>
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #ifdef CGAL_CANONICAL_POSE_3_USE_CHOLMOD
 #include <CGAL/Canonical_pose_3/Cholmod_factor_traits_d.h>
 #else

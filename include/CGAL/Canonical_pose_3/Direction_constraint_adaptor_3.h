@@ -11,8 +11,8 @@
 #define CGAL_CANONICAL_POSE_3_DIRECTION_CONSTRAINT_ADAPTOR_3_H
 
 #include <CGAL/Canonical_pose_3/Constraint_list_3.h>
-#include <CGAL/Canonical_pose_3/internal/configuration.h>
-#include <CGAL/Canonical_pose_3/internal/difference_terms.h>
+#include <CGAL/Canonical_pose_3/internal/registration/difference_terms.h>
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <Eigen/SparseCore>

@@ -10,7 +10,8 @@
 #ifndef CGAL_CANONICAL_POSE_3_EIGEN_FACTOR_TRAITS_D_H
 #define CGAL_CANONICAL_POSE_3_EIGEN_FACTOR_TRAITS_D_H
 
-#include <CGAL/Canonical_pose_3/internal/configuration.h>
+#include <CGAL/Canonical_pose_3/internal/linear_algebra/is_positive_pivot.h>
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 
 #include <CGAL/Eigen_solver_traits.h>
 #include <CGAL/assertions.h>
@@ -18,25 +19,9 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCholesky>
 
-#include <cmath>
-
 namespace CGAL {
 namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
-
-namespace internal {
-
-// Pivots of a factorization are what is left of the diagonal of the matrix; those of a singular
-// matrix come out as rounding noise of either sign.
-constexpr double SMALLEST_RELATIVE_PIVOT = 1e-14;
-
-// false also when one of the two is not finite
-inline bool is_positive_pivot(double pivot, double diagonal_entry)
-{
-  return pivot > 0 && pivot >= SMALLEST_RELATIVE_PIVOT * diagonal_entry && std::isfinite(pivot);
-}
-
-} // namespace internal
 
 /*!
 \ingroup PkgCanonicalPose3Ref

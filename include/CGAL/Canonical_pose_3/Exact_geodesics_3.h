@@ -10,10 +10,10 @@
 #ifndef CGAL_CANONICAL_POSE_3_EXACT_GEODESICS_3_H
 #define CGAL_CANONICAL_POSE_3_EXACT_GEODESICS_3_H
 
-#include <CGAL/Canonical_pose_3/internal/Face_defect.h>
-#include <CGAL/Canonical_pose_3/internal/Intrinsic_triangulation.h>
-#include <CGAL/Canonical_pose_3/internal/check_unfoldable.h>
-#include <CGAL/Canonical_pose_3/internal/configuration.h>
+#include <CGAL/Canonical_pose_3/internal/intrinsic/Intrinsic_triangulation.h>
+#include <CGAL/Canonical_pose_3/internal/soup/Face_defect.h>
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+#include <CGAL/Canonical_pose_3/internal/wavefront/check_unfoldable.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <CGAL/Default.h>

@@ -10,10 +10,10 @@
 #ifndef CGAL_CANONICAL_POSE_3_HEAT_GEODESICS_3_H
 #define CGAL_CANONICAL_POSE_3_HEAT_GEODESICS_3_H
 
-#include <CGAL/Canonical_pose_3/internal/Heat_solver.h>
-#include <CGAL/Canonical_pose_3/internal/Intrinsic_triangulation.h>
-#include <CGAL/Canonical_pose_3/internal/Lane_factor.h>
-#include <CGAL/Canonical_pose_3/internal/configuration.h>
+#include <CGAL/Canonical_pose_3/internal/heat/Heat_solver.h>
+#include <CGAL/Canonical_pose_3/internal/intrinsic/Intrinsic_triangulation.h>
+#include <CGAL/Canonical_pose_3/internal/linear_algebra/Lane_factor.h>
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <CGAL/Default.h>

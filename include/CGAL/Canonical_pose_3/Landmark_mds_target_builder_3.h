@@ -12,8 +12,8 @@
 
 #include <CGAL/Canonical_pose_3/Landmark_fields_3.h>
 #include <CGAL/Canonical_pose_3/Squared_distance_kernel.h>
-#include <CGAL/Canonical_pose_3/internal/configuration.h>
-#include <CGAL/Canonical_pose_3/internal/leading_eigenvectors.h>
+#include <CGAL/Canonical_pose_3/internal/linear_algebra/leading_eigenvectors.h>
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 
 #include <CGAL/assertions.h>
 

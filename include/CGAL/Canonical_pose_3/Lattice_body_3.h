@@ -10,12 +10,12 @@
 #ifndef CGAL_CANONICAL_POSE_3_LATTICE_BODY_3_H
 #define CGAL_CANONICAL_POSE_3_LATTICE_BODY_3_H
 
-#include <CGAL/Canonical_pose_3/internal/Edge_splitter.h>
-#include <CGAL/Canonical_pose_3/internal/Lattice_copies.h>
-#include <CGAL/Canonical_pose_3/internal/Principal_axes.h>
-#include <CGAL/Canonical_pose_3/internal/Side_of_nearest_face.h>
-#include <CGAL/Canonical_pose_3/internal/configuration.h>
-#include <CGAL/Canonical_pose_3/internal/surface_chords.h>
+#include <CGAL/Canonical_pose_3/internal/lattice/Edge_splitter.h>
+#include <CGAL/Canonical_pose_3/internal/lattice/Lattice_copies.h>
+#include <CGAL/Canonical_pose_3/internal/lattice/Side_of_nearest_face.h>
+#include <CGAL/Canonical_pose_3/internal/lattice/surface_chords.h>
+#include <CGAL/Canonical_pose_3/internal/support/Principal_axes.h>
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 #include <CGAL/Canonical_pose_3/surface_measures.h>
 #include <CGAL/Canonical_pose_3/target_handedness.h>

@@ -17,7 +17,7 @@
 #include <CGAL/Canonical_pose_3/Registration_progress.h>
 #include <CGAL/Canonical_pose_3/Spring_constraint_adaptor_3.h>
 #include <CGAL/Canonical_pose_3/Symmetry_constraint_adaptor_3.h>
-#include <CGAL/Canonical_pose_3/internal/configuration.h>
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <Eigen/Core>

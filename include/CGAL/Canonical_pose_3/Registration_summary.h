@@ -11,7 +11,7 @@
 #define CGAL_CANONICAL_POSE_3_REGISTRATION_SUMMARY_H
 
 #include <CGAL/Canonical_pose_3/Diagnosis_3.h>
-#include <CGAL/Canonical_pose_3/internal/configuration.h>
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 
 #include <algorithm>
 #include <cstddef>

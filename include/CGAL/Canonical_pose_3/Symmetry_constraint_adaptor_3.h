@@ -11,7 +11,7 @@
 #define CGAL_CANONICAL_POSE_3_SYMMETRY_CONSTRAINT_ADAPTOR_3_H
 
 #include <CGAL/Canonical_pose_3/Constraint_list_3.h>
-#include <CGAL/Canonical_pose_3/internal/configuration.h>
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <CGAL/assertions.h>

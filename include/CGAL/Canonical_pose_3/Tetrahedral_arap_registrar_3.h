@@ -13,12 +13,12 @@
 #include <CGAL/Canonical_pose_3/Registration_options.h>
 #include <CGAL/Canonical_pose_3/Registration_progress.h>
 #include <CGAL/Canonical_pose_3/Registration_summary.h>
-#include <CGAL/Canonical_pose_3/internal/Arap_registration.h>
-#include <CGAL/Canonical_pose_3/internal/Body_view.h>
-#include <CGAL/Canonical_pose_3/internal/Factor_base.h>
-#include <CGAL/Canonical_pose_3/internal/Registration_constraint_base.h>
-#include <CGAL/Canonical_pose_3/internal/Rotation_routines.h>
-#include <CGAL/Canonical_pose_3/internal/configuration.h>
+#include <CGAL/Canonical_pose_3/internal/body/Body_view.h>
+#include <CGAL/Canonical_pose_3/internal/energy/Rotation_routines.h>
+#include <CGAL/Canonical_pose_3/internal/linear_algebra/Factor_base.h>
+#include <CGAL/Canonical_pose_3/internal/registration/Arap_registration.h>
+#include <CGAL/Canonical_pose_3/internal/registration/Registration_constraint_base.h>
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <CGAL/Default.h>

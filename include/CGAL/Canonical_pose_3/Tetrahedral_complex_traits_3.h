@@ -11,7 +11,7 @@
 #define CGAL_CANONICAL_POSE_3_TETRAHEDRAL_COMPLEX_TRAITS_3_H
 
 #include <CGAL/Canonical_pose_3/Indexed_tetrahedra_3.h>
-#include <CGAL/Canonical_pose_3/internal/configuration.h>
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 
 #include <boost/range/irange.hpp>
 

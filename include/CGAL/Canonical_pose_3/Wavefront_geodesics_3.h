@@ -10,9 +10,9 @@
 #ifndef CGAL_CANONICAL_POSE_3_WAVEFRONT_GEODESICS_3_H
 #define CGAL_CANONICAL_POSE_3_WAVEFRONT_GEODESICS_3_H
 
-#include <CGAL/Canonical_pose_3/internal/Intrinsic_triangulation.h>
-#include <CGAL/Canonical_pose_3/internal/Wavefront_solver.h>
-#include <CGAL/Canonical_pose_3/internal/configuration.h>
+#include <CGAL/Canonical_pose_3/internal/intrinsic/Intrinsic_triangulation.h>
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+#include <CGAL/Canonical_pose_3/internal/wavefront/Wavefront_solver.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <CGAL/Default.h>

@@ -10,8 +10,8 @@
 #ifndef CGAL_CANONICAL_POSE_3_ALIGN_TARGET_H
 #define CGAL_CANONICAL_POSE_3_ALIGN_TARGET_H
 
-#include <CGAL/Canonical_pose_3/internal/closest_rotation.h>
-#include <CGAL/Canonical_pose_3/internal/configuration.h>
+#include <CGAL/Canonical_pose_3/internal/energy/closest_rotation.h>
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <CGAL/Deformation_Eigen_closest_rotation_traits_3.h>

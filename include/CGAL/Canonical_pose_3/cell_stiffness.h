@@ -10,8 +10,8 @@
 #ifndef CGAL_CANONICAL_POSE_3_CELL_STIFFNESS_H
 #define CGAL_CANONICAL_POSE_3_CELL_STIFFNESS_H
 
-#include <CGAL/Canonical_pose_3/internal/check_registration.h>
-#include <CGAL/Canonical_pose_3/internal/configuration.h>
+#include <CGAL/Canonical_pose_3/internal/registration/check_registration.h>
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 
 #include <CGAL/assertions.h>
 

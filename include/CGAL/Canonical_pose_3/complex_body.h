@@ -11,8 +11,8 @@
 #define CGAL_CANONICAL_POSE_3_COMPLEX_BODY_H
 
 #include <CGAL/Canonical_pose_3/Conforming_body_3.h>
-#include <CGAL/Canonical_pose_3/internal/Indexed_complex.h>
-#include <CGAL/Canonical_pose_3/internal/configuration.h>
+#include <CGAL/Canonical_pose_3/internal/body/Indexed_complex.h>
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 
 #include <cstddef>
 #include <utility>

@@ -11,10 +11,10 @@
 #define CGAL_CANONICAL_POSE_3_DIAGNOSE_H
 
 #include <CGAL/Canonical_pose_3/Diagnosis_3.h>
-#include <CGAL/Canonical_pose_3/internal/Indexed_mesh.h>
-#include <CGAL/Canonical_pose_3/internal/Soup_diagnosis.h>
-#include <CGAL/Canonical_pose_3/internal/Triangle_soup.h>
-#include <CGAL/Canonical_pose_3/internal/configuration.h>
+#include <CGAL/Canonical_pose_3/internal/soup/Indexed_mesh.h>
+#include <CGAL/Canonical_pose_3/internal/soup/Soup_diagnosis.h>
+#include <CGAL/Canonical_pose_3/internal/soup/Triangle_soup.h>
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <array>

@@ -10,9 +10,9 @@
 #ifndef CGAL_CANONICAL_POSE_3_EXTRACT_BOUNDARY_H
 #define CGAL_CANONICAL_POSE_3_EXTRACT_BOUNDARY_H
 
-#include <CGAL/Canonical_pose_3/internal/Indexed_complex.h>
-#include <CGAL/Canonical_pose_3/internal/boundary_triangles.h>
-#include <CGAL/Canonical_pose_3/internal/configuration.h>
+#include <CGAL/Canonical_pose_3/internal/body/Indexed_complex.h>
+#include <CGAL/Canonical_pose_3/internal/body/boundary_triangles.h>
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/helpers.h>

@@ -11,10 +11,10 @@
 #define CGAL_CANONICAL_POSE_3_FRONT_LANDMARKS_H
 
 #include <CGAL/Canonical_pose_3/Landmark_fields_3.h>
-#include <CGAL/Canonical_pose_3/internal/Delaunay_surface.h>
-#include <CGAL/Canonical_pose_3/internal/Intrinsic_triangulation.h>
-#include <CGAL/Canonical_pose_3/internal/Landmark_front.h>
-#include <CGAL/Canonical_pose_3/internal/configuration.h>
+#include <CGAL/Canonical_pose_3/internal/intrinsic/Delaunay_surface.h>
+#include <CGAL/Canonical_pose_3/internal/intrinsic/Intrinsic_triangulation.h>
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+#include <CGAL/Canonical_pose_3/internal/target/Landmark_front.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <CGAL/assertions.h>

@@ -10,7 +10,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_POINT_MATRIX_H
 #define CGAL_CANONICAL_POSE_3_POINT_MATRIX_H
 
-#include <CGAL/Canonical_pose_3/internal/configuration.h>
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/assertions.h>

@@ -11,10 +11,10 @@
 #define CGAL_CANONICAL_POSE_3_REPAIR_SURFACE_H
 
 #include <CGAL/Canonical_pose_3/Repaired_surface_3.h>
-#include <CGAL/Canonical_pose_3/internal/Component_orienter.h>
-#include <CGAL/Canonical_pose_3/internal/Manifold_builder.h>
-#include <CGAL/Canonical_pose_3/internal/Triangle_soup.h>
-#include <CGAL/Canonical_pose_3/internal/configuration.h>
+#include <CGAL/Canonical_pose_3/internal/soup/Component_orienter.h>
+#include <CGAL/Canonical_pose_3/internal/soup/Manifold_builder.h>
+#include <CGAL/Canonical_pose_3/internal/soup/Triangle_soup.h>
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <array>

@@ -10,9 +10,10 @@
 #ifndef CGAL_CANONICAL_POSE_3_SURFACE_MEASURES_H
 #define CGAL_CANONICAL_POSE_3_SURFACE_MEASURES_H
 
-#include <CGAL/Canonical_pose_3/internal/Buckets.h>
-#include <CGAL/Canonical_pose_3/internal/Indexed_mesh.h>
-#include <CGAL/Canonical_pose_3/internal/configuration.h>
+#include <CGAL/Canonical_pose_3/internal/soup/Indexed_mesh.h>
+#include <CGAL/Canonical_pose_3/internal/soup/twice_area.h>
+#include <CGAL/Canonical_pose_3/internal/support/Buckets.h>
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <Eigen/Geometry>
@@ -27,20 +28,6 @@
 namespace CGAL {
 namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
-
-namespace internal {
-
-// Twice the area of a triangle.
-template <typename Points>
-double twice_area(const Points& points, const std::array<std::size_t, 3>& t)
-{
-  const auto corner = [&](const std::size_t k) -> Eigen::Vector3d {
-    return points.row(static_cast<Eigen::Index>(t[k]));
-  };
-  return (corner(1) - corner(0)).cross(corner(2) - corner(0)).norm();
-}
-
-} // namespace internal
 
 /*!
 \ingroup PkgCanonicalPose3Ref

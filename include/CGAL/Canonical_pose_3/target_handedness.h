@@ -10,9 +10,9 @@
 #ifndef CGAL_CANONICAL_POSE_3_TARGET_HANDEDNESS_H
 #define CGAL_CANONICAL_POSE_3_TARGET_HANDEDNESS_H
 
-#include <CGAL/Canonical_pose_3/internal/Indexed_mesh.h>
-#include <CGAL/Canonical_pose_3/internal/Principal_axes.h>
-#include <CGAL/Canonical_pose_3/internal/configuration.h>
+#include <CGAL/Canonical_pose_3/internal/soup/Indexed_mesh.h>
+#include <CGAL/Canonical_pose_3/internal/support/Principal_axes.h>
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 #include <CGAL/Canonical_pose_3/surface_measures.h>
 

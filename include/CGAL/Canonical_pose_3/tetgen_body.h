@@ -16,8 +16,8 @@
 
 #include <CGAL/Canonical_pose_3/Conforming_body_3.h>
 #include <CGAL/Canonical_pose_3/diagnose.h>
-#include <CGAL/Canonical_pose_3/internal/configuration.h>
-#include <CGAL/Canonical_pose_3/internal/state_of_the_process.h>
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+#include <CGAL/Canonical_pose_3/internal/support/state_of_the_process.h>
 
 #ifndef TETLIBRARY
 #define TETLIBRARY

@@ -1,0 +1,56 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_INTERNAL_BODY_BODY_VIEW_H
+#define CGAL_CANONICAL_POSE_3_INTERNAL_BODY_BODY_VIEW_H
+
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+#include <CGAL/Canonical_pose_3/point_matrix.h>
+
+#include <Eigen/SparseCore>
+
+#include <array>
+#include <vector>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
+namespace internal {
+
+// A model of ElasticBody_3 that refers to another one, so that what takes long to compile is compiled
+// for one type.
+class Body_view
+{
+public:
+  template <typename ElasticBody>
+  explicit Body_view(const ElasticBody& body)
+    : m_points(body.points()), m_cells(body.cells()), m_cell_weights(body.cell_weights()),
+      m_volume(body.volume()), m_embedding(body.embedding())
+  {}
+
+  const Point_matrix& points() const { return m_points; }
+  const std::vector<std::array<int, 4>>& cells() const { return m_cells; }
+  const Eigen::VectorXd& cell_weights() const { return m_cell_weights; }
+  double volume() const { return m_volume; }
+  const Eigen::SparseMatrix<double>& embedding() const { return m_embedding; }
+
+private:
+  const Point_matrix& m_points;
+  const std::vector<std::array<int, 4>>& m_cells;
+  const Eigen::VectorXd& m_cell_weights;
+  double m_volume;
+  const Eigen::SparseMatrix<double>& m_embedding;
+};
+
+} // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_INTERNAL_BODY_BODY_VIEW_H

@@ -1,0 +1,98 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_INTERNAL_BODY_INDEXED_COMPLEX_H
+#define CGAL_CANONICAL_POSE_3_INTERNAL_BODY_INDEXED_COMPLEX_H
+
+#include <CGAL/Canonical_pose_3/Tetrahedral_complex_traits_3.h>
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+#include <CGAL/Canonical_pose_3/point_matrix.h>
+
+#include <CGAL/Kernel_traits.h>
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <unordered_map>
+#include <vector>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
+namespace internal {
+
+// A complex as numbers: row i is the i-th vertex of the traits' range.
+template <typename Vertex_descriptor>
+struct Indexed_complex
+{
+  std::vector<Vertex_descriptor> vertices;
+  Point_matrix points;
+  std::vector<std::array<int, 4>> cells;
+};
+
+// Whether `Tetrahedral_complex_traits_3` is specialised for T.
+template <typename T, typename = void>
+struct Is_tetrahedral_complex : std::false_type
+{};
+
+template <typename T>
+struct Is_tetrahedral_complex<
+  T, typename Make_void<typename Tetrahedral_complex_traits_3<T>::Vertex_descriptor>::type>
+  : std::true_type
+{};
+
+template <typename Complex>
+using Complex_point = typename Tetrahedral_complex_traits_3<Complex>::Point_3;
+
+template <typename Complex, typename Traits>
+auto indexed_complex(const Complex& complex, const Traits& traits)
+{
+  typedef Tetrahedral_complex_traits_3<Complex> Complex_traits;
+  typedef typename Complex_traits::Vertex_descriptor Vertex_descriptor;
+
+  Indexed_complex<Vertex_descriptor> result;
+  std::unordered_map<Vertex_descriptor, int> row;
+  for(const Vertex_descriptor v : Complex_traits::vertices(complex))
+  {
+    row.emplace(v, static_cast<int>(result.vertices.size()));
+    result.vertices.push_back(v);
+  }
+  result.points.resize(static_cast<Eigen::Index>(result.vertices.size()), 3);
+  for(std::size_t i = 0; i < result.vertices.size(); ++i)
+    result.points.row(static_cast<Eigen::Index>(i))
+      = to_row(traits, Complex_traits::point(complex, result.vertices[i])).transpose();
+
+  for(const auto& cell : Complex_traits::cells(complex))
+  {
+    std::array<int, 4> rows;
+    for(int k = 0; k < 4; ++k)
+    {
+      const auto found = row.find(static_cast<Vertex_descriptor>(cell[k]));
+      if(found == row.end())
+        throw std::invalid_argument("cell " + std::to_string(result.cells.size())
+                                    + " names a vertex that the complex does not have");
+      rows[k] = found->second;
+    }
+    for(int k = 0; k < 4; ++k)
+      if(std::count(rows.begin(), rows.end(), rows[k]) > 1)
+        throw std::invalid_argument("cell " + std::to_string(result.cells.size())
+                                    + " names a vertex twice");
+    result.cells.push_back(rows);
+  }
+  return result;
+}
+
+} // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_INTERNAL_BODY_INDEXED_COMPLEX_H

@@ -1,0 +1,56 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_INTERNAL_BODY_BODY_CELLS_H
+#define CGAL_CANONICAL_POSE_3_INTERNAL_BODY_BODY_CELLS_H
+
+#include <CGAL/Canonical_pose_3/internal/support/Buckets.h>
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+
+#include <Eigen/Dense>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
+namespace internal {
+
+// The cells around each of the vertices of a body, in their order.
+inline Buckets<std::size_t> cells_of_vertices(const std::size_t number_of_vertices,
+                                              const std::vector<std::array<int, 4>>& cells)
+{
+  return Buckets<std::size_t>(number_of_vertices, [&](const auto& put) {
+    for(std::size_t t = 0; t < cells.size(); ++t)
+      for(const int v : cells[t])
+        put(static_cast<std::size_t>(v), t);
+  });
+}
+
+// The barycentric coordinates of a point with respect to the corners of a tetrahedron, whose sum is 1.
+inline Eigen::Vector4d barycentric_coordinates(const std::array<Eigen::Vector3d, 4>& corners,
+                                               const Eigen::Vector3d& point)
+{
+  Eigen::Matrix3d edges;
+  for(std::size_t k = 0; k < 3; ++k)
+    edges.col(static_cast<Eigen::Index>(k)) = corners[k + 1] - corners[0];
+  const Eigen::Vector3d x = edges.partialPivLu().solve(point - corners[0]);
+  Eigen::Vector4d result;
+  result << 1 - x.sum(), x;
+  return result;
+}
+
+} // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_INTERNAL_BODY_BODY_CELLS_H

@@ -1,0 +1,300 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_INTERNAL_ENERGY_ARAP_ENERGY_H
+#define CGAL_CANONICAL_POSE_3_INTERNAL_ENERGY_ARAP_ENERGY_H
+
+#include <CGAL/Canonical_pose_3/internal/energy/Elastic_cell.h>
+#include <CGAL/Canonical_pose_3/internal/energy/Rotation_routines.h>
+#include <CGAL/Canonical_pose_3/internal/linear_algebra/Column_sums.h>
+#include <CGAL/Canonical_pose_3/internal/support/Buckets.h>
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+#include <CGAL/Canonical_pose_3/internal/support/for_each_block.h>
+#include <CGAL/Canonical_pose_3/point_matrix.h>
+
+#include <Eigen/Dense>
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
+namespace internal {
+
+// The as-rigid-as-possible energy of the cells, sum_t w_t |F_t - R_t|^2 (w_t with stiffness), and
+// what its local and global steps need. Cells are computed with in packs. Each block of cells sums
+// its own part of sum_t w_t G_t^t R_t, in slots of its own, one per vertex that it touches; the parts
+// are summed per vertex. So the order of all sums is fixed.
+class Arap_energy
+{
+public:
+  // What a local step finds, besides the rotations.
+  struct Evaluation
+  {
+    double energy = 0;
+    double volume_ratio = 0;
+    std::size_t inverted = 0;
+  };
+
+  // `stiffness`: factors of the weights, or nothing.
+  Arap_energy(const Point_matrix& rest, const std::vector<std::array<int, 4>>& cells,
+              const Eigen::VectorXd& weights, const Eigen::VectorXd& stiffness,
+              const Rotation_routines& rotations = default_rotation_routines())
+    : m_rotations(rotations), m_number_of_cells(cells.size()),
+      m_packs((cells.size() + pack_size - 1) / pack_size)
+  {
+    for(std::size_t i = 0; i < pack_size * m_packs.size(); ++i)
+    {
+      const std::size_t t
+        = (std::min)(i, cells.size() - 1); // copies of weight 0 fill the last pack
+      Cell_pack& pack = m_packs[i / pack_size];
+      const int lane = static_cast<int>(i % pack_size);
+      Eigen::Matrix3d edges; // columns: the edges from vertex 3
+      for(int k = 0; k < 3; ++k)
+        edges.col(k) = rest.row(cells[t][k]) - rest.row(cells[t][3]);
+      const Eigen::Matrix3d gradients = edges.inverse();
+      if(!gradients.allFinite())
+        throw std::invalid_argument("cell " + std::to_string(t) + " has no volume");
+      for(int k = 0; k < 9; ++k)
+        pack.gradients[k / 3][k % 3][lane] = gradients(k / 3, k % 3);
+      pack.volumes[lane] = i == t ? weights[static_cast<Eigen::Index>(t)] : 0;
+      pack.weights[lane]
+        = pack.volumes[lane] * (stiffness.size() > 0 ? stiffness[static_cast<Eigen::Index>(t)] : 1);
+      for(int k = 0; k < 4; ++k)
+        pack.vertices[k][lane] = cells[t][k];
+    }
+    assign_slots(static_cast<std::size_t>(rest.rows()));
+  }
+
+  const Rotation_routines& rotations() const { return m_rotations; }
+
+  std::size_t number_of_cells() const { return m_number_of_cells; }
+
+  Elastic_cell cell(const std::size_t t) const
+  {
+    const Cell_pack& pack = m_packs[t / pack_size];
+    const int lane = static_cast<int>(t % pack_size);
+    return {gradients(pack, lane),
+            pack.weights[lane],
+            {pack.vertices[0][lane], pack.vertices[1][lane], pack.vertices[2][lane],
+             pack.vertices[3][lane]}};
+  }
+
+  // Returns sum_t w_t G_t^t G_t times `factor`, columns in parallel.
+  Eigen::SparseMatrix<double> matrix(const double factor) const
+  {
+    const std::size_t n = m_slots_of_vertices.number_of_buckets();
+    // corner k of cell t has the number 4 t + k
+    const Buckets<std::size_t> corners_of_vertices(n, [&](const auto& put) {
+      for(std::size_t c = 0; c < 4 * m_number_of_cells; ++c)
+        put(static_cast<std::size_t>(m_packs[c / 4 / pack_size].vertices[c % 4][c / 4 % pack_size]),
+            c);
+    });
+    std::vector<std::vector<Eigen::Triplet<double>>> blocks(number_of_blocks(n));
+    for_each_block(n, [&](const std::size_t block, const std::size_t begin, const std::size_t end) {
+      Column_sums column;
+      for(std::size_t v = begin; v < end; ++v)
+      {
+        add_up(corners_of_vertices[v], factor, column);
+        column.for_each([&](const int row, const double sum) {
+          blocks[block].emplace_back(row, static_cast<int>(v), sum);
+        });
+      }
+    });
+    return assembled(n, blocks);
+  }
+
+  // Adds `factor` times sum_t w_t G_t^t R_t for the rotations of the last local step.
+  void add_to_right_hand_side(const double factor, Point_matrix& right_hand_side) const
+  {
+    for_each_block(static_cast<std::size_t>(right_hand_side.rows()),
+                   [&](std::size_t, const std::size_t begin, const std::size_t end) {
+                     for(std::size_t v = begin; v < end; ++v)
+                     {
+                       std::array<double, 3> sum = {0, 0, 0};
+                       for(const std::size_t slot : m_slots_of_vertices[v])
+                         for(int c = 0; c < 3; ++c)
+                           sum[c] += m_slots[slot][c];
+                       for(int c = 0; c < 3; ++c)
+                         right_hand_side(static_cast<Eigen::Index>(v), c) += factor * sum[c];
+                     }
+                   });
+  }
+
+  // The local step: finds the rotation closest to each gradient, and evaluates the energy with
+  // them.
+  Evaluation fit_rotations(const Point_matrix& points)
+  {
+    std::vector<Evaluation> blocks(number_of_blocks(m_number_of_cells));
+    for_each_block(m_number_of_cells, [&](const std::size_t block, const std::size_t begin,
+                                          const std::size_t end) {
+      std::fill(m_slots.begin() + m_first_slot_of_block[block],
+                m_slots.begin() + m_first_slot_of_block[block + 1], std::array<double, 3>{0, 0, 0});
+      for(std::size_t t = begin; t < end; t += pack_size)
+        fit_rotations(points, m_packs[t / pack_size],
+                      static_cast<int>((std::min)(end - t, std::size_t(pack_size))), blocks[block]);
+    });
+    Evaluation sum;
+    for(const Evaluation& e : blocks)
+    {
+      sum.energy += e.energy;
+      sum.volume_ratio += e.volume_ratio;
+      sum.inverted += e.inverted;
+    }
+    return sum;
+  }
+
+private:
+  static_assert(block_size % pack_size == 0, "a pack of cells lies in one block");
+
+  struct Cell_pack
+  {
+    Matrix_3<Pack> gradients; // row k: gradient of the barycentric coordinate of vertex k
+    Pack volumes;             // shares of the rest volume
+    Pack weights;             // the same times stiffness
+    std::array<std::array<int, pack_size>, 4> vertices;
+    std::array<std::array<int, pack_size>, 4> slots;
+  };
+
+  // Row k: gradient of the barycentric coordinate of vertex k.
+  static Eigen::Matrix<double, 4, 3> gradients(const Cell_pack& pack, const int lane)
+  {
+    Eigen::Matrix<double, 4, 3> result;
+    for(int k = 0; k < 9; ++k)
+      result(k / 3, k % 3) = pack.gradients[k / 3][k % 3][lane];
+    result.row(3) = -result.topRows<3>().colwise().sum();
+    return result;
+  }
+
+  // The entries of a row are added up in the order of the corners.
+  template <class Corners>
+  void add_up(const Corners& corners, const double factor, Column_sums& column) const
+  {
+    column.start(4 * corners.size());
+    for(const std::size_t corner : corners)
+    {
+      const Cell_pack& pack = m_packs[corner / 4 / pack_size];
+      const int lane = static_cast<int>(corner / 4 % pack_size);
+      const Eigen::Matrix<double, 4, 3> g = gradients(pack, lane);
+      const Eigen::Vector4d entries
+        = factor * pack.weights[lane] * (g * g.row(corner % 4).transpose());
+      for(int i = 0; i < 4; ++i)
+        column[pack.vertices[i][lane]] += entries[i];
+    }
+  }
+
+  static Eigen::SparseMatrix<double>
+  assembled(const std::size_t n, const std::vector<std::vector<Eigen::Triplet<double>>>& blocks)
+  {
+    Eigen::SparseMatrix<double> result(static_cast<Eigen::Index>(n), static_cast<Eigen::Index>(n));
+    std::size_t size = 0;
+    for(const auto& block : blocks)
+      size += block.size();
+    result.reserve(static_cast<Eigen::Index>(size));
+    Eigen::Index started = 0;
+    for(const auto& block : blocks)
+      for(const Eigen::Triplet<double>& entry : block)
+      {
+        for(; started <= entry.col(); ++started)
+          result.startVec(started);
+        result.insertBack(entry.row(), entry.col()) = entry.value();
+      }
+    result.finalize();
+    return result;
+  }
+
+  void assign_slots(const std::size_t number_of_vertices)
+  {
+    std::vector<int> vertices; // of the slots
+    std::vector<int> slot(number_of_vertices, -1);
+    for(std::size_t p = 0; p < m_packs.size(); ++p)
+    {
+      if(p % (block_size / pack_size) == 0)
+        m_first_slot_of_block.push_back(vertices.size());
+      for(int k = 0; k < 4; ++k)
+        for(int lane = 0; lane < pack_size; ++lane)
+        {
+          const int v = m_packs[p].vertices[k][lane];
+          if(slot[v] < static_cast<int>(m_first_slot_of_block.back()))
+          {
+            slot[v] = static_cast<int>(vertices.size());
+            vertices.push_back(v);
+          }
+          m_packs[p].slots[k][lane] = slot[v];
+        }
+    }
+    m_first_slot_of_block.push_back(vertices.size());
+    m_slots.resize(vertices.size());
+    m_slots_of_vertices = Buckets<std::size_t>(number_of_vertices, [&](const auto& put) {
+      for(std::size_t s = 0; s < vertices.size(); ++s)
+        put(static_cast<std::size_t>(vertices[s]), s);
+    });
+  }
+
+  void fit_rotations(const Point_matrix& points, const Cell_pack& cells, const int number_of_cells,
+                     Evaluation& sum)
+  {
+    Matrix_3<Pack> edges, f, r;
+    for(int c = 0; c < 3; ++c)
+      for(int k = 0; k < 3; ++k)
+        for(int lane = 0; lane < pack_size; ++lane)
+          edges[k][c][lane]
+            = points(cells.vertices[k][lane], c) - points(cells.vertices[3][lane], c);
+    for(int i = 0; i < 3; ++i)
+      for(int j = 0; j < 3; ++j)
+        f[i][j] = edges[0][i] * cells.gradients[0][j] + edges[1][i] * cells.gradients[1][j]
+                  + edges[2][i] * cells.gradients[2][j];
+    m_rotations.eight(f, r);
+
+    Pack difference = Pack::Zero();
+    for(int i = 0; i < 3; ++i)
+      for(int j = 0; j < 3; ++j)
+        difference += (f[i][j] - r[i][j]).square();
+    const Pack determinants = f[0][0] * (f[1][1] * f[2][2] - f[1][2] * f[2][1])
+                              + f[0][1] * (f[1][2] * f[2][0] - f[1][0] * f[2][2])
+                              + f[0][2] * (f[1][0] * f[2][1] - f[1][1] * f[2][0]);
+    sum.energy += (cells.weights * difference).sum();
+    sum.volume_ratio += (cells.volumes * determinants).sum();
+    for(int lane = 0; lane < number_of_cells; ++lane)
+      sum.inverted += determinants[lane] > 0 ? 0 : 1;
+
+    for(int c = 0; c < 3; ++c)
+    {
+      std::array<Pack, 4> terms;
+      for(int k = 0; k < 3; ++k)
+        terms[k] = cells.weights
+                   * (r[c][0] * cells.gradients[k][0] + r[c][1] * cells.gradients[k][1]
+                      + r[c][2] * cells.gradients[k][2]);
+      terms[3] = -(terms[0] + terms[1] + terms[2]);
+      for(int k = 0; k < 4; ++k)
+        for(int lane = 0; lane < pack_size; ++lane)
+          m_slots[cells.slots[k][lane]][c] += terms[k][lane];
+    }
+  }
+
+  Rotation_routines m_rotations;
+  std::size_t m_number_of_cells;
+  std::vector<Cell_pack> m_packs;
+  std::vector<std::array<double, 3>> m_slots; // blocks one after the other
+  std::vector<std::size_t> m_first_slot_of_block;
+  Buckets<std::size_t> m_slots_of_vertices;
+};
+
+} // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_INTERNAL_ENERGY_ARAP_ENERGY_H

@@ -1,0 +1,104 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_INTERNAL_ENERGY_ROTATION_ROUTINES_H
+#define CGAL_CANONICAL_POSE_3_INTERNAL_ENERGY_ROTATION_ROUTINES_H
+
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+
+#include <CGAL/Default.h>
+
+#include <Eigen/Core>
+
+#include <array>
+#include <type_traits>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
+namespace internal {
+
+// Eight numbers that are computed with at once.
+using Pack = Eigen::Array<double, 8, 1>;
+constexpr int pack_size = 8;
+
+// `m[row][column]`; with packs, eight matrices.
+template <typename Real>
+using Matrix_3 = std::array<std::array<Real, 3>, 3>;
+
+// Applies a function of one matrix to one of eight.
+template <typename Function>
+void for_lane(const Matrix_3<Pack>& f, Matrix_3<Pack>& r, const int lane, const Function& function)
+{
+  Eigen::Matrix3d m;
+  for(int k = 0; k < 9; ++k)
+    m(k / 3, k % 3) = f[k / 3][k % 3][lane];
+  m = function(m);
+  for(int k = 0; k < 9; ++k)
+    r[k / 3][k % 3][lane] = m(k / 3, k % 3);
+}
+
+// The rotation closest to m by a model of CGAL's `DeformationClosestRotationTraits_3`; some rotation if m is
+// not finite. Those models return V U^t of their argument U S V^t, hence the transposition.
+template <typename ClosestRotationTraits>
+Eigen::Matrix3d rotation_by_traits(const Eigen::Matrix3d& m)
+{
+  if(!m.allFinite())
+    return Eigen::Matrix3d::Identity();
+  ClosestRotationTraits traits;
+  typename ClosestRotationTraits::Matrix argument = traits.zero_matrix();
+  typename ClosestRotationTraits::Matrix rotation = traits.zero_matrix();
+  for(int i = 0; i < 3; ++i)
+    for(int j = 0; j < 3; ++j)
+      argument(i, j) = m(j, i);
+  traits.compute_close_rotation(argument, rotation);
+  Eigen::Matrix3d result;
+  for(int i = 0; i < 3; ++i)
+    for(int j = 0; j < 3; ++j)
+      result(i, j) = rotation(i, j);
+  return result;
+}
+
+template <typename ClosestRotationTraits>
+void rotations_by_traits(const Matrix_3<Pack>& f, Matrix_3<Pack>& r)
+{
+  for(int lane = 0; lane < pack_size; ++lane)
+    for_lane(f, r, lane, rotation_by_traits<ClosestRotationTraits>);
+}
+
+// What finds the closest rotations, chosen at run time.
+struct Rotation_routines
+{
+  Eigen::Matrix3d (*one)(const Eigen::Matrix3d&);
+  void (*eight)(const Matrix_3<Pack>&, Matrix_3<Pack>&);
+};
+
+// In closed form.
+Rotation_routines default_rotation_routines();
+
+// `ClosestRotationTraits`: a model of `DeformationClosestRotationTraits_3`, or `Default`.
+template <typename ClosestRotationTraits>
+Rotation_routines rotation_routines()
+{
+  if constexpr(std::is_same<ClosestRotationTraits, Default>::value)
+    return default_rotation_routines();
+  else
+    return {rotation_by_traits<ClosestRotationTraits>, rotations_by_traits<ClosestRotationTraits>};
+}
+
+} // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#ifndef CGAL_CANONICAL_POSE_3_COMPILED_APART
+#include <CGAL/Canonical_pose_3/internal/energy/closest_rotation.h>
+#endif
+
+#endif // CGAL_CANONICAL_POSE_3_INTERNAL_ENERGY_ROTATION_ROUTINES_H

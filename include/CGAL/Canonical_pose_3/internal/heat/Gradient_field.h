@@ -1,0 +1,151 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_INTERNAL_HEAT_GRADIENT_FIELD_H
+#define CGAL_CANONICAL_POSE_3_INTERNAL_HEAT_GRADIENT_FIELD_H
+
+#include <CGAL/Canonical_pose_3/internal/intrinsic/Intrinsic_triangulation.h>
+#include <CGAL/Canonical_pose_3/internal/linear_algebra/Lanes.h>
+#include <CGAL/Canonical_pose_3/internal/support/Buckets.h>
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstring>
+#include <vector>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
+namespace internal {
+
+// A face laid out in the plane with its corners at (0,0), (base,0), (x,y).
+struct Face_in_plane
+{
+  std::array<int, 3> corners; // rows
+  double base, x, y;
+};
+
+// Adds to `result` the integrals of the gradients of the hat functions times the field
+// -grad u / |grad u|, over all faces. Faces with constant u add nothing.
+struct Unit_descent
+{
+  template <class Vector>
+  CGAL_CANONICAL_POSE_3_KERNEL static void run(const Face_in_plane* faces, std::size_t size,
+                                               const double* u, double* result)
+  {
+    typedef typename Vector::Numbers Numbers;
+    for(const Face_in_plane* face = faces; face != faces + size; ++face)
+      for(std::size_t lane = 0; lane < NUMBER_OF_LANES; lane += Vector::SIZE)
+      {
+        std::array<std::size_t, 3> at;
+        for(std::size_t i = 0; i < 3; ++i)
+          at[i] = NUMBER_OF_LANES * static_cast<std::size_t>(face->corners[i]) + lane;
+        const Numbers origin = *reinterpret_cast<const Numbers*>(u + at[0]);
+        const Numbers a = *reinterpret_cast<const Numbers*>(u + at[1]) - origin;
+        const Numbers b = *reinterpret_cast<const Numbers*>(u + at[2]) - origin;
+        // twice the area times the gradient
+        Numbers along = a * face->y, across = b * face->base - a * face->x;
+        normalize<Vector>(along, across);
+        const Numbers second = across * face->x - along * face->y, third = across * -face->base;
+        *reinterpret_cast<Numbers*>(result + at[0]) -= second + third;
+        *reinterpret_cast<Numbers*>(result + at[1]) += second;
+        *reinterpret_cast<Numbers*>(result + at[2]) += third;
+      }
+  }
+
+private:
+  // Makes the length of a vector 1/2; a vector that is 0 stays.
+  template <class Vector>
+  CGAL_CANONICAL_POSE_3_KERNEL static void normalize(typename Vector::Numbers& x,
+                                                     typename Vector::Numbers& y)
+  {
+    typedef typename Vector::Numbers Numbers;
+    typedef typename Vector::Bits Bits;
+    // Far from the source the squares underflow, the numbers do not: a power of two comes first.
+    const Numbers size_x = x < 0 ? -x : x, size_y = y < 0 ? -y : y;
+    const Numbers largest = size_x < size_y ? size_y : size_x;
+    Bits bits;
+    std::memcpy(&bits, &largest, sizeof(bits));
+    bits = (2046ULL << 52) - (bits & (2047ULL << 52));
+    Numbers scale;
+    std::memcpy(&scale, &bits, sizeof(bits));
+    x *= scale;
+    y *= scale;
+    // The inverse root: half the exponent, and four Newton steps from an error of 4 percent.
+    const Numbers square = x * x + y * y, half = 0.5 * square;
+    std::memcpy(&bits, &square, sizeof(bits));
+    bits = 0x5fe6eb50c7b537a9ULL - (bits >> 1);
+    Numbers root;
+    std::memcpy(&root, &bits, sizeof(bits));
+    for(int step = 0; step < 4; ++step)
+      root *= 1.5 - half * root * root;
+    root *= 0.5;
+    x *= root;
+    y *= root;
+  }
+};
+
+// The direction of descent of functions on the faces, and its divergence.
+class Gradient_field
+{
+public:
+  Gradient_field() = default;
+
+  // `places`: the row of each vertex in what is computed with.
+  Gradient_field(const Intrinsic_triangulation& triangulation, const std::vector<int>& places)
+  {
+    m_faces.reserve(static_cast<std::size_t>(triangulation.number_of_faces()));
+    for(const int h : first_halfedges(triangulation, places))
+    {
+      const auto [x, y] = triangulation.apex(h);
+      Face_in_plane face = {{}, triangulation.length(h), x, y};
+      for(int i = 0; i < 3; ++i)
+        face.corners[static_cast<std::size_t>(i)]
+          = places[static_cast<std::size_t>(triangulation.origin(h + i))];
+      m_faces.push_back(face);
+    }
+  }
+
+  // Turns functions u into the right-hand sides L phi = b of the functions phi whose gradients are
+  // closest to -grad u / |grad u|, L being the cotangent Laplacian. b is minus the integrated
+  // divergence, and sums to 0 over each component. `result` must be 0.
+  void divergence_of_unit_descent(const Lane_rows& u, Lane_rows& result) const
+  {
+    run_kernel<Unit_descent>(m_faces.data(), m_faces.size(), u.data(), result.data());
+  }
+
+private:
+  // Faces in the order of their smallest rows, so that the rows are at hand.
+  static std::vector<int> first_halfedges(const Intrinsic_triangulation& triangulation,
+                                          const std::vector<int>& places)
+  {
+    const auto place
+      = [&](int h) { return places[static_cast<std::size_t>(triangulation.origin(h))]; };
+    const auto smallest = [&](int h) {
+      return static_cast<std::size_t>((std::min)({place(h), place(h + 1), place(h + 2)}));
+    };
+    return Buckets<int>(places.size(),
+                        [&](const auto& put) {
+                          for(int h = 0; h < triangulation.number_of_halfedges(); h += 3)
+                            put(smallest(h), h);
+                        })
+      .values();
+  }
+
+  std::vector<Face_in_plane> m_faces;
+};
+
+} // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_INTERNAL_HEAT_GRADIENT_FIELD_H

@@ -1,0 +1,63 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_INTERNAL_HEAT_HEAT_SOLVER_H
+#define CGAL_CANONICAL_POSE_3_INTERNAL_HEAT_HEAT_SOLVER_H
+
+#include <CGAL/Canonical_pose_3/internal/intrinsic/Intrinsic_triangulation.h>
+#include <CGAL/Canonical_pose_3/internal/linear_algebra/Lane_factor.h>
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+#include <CGAL/Canonical_pose_3/point_matrix.h>
+
+#include <Eigen/Core>
+
+#include <memory>
+#include <vector>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
+namespace internal {
+
+class Heat_solver_state;
+
+// The heat method on an intrinsic Delaunay triangulation: heat spreads for a short time from the
+// source, and the distance is the function whose gradient follows the directions of descent of the
+// heat.
+class Heat_solver
+{
+public:
+  Heat_solver(const Face_corners& corners, const Point_matrix& points,
+              Lane_factor_maker factor_maker);
+  Heat_solver(Heat_solver&&) noexcept;
+  Heat_solver& operator=(Heat_solver&&) noexcept;
+  ~Heat_solver();
+
+  const Intrinsic_triangulation& triangulation() const;
+
+  // One column per source (a row of the points): n distances in the unit of the input.
+  Eigen::MatrixXd distances(const std::vector<Eigen::Index>& sources) const;
+
+  // Distances from the nearest of the sources.
+  Eigen::VectorXd distance_to_nearest(const std::vector<Eigen::Index>& sources) const;
+
+private:
+  std::unique_ptr<Heat_solver_state> m_state;
+};
+
+} // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#ifndef CGAL_CANONICAL_POSE_3_COMPILED_APART
+#include <CGAL/Canonical_pose_3/internal/heat/Heat_solver_impl.h>
+#endif
+
+#endif // CGAL_CANONICAL_POSE_3_INTERNAL_HEAT_HEAT_SOLVER_H

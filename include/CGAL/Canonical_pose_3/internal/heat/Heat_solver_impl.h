@@ -1,0 +1,278 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_INTERNAL_HEAT_HEAT_SOLVER_IMPL_H
+#define CGAL_CANONICAL_POSE_3_INTERNAL_HEAT_HEAT_SOLVER_IMPL_H
+
+#include <CGAL/Canonical_pose_3/internal/heat/Gradient_field.h>
+#include <CGAL/Canonical_pose_3/internal/heat/Heat_solver.h>
+#include <CGAL/Canonical_pose_3/internal/heat/heat_lengths.h>
+#include <CGAL/Canonical_pose_3/internal/intrinsic/Delaunay_surface.h>
+#include <CGAL/Canonical_pose_3/internal/intrinsic/Intrinsic_triangulation.h>
+#include <CGAL/Canonical_pose_3/internal/intrinsic/cotangent_operators.h>
+#include <CGAL/Canonical_pose_3/internal/linear_algebra/Lane_factor.h>
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+#include <CGAL/Canonical_pose_3/internal/support/in_parallel.h>
+#include <CGAL/Canonical_pose_3/internal/support/inline_definition.h>
+#include <CGAL/Canonical_pose_3/point_matrix.h>
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+#endif
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <memory>
+#include <mutex>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
+namespace internal {
+
+// Both matrices are block diagonal over the components of the mesh, and each component has a time
+// step of its own, see heat_lengths(). They have the same pattern, which is analysed once, and are
+// factored side by side. Sources come eight at a time, one per lane, and such blocks side by side.
+class Heat_solver_state
+{
+public:
+  Heat_solver_state(const Face_corners& corners, const Point_matrix& points,
+                    const Lane_factor_maker factor_maker)
+    : m_surface(corners, points), m_heat(factor_maker())
+  {
+    const Eigen::SparseMatrix<double> laplacian = cotangent_laplacian(triangulation());
+    std::vector<double> lengths;
+    in_parallel([&] { check(m_heat->analyze(laplacian), "heat equation cannot be analysed"); },
+                [&] { lengths = heat_lengths(triangulation(), components()); });
+    m_poisson = m_heat->copy();
+    m_places = m_heat->places();
+    in_parallel(
+      [&] {
+        const Eigen::SparseMatrix<double> heat = heat_matrix(laplacian, lengths);
+        m_heat_diagonal = heat.diagonal();
+        check(m_heat->factor(heat), "heat equation is not positive definite");
+      },
+      [&] {
+        m_field = Gradient_field(triangulation(), m_places);
+        check(m_poisson->factor(pinned(laplacian)), "Poisson equation is not positive definite");
+      });
+  }
+
+  const Intrinsic_triangulation& triangulation() const { return m_surface.triangulation(); }
+
+  // One column per source (a row of the points): n distances in the unit of the input.
+  Eigen::MatrixXd distances(const std::vector<Eigen::Index>& sources) const
+  {
+    Eigen::MatrixXd result(m_heat_diagonal.size(), static_cast<Eigen::Index>(sources.size()));
+    for_each_block_of_fields(sources, [&](std::size_t first, std::size_t width, Lane_rows& rows) {
+      for(Eigen::Index i = 0; i < result.rows(); ++i)
+      {
+        const double* const row = lanes(rows, i);
+        for(std::size_t k = 0; k < width; ++k)
+          result(i, static_cast<Eigen::Index>(first + k)) = row[k];
+      }
+    });
+    return result;
+  }
+
+  // Distances from the nearest of the sources.
+  Eigen::VectorXd distance_to_nearest(const std::vector<Eigen::Index>& sources) const
+  {
+    Eigen::VectorXd result = Eigen::VectorXd::Constant(m_heat_diagonal.size(), INFINITE);
+    std::mutex mutex;
+    for_each_block_of_fields(sources, [&](std::size_t, std::size_t width, Lane_rows& rows) {
+      const std::lock_guard<std::mutex> lock(mutex);
+      for(Eigen::Index i = 0; i < result.size(); ++i)
+      {
+        const double* const row = lanes(rows, i);
+        result[i] = (std::min)(result[i], *std::min_element(row, row + width));
+      }
+    });
+    return result;
+  }
+
+private:
+  static constexpr double INFINITE = (std::numeric_limits<double>::infinity)();
+
+  struct Workspace
+  {
+    Lane_rows heat, potential;
+  };
+
+  const Vertex_components& components() const { return m_surface.components(); }
+
+  void check(bool is_factored, const char* what) const
+  {
+    if(!is_factored)
+      throw std::runtime_error(std::string("the matrix of the ") + what + " (" + m_heat->name()
+                               + ")");
+  }
+
+  // M + diag(t) L: symmetric, since t is constant on a component, and positive definite. A vertex
+  // without face, which has neither mass nor neighbors, gets a 1.
+  Eigen::SparseMatrix<double> heat_matrix(const Eigen::SparseMatrix<double>& laplacian,
+                                          const std::vector<double>& lengths) const
+  {
+    const Eigen::VectorXd mass = lumped_mass(triangulation());
+    Eigen::SparseMatrix<double> matrix = laplacian;
+    for(Eigen::Index i = 0; i < matrix.cols(); ++i)
+    {
+      const double h = lengths[static_cast<std::size_t>(components()[i])];
+      for(Eigen::SparseMatrix<double>::InnerIterator it(matrix, i); it; ++it)
+      {
+        it.valueRef() *= h * h;
+        if(it.row() == i)
+          it.valueRef() += mass[i] > 0 ? mass[i] : 1.;
+      }
+    }
+    return matrix;
+  }
+
+  // Adds a positive number to one diagonal entry per component. This makes the matrix definite and
+  // leaves the solution alone: summed over the component, the equations say that the number times
+  // the value there is the sum of the right-hand side, which is 0 for a divergence.
+  Eigen::SparseMatrix<double> pinned(Eigen::SparseMatrix<double> laplacian) const
+  {
+    for(int v : components().first_vertices())
+    {
+      double& entry = laplacian.coeffRef(v, v);
+      entry += entry > 0 ? entry : 1.;
+    }
+    return laplacian;
+  }
+
+  double* lanes(Lane_rows& rows, Eigen::Index vertex) const
+  {
+    return rows.data()
+           + NUMBER_OF_LANES * static_cast<std::size_t>(m_places[static_cast<std::size_t>(vertex)]);
+  }
+
+  // Calls f(first, width, rows) with the distances from sources first .. first + width - 1 in the
+  // first lanes of rows, in any order and from several threads at once.
+  template <class Function>
+  void for_each_block_of_fields(const std::vector<Eigen::Index>& sources, const Function& f) const
+  {
+    const std::size_t number_of_blocks = (sources.size() + NUMBER_OF_LANES - 1) / NUMBER_OF_LANES;
+    const auto call = [&](std::size_t block, Workspace& workspace) {
+      const std::size_t first = block * NUMBER_OF_LANES;
+      const std::size_t width = (std::min)(NUMBER_OF_LANES, sources.size() - first);
+      solve(sources.data() + first, width, workspace);
+      f(first, width, workspace.potential);
+    };
+#ifdef CGAL_LINKED_WITH_TBB
+    tbb::enumerable_thread_specific<Workspace> workspaces;
+    tbb::parallel_for(std::size_t(0), number_of_blocks, [&](std::size_t block) {
+      // a solver that waits for tasks of its own must not begin another block in this workspace
+      tbb::this_task_arena::isolate([&] { call(block, workspaces.local()); });
+    });
+#else
+    Workspace workspace;
+    for(std::size_t block = 0; block < number_of_blocks; ++block)
+      call(block, workspace);
+#endif
+  }
+
+  void solve(const Eigen::Index* sources, std::size_t width, Workspace& workspace) const
+  {
+    const std::size_t size = NUMBER_OF_LANES * m_places.size();
+    workspace.heat.assign(size, 0.);
+    workspace.potential.assign(size, 0.);
+    for(std::size_t k = 0; k < width; ++k) // heat of order 1 at the source
+      lanes(workspace.heat, sources[k])[k] = m_heat_diagonal[sources[k]];
+    m_heat->solve(workspace.heat, width);
+    m_field.divergence_of_unit_descent(workspace.heat, workspace.potential);
+    m_poisson->solve(workspace.potential, width);
+    finish(sources, width, workspace.potential);
+  }
+
+  // From potentials to distances: 0 at the source, infinite on other components.
+  void finish(const Eigen::Index* sources, std::size_t width, Lane_rows& rows) const
+  {
+    std::array<double, NUMBER_OF_LANES> offsets = {};
+    for(std::size_t k = 0; k < width; ++k)
+      offsets[k] = lanes(rows, sources[k])[k];
+    const int exponent = m_surface.exponent();
+    // two factors, since one may be out of range
+    const double first_factor = std::ldexp(1., exponent / 2);
+    const double second_factor = std::ldexp(1., exponent - exponent / 2);
+    std::array<double, NUMBER_OF_LANES> sums = {};
+    for(std::size_t i = 0; i < rows.size(); i += NUMBER_OF_LANES)
+      for(std::size_t k = 0; k < NUMBER_OF_LANES; ++k)
+      {
+        const double distance = (std::max)(rows[i + k] - offsets[k], 0.);
+        sums[k] += distance;
+        rows[i + k] = distance * first_factor * second_factor;
+      }
+    if(!std::isfinite(std::accumulate(sums.begin(), sums.end(), 0.)))
+      throw std::runtime_error(
+        std::string("a solution for the matrix of the Poisson equation is not finite (")
+        + m_heat->name() + ")");
+    if(components().size() > 1)
+      for(Eigen::Index i = 0; i < m_heat_diagonal.size(); ++i)
+        for(std::size_t k = 0; k < width; ++k)
+          if(components()[i] != components()[sources[k]])
+            lanes(rows, i)[k] = INFINITE;
+  }
+
+  Delaunay_surface m_surface;
+  Eigen::VectorXd m_heat_diagonal;
+  std::unique_ptr<Lane_factor_base> m_heat, m_poisson;
+  std::vector<int> m_places; // of the vertices among the rows of the factors
+  Gradient_field m_field;
+};
+
+CGAL_CANONICAL_POSE_3_DEFINITION
+Heat_solver::Heat_solver(const Face_corners& corners, const Point_matrix& points,
+                         const Lane_factor_maker factor_maker)
+  : m_state(std::make_unique<Heat_solver_state>(corners, points, factor_maker))
+{}
+
+CGAL_CANONICAL_POSE_3_DEFINITION Heat_solver::Heat_solver(Heat_solver&&) noexcept = default;
+
+CGAL_CANONICAL_POSE_3_DEFINITION Heat_solver&
+Heat_solver::operator=(Heat_solver&&) noexcept = default;
+
+CGAL_CANONICAL_POSE_3_DEFINITION Heat_solver::~Heat_solver() = default;
+
+CGAL_CANONICAL_POSE_3_DEFINITION const Intrinsic_triangulation& Heat_solver::triangulation() const
+{
+  return m_state->triangulation();
+}
+
+CGAL_CANONICAL_POSE_3_DEFINITION Eigen::MatrixXd
+Heat_solver::distances(const std::vector<Eigen::Index>& sources) const
+{
+  return m_state->distances(sources);
+}
+
+CGAL_CANONICAL_POSE_3_DEFINITION Eigen::VectorXd
+Heat_solver::distance_to_nearest(const std::vector<Eigen::Index>& sources) const
+{
+  return m_state->distance_to_nearest(sources);
+}
+
+} // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_INTERNAL_HEAT_HEAT_SOLVER_IMPL_H

@@ -1,0 +1,237 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_INTERNAL_INJECTIVE_INJECTIVE_REPAIR_H
+#define CGAL_CANONICAL_POSE_3_INTERNAL_INJECTIVE_INJECTIVE_REPAIR_H
+
+#include <CGAL/Canonical_pose_3/internal/energy/Arap_energy.h>
+#include <CGAL/Canonical_pose_3/internal/energy/Elastic_cell.h>
+#include <CGAL/Canonical_pose_3/internal/injective/Injective_patch.h>
+#include <CGAL/Canonical_pose_3/internal/support/Buckets.h>
+#include <CGAL/Canonical_pose_3/internal/support/Disjoint_sets.h>
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+#include <CGAL/Canonical_pose_3/point_matrix.h>
+
+#include <Eigen/SparseCore>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/parallel_for.h>
+#endif
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <functional>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
+namespace internal {
+
+// Turns inverted and flat cells of a registered body right side out where they are, in patches of rings
+// around them, see `Injective_patch`; those that are left are tried again in larger ones. As a last
+// resort all starts from the rest pose, where no cell is inverted. In the end the energy of all patches
+// is lowered.
+class Injective_repair
+{
+public:
+  // `matrix`: of the registration, which must outlive this; `cell_factor`: of the term of the cells, as
+  // in `matrix`.
+  Injective_repair(const Arap_energy& arap, const double cell_factor,
+                   const Eigen::SparseMatrix<double>& matrix, const Factor_maker factor_maker)
+    : m_rotations(arap.rotations()), m_factor_maker(factor_maker), m_matrix(matrix)
+  {
+    for(std::size_t t = 0; t < arap.number_of_cells(); ++t)
+      m_cells.push_back(arap.cell(t));
+    for(Elastic_cell& cell : m_cells)
+      cell.weight *= cell_factor;
+  }
+
+  // What became of the body.
+  struct Outcome
+  {
+    std::size_t vertices_from_rest = 0; // those that started anew from the rest pose
+    bool is_minimal = true;             // the energy is as low as the barrier allows
+  };
+
+  // `right_hand_side`: of the registration without the term of the cells; `rest`: the rest pose, near
+  // which `points` need not be.
+  Outcome operator()(const Point_matrix& right_hand_side, const Point_matrix& rest,
+                     Point_matrix& points) const
+  {
+    std::vector<bool> was_free(static_cast<std::size_t>(points.rows()), false);
+    Outcome outcome;
+    bool is_growing = true;
+    for(int rings = 1; is_growing; rings *= 2)
+    {
+      std::vector<bool> is_free = vertices_of_inverted_cells(points);
+      if(std::find(is_free.begin(), is_free.end(), true) == is_free.end())
+        break;
+      for(int ring = 0; ring < rings && is_growing; ++ring)
+        is_growing = grow(is_free);
+      std::transform(is_free.begin(), is_free.end(), was_free.begin(), was_free.begin(),
+                     std::logical_or<bool>());
+      if(is_growing)
+        for_each_patch(is_free, right_hand_side, points,
+                       [](Injective_patch& patch) { patch.remove_foldovers(); });
+      else // whole components
+        for(std::size_t v = 0; v < is_free.size(); ++v)
+          if(is_free[v])
+          {
+            points.row(static_cast<Eigen::Index>(v)) = rest.row(static_cast<Eigen::Index>(v));
+            ++outcome.vertices_from_rest;
+          }
+    }
+    // from the rest pose it is a long way
+    const int steps = outcome.vertices_from_rest > 0 ? STEPS_FROM_REST : STEPS_OF_A_PATCH;
+    std::atomic<bool> is_minimal = true;
+    for_each_patch(was_free, right_hand_side, points, [&](Injective_patch& patch) {
+      if(!patch.descend_to_the_barrier(steps))
+        is_minimal = false;
+    });
+    outcome.is_minimal = is_minimal;
+    return outcome;
+  }
+
+private:
+  static constexpr int STEPS_OF_A_PATCH = 50, STEPS_FROM_REST = 500;
+
+  std::vector<bool> vertices_of_inverted_cells(const Point_matrix& points) const
+  {
+    std::vector<bool> result(static_cast<std::size_t>(points.rows()), false);
+    for(const Elastic_cell& cell : m_cells)
+      if(!(cell.deformation(points).determinant() > 0))
+        for(const int v : cell.vertices)
+          result[static_cast<std::size_t>(v)] = true;
+    return result;
+  }
+
+  // Adds the vertices of all cells with one of the vertices; returns whether there were any.
+  bool grow(std::vector<bool>& vertices) const
+  {
+    const std::vector<bool> old = vertices;
+    for(const Elastic_cell& cell : m_cells)
+      if(std::any_of(cell.vertices.begin(), cell.vertices.end(),
+                     [&](const int v) { return old[v]; }))
+        for(const int v : cell.vertices)
+          vertices[v] = true;
+    return vertices != old;
+  }
+
+  // Calls the function for each patch, vertices that the matrix connects, and takes over its points.
+  template <typename Function>
+  void for_each_patch(const std::vector<bool>& is_free, const Point_matrix& right_hand_side,
+                      Point_matrix& points, const Function& function) const
+  {
+    const std::size_t n = is_free.size();
+    Disjoint_sets sets(n);
+    for(int j = 0; j < m_matrix.outerSize(); ++j)
+      for(Eigen::SparseMatrix<double>::InnerIterator it(m_matrix, j); it; ++it)
+        if(is_free[j] && is_free[it.row()])
+          sets.unite(static_cast<std::size_t>(j), static_cast<std::size_t>(it.row()));
+    std::vector<int> patch_of(n, -1); // of the free vertices
+    int number_of_patches = 0;
+    for(std::size_t v = 0; v < n; ++v)
+      if(is_free[v])
+      {
+        int& p = patch_of[sets.representative(v)];
+        if(p < 0)
+          p = number_of_patches++;
+        patch_of[v] = p;
+      }
+    const Buckets<int> vertices(number_of_patches, [&](const auto& put) {
+      for(std::size_t v = 0; v < n; ++v)
+        if(patch_of[v] >= 0)
+          put(patch_of[v], static_cast<int>(v));
+    });
+    const Buckets<std::size_t> cells(number_of_patches, [&](const auto& put) {
+      for(std::size_t t = 0; t < m_cells.size(); ++t)
+        for(const int v : m_cells[t].vertices)
+          if(patch_of[v] >= 0) // then the other vertices are fixed or in the same patch
+          {
+            put(patch_of[v], t);
+            break;
+          }
+    });
+    // reads and writes points of this patch, and reads fixed ones
+    const auto change = [&](const int p) {
+      Injective_patch patch = make_patch(vertices[p], cells[p], right_hand_side, points);
+      function(patch);
+      int i = 0;
+      for(const int v : vertices[p])
+        points.row(v) = patch.points().row(i++);
+    };
+#ifdef CGAL_LINKED_WITH_TBB
+    tbb::parallel_for(0, number_of_patches, change);
+#else
+    for(int p = 0; p < number_of_patches; ++p)
+      change(p);
+#endif
+  }
+
+  template <typename Vertices, typename Cells>
+  Injective_patch make_patch(const Vertices& free_vertices, const Cells& cells,
+                             const Point_matrix& right_hand_side, const Point_matrix& points) const
+  {
+    std::vector<int> vertices(free_vertices.begin(), free_vertices.end());
+    const int m = static_cast<int>(vertices.size());
+    std::unordered_map<int, int> local;
+    for(int i = 0; i < m; ++i)
+      local.emplace(vertices[i], i);
+
+    std::vector<Eigen::Triplet<double>> entries;
+    Point_matrix gradient(m, 3);
+    for(int j = 0; j < m; ++j)
+    {
+      gradient.row(j) = -right_hand_side.row(vertices[j]);
+      for(Eigen::SparseMatrix<double>::InnerIterator it(m_matrix, vertices[j]); it; ++it)
+      {
+        gradient.row(j) += it.value() * points.row(it.row());
+        const auto free_row = local.find(static_cast<int>(it.row()));
+        if(free_row != local.end())
+          entries.emplace_back(free_row->second, j, it.value());
+      }
+    }
+    Eigen::SparseMatrix<double> matrix(m, m);
+    matrix.setFromTriplets(entries.begin(), entries.end());
+
+    std::vector<Elastic_cell> patch_cells;
+    for(const std::size_t t : cells)
+    {
+      patch_cells.push_back(m_cells[t]);
+      for(int& v : patch_cells.back().vertices)
+      {
+        const auto [place, is_new] = local.emplace(v, static_cast<int>(vertices.size()));
+        if(is_new)
+          vertices.push_back(v);
+        v = place->second;
+      }
+    }
+    Point_matrix patch_points(static_cast<Eigen::Index>(vertices.size()), 3);
+    for(std::size_t i = 0; i < vertices.size(); ++i)
+      patch_points.row(static_cast<Eigen::Index>(i)) = points.row(vertices[i]);
+    return Injective_patch(std::move(patch_points), std::move(patch_cells), std::move(matrix),
+                           std::move(gradient), m_rotations, m_factor_maker);
+  }
+
+  Rotation_routines m_rotations;
+  Factor_maker m_factor_maker;
+  const Eigen::SparseMatrix<double>& m_matrix;
+  std::vector<Elastic_cell> m_cells;
+};
+
+} // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_INTERNAL_INJECTIVE_INJECTIVE_REPAIR_H

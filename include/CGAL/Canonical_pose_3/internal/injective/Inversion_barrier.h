@@ -1,0 +1,69 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_INTERNAL_INJECTIVE_INVERSION_BARRIER_H
+#define CGAL_CANONICAL_POSE_3_INTERNAL_INJECTIVE_INVERSION_BARRIER_H
+
+#include <CGAL/Canonical_pose_3/internal/energy/Elastic_cell.h>
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <limits>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
+namespace internal {
+
+// A function of the deformation gradient F of a cell that keeps its determinant positive:
+//   b(F) = (1 - y)^3 / y  with  y = det F / ACTIVE_BELOW < 1,  otherwise 0, infinite if det F <= 0.
+// It is twice continuously differentiable where det F > 0.
+class Inversion_barrier
+{
+public:
+  static constexpr double ACTIVE_BELOW = 0.1;
+
+  double value(const Eigen::Matrix3d& f) const
+  {
+    const double y = f.determinant() / ACTIVE_BELOW;
+    return y >= 1  ? 0
+           : y > 0 ? (1 - y) * (1 - y) * (1 - y) / y
+                   : std::numeric_limits<double>::infinity();
+  }
+
+  Eigen::Matrix3d gradient(const Eigen::Matrix3d& f) const
+  {
+    const double y = f.determinant() / ACTIVE_BELOW;
+    if(y >= 1)
+      return Eigen::Matrix3d::Zero();
+    return (-1 / (y * y) + 3 - 2 * y) / ACTIVE_BELOW * cofactors(f);
+  }
+
+  // The positive semi-definite matrix closest to the Hessian matrix, for F column by column.
+  template <class Matrix_3>
+  Matrix_9 hessian(const Matrix_3& f) const
+  {
+    const double y = f.determinant() / ACTIVE_BELOW;
+    if(y >= 1)
+      return Matrix_9::Zero();
+    const Vector_9 c = cofactors(f).reshaped();
+    return positive_part<Matrix_9>(
+      (2 / (y * y * y) - 2) / (ACTIVE_BELOW * ACTIVE_BELOW) * c * c.transpose()
+      + (-1 / (y * y) + 3 - 2 * y) / ACTIVE_BELOW * determinant_hessian(f));
+  }
+};
+
+} // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_INTERNAL_INJECTIVE_INVERSION_BARRIER_H

@@ -1,0 +1,78 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_INTERNAL_LATTICE_GEODESIC_BOUNDS_H
+#define CGAL_CANONICAL_POSE_3_INTERNAL_LATTICE_GEODESIC_BOUNDS_H
+
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
+namespace internal {
+
+// Lower bounds of the geodesic distance between vertices by the triangle inequality: the largest
+// difference of their distances to a landmark. The first landmarks, which are far apart, do for it.
+class Geodesic_bounds
+{
+public:
+  // `distances`: a row per vertex, a column per landmark; `unit`: bounds are returned in it.
+  Geodesic_bounds(const Eigen::MatrixXd& distances, const double unit)
+    : m_distances(
+      (distances.leftCols((std::min)(distances.cols(), NUMBER_OF_LANDMARKS)) / unit).cast<float>())
+  {}
+
+  // Appends a vertex in the middle of each edge, of which ends may be such vertices themselves; `points`: all
+  // of them, in the unit of the bounds. If a landmark is seen from both ends through faces that unfold into
+  // a plane, its distance is that of the middle of the side of a triangle.
+  void add_middles(const std::vector<std::pair<std::size_t, std::size_t>>& edges,
+                   const Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>& points)
+  {
+    Eigen::Index row = m_distances.rows();
+    m_distances.conservativeResize(row + static_cast<Eigen::Index>(edges.size()), Eigen::NoChange);
+    for(const auto& edge : edges)
+    {
+      const auto v = static_cast<Eigen::Index>(edge.first),
+                 w = static_cast<Eigen::Index>(edge.second);
+      const double squared_length = (points.row(v) - points.row(w)).squaredNorm();
+      const Eigen::ArrayXd a = m_distances.row(v).transpose().cast<double>().array(),
+                           b = m_distances.row(w).transpose().cast<double>().array();
+      const Eigen::ArrayXd squares
+        = (2 * (a.square() + b.square()) - squared_length).max((a - b).square());
+      m_distances.row(row++) = (squares.sqrt() / 2).matrix().transpose().cast<float>();
+    }
+  }
+
+  double operator()(const std::size_t v, const std::size_t w) const
+  {
+    return (m_distances.row(static_cast<Eigen::Index>(v))
+            - m_distances.row(static_cast<Eigen::Index>(w)))
+      .cwiseAbs()
+      .maxCoeff();
+  }
+
+private:
+  static constexpr Eigen::Index NUMBER_OF_LANDMARKS = 32;
+
+  Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> m_distances;
+};
+
+} // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_INTERNAL_LATTICE_GEODESIC_BOUNDS_H

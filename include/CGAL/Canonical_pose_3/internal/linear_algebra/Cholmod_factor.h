@@ -1,0 +1,113 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_INTERNAL_LINEAR_ALGEBRA_CHOLMOD_FACTOR_H
+#define CGAL_CANONICAL_POSE_3_INTERNAL_LINEAR_ALGEBRA_CHOLMOD_FACTOR_H
+
+#include <CGAL/Canonical_pose_3/internal/linear_algebra/Cholmod_workspace.h>
+#include <CGAL/Canonical_pose_3/internal/linear_algebra/is_positive_pivot.h>
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+#include <CGAL/Canonical_pose_3/internal/support/state_of_the_process.h>
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+#include <cholmod.h>
+
+#include <cstddef>
+#include <memory>
+#include <mutex>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
+namespace internal {
+
+using Cholmod_factor_pointer = std::shared_ptr<cholmod_factor>;
+
+inline Cholmod_factor_pointer own_cholmod_factor(cholmod_factor* factor)
+{
+  return Cholmod_factor_pointer(factor, [](cholmod_factor* f) {
+    Cholmod_common common;
+    cholmod_free_factor(&f, common.get());
+  });
+}
+
+// The lower triangle of a compressed matrix, which is not copied; CHOLMOD does not write to it.
+inline cholmod_sparse lower_triangle(const Eigen::SparseMatrix<double>& matrix)
+{
+  cholmod_sparse view = {};
+  view.nrow = static_cast<std::size_t>(matrix.rows());
+  view.ncol = static_cast<std::size_t>(matrix.cols());
+  view.nzmax = static_cast<std::size_t>(matrix.nonZeros());
+  view.p = const_cast<int*>(matrix.outerIndexPtr());
+  view.i = const_cast<int*>(matrix.innerIndexPtr());
+  view.x = const_cast<double*>(matrix.valuePtr());
+  view.stype = -1;
+  view.itype = CHOLMOD_INT;
+  view.xtype = CHOLMOD_REAL;
+  view.dtype = CHOLMOD_DOUBLE;
+  view.sorted = 1;
+  view.packed = 1;
+  return view;
+}
+
+// The symbolic factor, in the order that CHOLMOD chooses by default: that of AMD, or that of METIS where AMD
+// is not good and METIS is better. CHOLMOD's own choice would call METIS from several threads at once.
+inline Cholmod_factor_pointer analyzed(cholmod_sparse& matrix, Cholmod_common& common)
+{
+  cholmod_common& c = *common.get();
+  c.nmethods = 1;
+  c.method[0].ordering = CHOLMOD_AMD;
+  Cholmod_factor_pointer by_amd = own_cholmod_factor(cholmod_analyze(&matrix, &c));
+  if(by_amd == nullptr || c.fl < 500 * c.lnz || c.lnz < 5 * c.anz)
+    return by_amd;
+  const double nonzeros = c.lnz;
+  c.method[0].ordering = CHOLMOD_METIS;
+  const std::lock_guard<std::mutex> lock(mutex_of_random_numbers());
+  Cholmod_factor_pointer by_metis = own_cholmod_factor(cholmod_analyze(&matrix, &c));
+  return by_metis != nullptr && c.lnz < nonzeros ? by_metis : by_amd;
+}
+
+// `diagonal`: that of the matrix, in its own order.
+inline bool has_positive_pivots(const cholmod_factor& factor, const Eigen::VectorXd& diagonal)
+{
+  const auto* const values = static_cast<const double*>(factor.x);
+  const auto* const order = static_cast<const int*>(factor.Perm);
+  const auto is_positive
+    = [&](int j, double pivot) { return is_positive_pivot(pivot, diagonal[order[j]]); };
+  if(!factor.is_super)
+  {
+    const auto* const starts = static_cast<const int*>(factor.p);
+    for(int j = 0; j < static_cast<int>(factor.n); ++j)
+      if(!is_positive(j, values[starts[j]]))
+        return false;
+    return true;
+  }
+  // LL' in dense blocks by columns: block s holds the columns super[s] .. super[s+1]-1
+  const auto* const super = static_cast<const int*>(factor.super);
+  const auto* const rows = static_cast<const int*>(factor.pi);
+  const auto* const blocks = static_cast<const int*>(factor.px);
+  for(std::size_t s = 0; s < factor.nsuper; ++s)
+    for(int j = super[s]; j < super[s + 1]; ++j)
+    {
+      const int in_block = j - super[s];
+      const double root = values[blocks[s] + in_block * (rows[s + 1] - rows[s]) + in_block];
+      if(!(root > 0) || !is_positive(j, root * root))
+        return false;
+    }
+  return true;
+}
+
+} // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_INTERNAL_LINEAR_ALGEBRA_CHOLMOD_FACTOR_H

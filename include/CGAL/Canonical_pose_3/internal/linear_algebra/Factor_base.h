@@ -1,0 +1,86 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_INTERNAL_LINEAR_ALGEBRA_FACTOR_BASE_H
+#define CGAL_CANONICAL_POSE_3_INTERNAL_LINEAR_ALGEBRA_FACTOR_BASE_H
+
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+
+#include <CGAL/Default.h>
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+#include <memory>
+#include <type_traits>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
+namespace internal {
+
+// A solver of sparse symmetric positive definite systems, chosen at run time; see the concept
+// `SparseLinearAlgebraWithBlockFactorTraits_d`.
+class Factor_base
+{
+public:
+  virtual ~Factor_base() = default;
+  virtual bool factor(const Eigen::SparseMatrix<double>& matrix) = 0;
+  virtual bool solve(const Eigen::Ref<const Eigen::MatrixXd>& right_hand_sides,
+                     Eigen::MatrixXd& solutions) const = 0;
+  virtual const char* name() const = 0;
+};
+
+// Makes a solver without a matrix.
+using Factor_maker = std::unique_ptr<Factor_base> (*)();
+
+template <typename FactorTraits>
+class Factor_model final : public Factor_base
+{
+public:
+  bool factor(const Eigen::SparseMatrix<double>& matrix) override
+  {
+    typename FactorTraits::NT denominator;
+    return m_traits.factor(typename FactorTraits::Matrix(matrix), denominator);
+  }
+
+  bool solve(const Eigen::Ref<const Eigen::MatrixXd>& right_hand_sides,
+             Eigen::MatrixXd& solutions) const override
+  {
+    return m_traits.linear_solver(right_hand_sides, solutions);
+  }
+
+  const char* name() const override { return FactorTraits::name(); }
+
+private:
+  FactorTraits m_traits;
+};
+
+// That of `Default_factor_traits_d`.
+std::unique_ptr<Factor_base> make_default_factor();
+
+template <typename FactorTraits>
+std::unique_ptr<Factor_base> make_factor()
+{
+  if constexpr(std::is_same<FactorTraits, Default>::value)
+    return make_default_factor();
+  else
+    return std::make_unique<Factor_model<FactorTraits>>();
+}
+
+} // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#ifndef CGAL_CANONICAL_POSE_3_COMPILED_APART
+#include <CGAL/Canonical_pose_3/internal/linear_algebra/make_default_factor_impl.h>
+#endif
+
+#endif // CGAL_CANONICAL_POSE_3_INTERNAL_LINEAR_ALGEBRA_FACTOR_BASE_H

@@ -1,0 +1,83 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_INTERNAL_LINEAR_ALGEBRA_SPARSE_FACTOR_H
+#define CGAL_CANONICAL_POSE_3_INTERNAL_LINEAR_ALGEBRA_SPARSE_FACTOR_H
+
+#include <CGAL/Canonical_pose_3/internal/linear_algebra/Factor_base.h>
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+#include <CGAL/assertions.h>
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
+namespace internal {
+
+// A factorization of a symmetric positive definite matrix, kept for any number of solves.
+// Solving is const and may be done from several threads at once.
+class Sparse_factor
+{
+public:
+  explicit Sparse_factor(const Factor_maker maker = make_default_factor) : m_solver(maker()) {}
+
+  // `matrix`: full symmetric (or its lower triangle); `what`: its name, in words, for the message.
+  // Throws `std::runtime_error` when the matrix is not positive definite; nothing is factored then.
+  void factor(const Eigen::SparseMatrix<double>& matrix, const char* what)
+  {
+    CGAL_precondition(matrix.rows() == matrix.cols());
+    m_what = what;
+    m_size = -1;
+    if(!m_solver->factor(matrix))
+      throw std::runtime_error(m_what + " is not positive definite (" + name() + ")");
+    m_size = matrix.rows();
+  }
+
+  // `right_hand_sides`: one per column, as many rows as the matrix has. Each column of the solution
+  // has the same bytes whatever the other columns are.
+  Eigen::MatrixXd solve(const Eigen::Ref<const Eigen::MatrixXd>& right_hand_sides) const
+  {
+    Eigen::MatrixXd solutions;
+    solve(right_hand_sides, solutions);
+    return solutions;
+  }
+
+  // The same into `solutions`, which is allocated only if its size differs.
+  void solve(const Eigen::Ref<const Eigen::MatrixXd>& right_hand_sides,
+             Eigen::MatrixXd& solutions) const
+  {
+    CGAL_precondition(is_factored());
+    CGAL_precondition(right_hand_sides.rows() == m_size);
+    solutions.resize(right_hand_sides.rows(), right_hand_sides.cols());
+    if(!m_solver->solve(right_hand_sides, solutions) || !solutions.allFinite())
+      throw std::runtime_error("a solution for " + m_what + " is not finite (" + name() + ")");
+  }
+
+  bool is_factored() const { return m_size >= 0; }
+
+  const char* name() const { return m_solver->name(); }
+
+private:
+  std::unique_ptr<Factor_base> m_solver;
+  std::string m_what;
+  Eigen::Index m_size = -1;
+};
+
+} // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_INTERNAL_LINEAR_ALGEBRA_SPARSE_FACTOR_H

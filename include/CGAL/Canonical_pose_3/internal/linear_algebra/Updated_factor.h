@@ -1,0 +1,99 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_INTERNAL_LINEAR_ALGEBRA_UPDATED_FACTOR_H
+#define CGAL_CANONICAL_POSE_3_INTERNAL_LINEAR_ALGEBRA_UPDATED_FACTOR_H
+
+#include <CGAL/Canonical_pose_3/internal/linear_algebra/Sparse_factor.h>
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+
+#include <Eigen/Dense>
+#include <Eigen/SparseCore>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
+namespace internal {
+
+// A factorization of a symmetric positive definite matrix A0 that also solves for A = A0 + U D U^t,
+// with a diagonal matrix D of few rows, by the identity of Woodbury:
+//   A^{-1} = A0^{-1} - W (D^{-1} + S)^{-1} W^t,  W = A0^{-1} U,  S = U^t W.
+// Entries of D may be of either sign.
+class Updated_factor
+{
+public:
+  explicit Updated_factor(const Factor_maker maker = make_default_factor) : m_factor(maker) {}
+
+  // Factors A0 and forgets the update; see `Sparse_factor::factor()`.
+  void factor(const Eigen::SparseMatrix<double>& matrix, const char* what)
+  {
+    forget_update();
+    m_factor.factor(matrix, what);
+  }
+
+  void forget_update() { m_u.resize(0, 0); }
+
+  // Takes U and D in the place of those before. Returns false if A is not positive definite, or if
+  // its solutions would lose more than six digits by cancellation (where an element much stiffer
+  // than all the rest is taken away from A0, for instance); then there is no update.
+  // Costs a solve per row of D.
+  bool update(const Eigen::SparseMatrix<double>& u, const Eigen::VectorXd& d)
+  {
+    forget_update();
+    if(u.cols() == 0)
+      return true;
+    m_factor.solve(Eigen::MatrixXd(u), m_w);
+    Eigen::MatrixXd s = u.transpose() * m_w;
+    s = (s + s.transpose().eval()) / 2;
+    const Eigen::MatrixXd inverse_of_d = d.cwiseInverse().asDiagonal();
+    m_core = (inverse_of_d + s).partialPivLu().inverse();
+    const double amplification
+      = (m_core.cwiseAbs() * (inverse_of_d.cwiseAbs() + s.cwiseAbs())).rowwise().sum().maxCoeff();
+    // A is positive definite if and only if I + R^t D R is, with R R^t = S
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> spectrum(s);
+    const Eigen::MatrixXd root
+      = spectrum.eigenvectors() * spectrum.eigenvalues().cwiseMax(0).cwiseSqrt().asDiagonal();
+    Eigen::MatrixXd sum = root.transpose() * d.asDiagonal() * root;
+    sum.diagonal().array() += 1;
+    if(!(amplification <= LARGEST_AMPLIFICATION) || sum.llt().info() != Eigen::Success)
+      return false;
+    m_u = u;
+    return true;
+  }
+
+  // Solves for A, one right-hand side per column.
+  void solve(const Eigen::Ref<const Eigen::MatrixXd>& right_hand_sides,
+             Eigen::MatrixXd& solutions) const
+  {
+    m_factor.solve(right_hand_sides, solutions);
+    if(m_u.cols() > 0)
+    {
+      const Eigen::MatrixXd forces = m_core * (m_u.transpose() * solutions);
+      solutions.noalias() -= m_w * forces;
+    }
+  }
+
+  bool is_factored() const { return m_factor.is_factored(); }
+
+  const char* name() const { return m_factor.name(); }
+
+private:
+  static constexpr double LARGEST_AMPLIFICATION = 1e6; // of rounding errors
+
+  Sparse_factor m_factor;
+  Eigen::SparseMatrix<double> m_u; // no columns if there is no update
+  Eigen::MatrixXd m_w, m_core;     // W, (D^{-1} + S)^{-1}
+};
+
+} // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_INTERNAL_LINEAR_ALGEBRA_UPDATED_FACTOR_H

@@ -1,0 +1,37 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_INTERNAL_LINEAR_ALGEBRA_IS_POSITIVE_PIVOT_H
+#define CGAL_CANONICAL_POSE_3_INTERNAL_LINEAR_ALGEBRA_IS_POSITIVE_PIVOT_H
+
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+
+#include <cmath>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
+namespace internal {
+
+// Pivots of a factorization are what is left of the diagonal of the matrix; those of a singular
+// matrix come out as rounding noise of either sign.
+constexpr double SMALLEST_RELATIVE_PIVOT = 1e-14;
+
+// false also when one of the two is not finite
+inline bool is_positive_pivot(double pivot, double diagonal_entry)
+{
+  return pivot > 0 && pivot >= SMALLEST_RELATIVE_PIVOT * diagonal_entry && std::isfinite(pivot);
+}
+
+} // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_INTERNAL_LINEAR_ALGEBRA_IS_POSITIVE_PIVOT_H

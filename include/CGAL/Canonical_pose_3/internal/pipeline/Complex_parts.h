@@ -1,0 +1,270 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_COMPLEX_PARTS_H
+#define CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_COMPLEX_PARTS_H
+
+#include <CGAL/Canonical_pose_3/internal/body/boundary_triangles.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/Posed_component.h>
+#include <CGAL/Canonical_pose_3/internal/support/Disjoint_sets.h>
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+#include <CGAL/Canonical_pose_3/point_matrix.h>
+#include <CGAL/Canonical_pose_3/target_handedness.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <numeric>
+#include <stdexcept>
+#include <vector>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
+namespace internal {
+
+// A part of a complex: cells that hold together by common faces. Its surface is the outer one; those of its
+// cavities have no target and follow the cells.
+struct Complex_part
+{
+  std::vector<std::size_t> cells;
+  std::vector<std::size_t> surface_vertices; // of each vertex of the surface: its row in the pose
+  Posed_component component; // rows of the pose: vertices of the cells, in their order
+};
+
+// The boundary of a complex, and its parts by decreasing volume. Parts that have vertices, but no face, in
+// common with a far larger one belong to that: the fragments that a mesher may leave at edges.
+class Complex_parts
+{
+public:
+  // `volumes`: of the cells. Throws `std::invalid_argument` if more than two cells share a face, or there is
+  // no boundary.
+  Complex_parts(const Point_matrix& points, const std::vector<std::array<int, 4>>& cells,
+                const Eigen::VectorXd& volumes)
+    : m_points(points), m_cells(cells), m_volumes(volumes), m_faces(cells),
+      m_boundary_faces(m_faces.boundary())
+  {
+    if(m_boundary_faces.empty())
+      throw std::invalid_argument("the complex has no boundary");
+    for(const std::size_t f : m_boundary_faces)
+      m_triangles.push_back(m_faces.triangle(points, f));
+    make_boundary_manifold(m_triangles, m_boundary_vertices);
+    m_boundary_points.resize(static_cast<Eigen::Index>(m_boundary_vertices.size()), 3);
+    for(std::size_t i = 0; i < m_boundary_vertices.size(); ++i)
+      m_boundary_points.row(static_cast<Eigen::Index>(i))
+        = points.row(static_cast<Eigen::Index>(m_boundary_vertices[i]));
+    find_parts();
+  }
+
+  const Point_matrix& boundary_points() const { return m_boundary_points; }
+  const std::vector<Index_triangle>& boundary_triangles() const { return m_triangles; }
+  // The vertex of the complex that each vertex of the boundary is.
+  const std::vector<std::size_t>& boundary_vertices() const { return m_boundary_vertices; }
+
+  std::size_t size() const { return m_cells_of_parts.size(); }
+
+  Complex_part operator[](const std::size_t i) const
+  {
+    Complex_part part;
+    part.cells = m_cells_of_parts[i];
+    part.component = component_of(m_outer_surfaces[i]);
+    for(const std::size_t t : part.cells)
+      for(const int v : m_cells[t])
+        part.component.vertices.push_back(static_cast<std::size_t>(v));
+    sort_and_make_unique(part.component.vertices);
+    for(const std::size_t row : part.component.field_rows)
+      part.surface_vertices.push_back(index_in(part.component.vertices, m_boundary_vertices[row]));
+    return part;
+  }
+
+  // The cells of a part, as rows of its pose.
+  std::vector<std::array<int, 4>> local_cells(const Complex_part& part) const
+  {
+    std::vector<std::array<int, 4>> result;
+    for(const std::size_t t : part.cells)
+    {
+      result.emplace_back();
+      for(std::size_t k = 0; k < 4; ++k)
+        result.back()[k] = static_cast<int>(
+          index_in(part.component.vertices, static_cast<std::size_t>(m_cells[t][k])));
+    }
+    return result;
+  }
+
+private:
+  static constexpr double SHARE_OF_FRAGMENTS = 0.05;
+
+  static void sort_and_make_unique(std::vector<std::size_t>& numbers)
+  {
+    std::sort(numbers.begin(), numbers.end());
+    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+  }
+
+  static std::size_t index_in(const std::vector<std::size_t>& sorted, const std::size_t number)
+  {
+    return static_cast<std::size_t>(std::lower_bound(sorted.begin(), sorted.end(), number)
+                                    - sorted.begin());
+  }
+
+  // The sets of [0, n), by their first members.
+  static std::vector<std::vector<std::size_t>> members(Disjoint_sets& sets, const std::size_t n)
+  {
+    std::vector<std::size_t> index(n, n);
+    std::vector<std::vector<std::size_t>> result;
+    for(std::size_t i = 0; i < n; ++i)
+    {
+      std::size_t& set = index[sets.representative(i)];
+      if(set == n)
+      {
+        set = result.size();
+        result.emplace_back();
+      }
+      result[set].push_back(i);
+    }
+    return result;
+  }
+
+  double volume(const std::vector<std::size_t>& cells) const
+  {
+    return std::accumulate(cells.begin(), cells.end(), 0., [&](const double sum, std::size_t t) {
+      return sum + m_volumes[static_cast<Eigen::Index>(t)];
+    });
+  }
+
+  void find_parts()
+  {
+    Disjoint_sets sets(m_cells.size());
+    m_faces.for_each_face([&](const auto begin, const auto end) {
+      if(end - begin == 2)
+        sets.unite(begin->second / 4, (begin + 1)->second / 4);
+    });
+    std::vector<std::vector<std::size_t>> parts = members(sets, m_cells.size());
+    std::stable_sort(parts.begin(), parts.end(),
+                     [&](const auto& a, const auto& b) { return volume(a) > volume(b); });
+    find_outer_surfaces(parts);
+    unite_fragments(std::move(parts));
+  }
+
+  // Of the surfaces of a part, that of the largest volume is the outer one.
+  void find_outer_surfaces(const std::vector<std::vector<std::size_t>>& parts)
+  {
+    std::vector<std::size_t> part_of_cell(m_cells.size());
+    for(std::size_t p = 0; p < parts.size(); ++p)
+      for(const std::size_t t : parts[p])
+        part_of_cell[t] = p;
+    Disjoint_sets vertices(m_boundary_vertices.size());
+    for(const Index_triangle& t : m_triangles)
+    {
+      vertices.unite(t[0], t[1]);
+      vertices.unite(t[0], t[2]);
+    }
+    Disjoint_sets surfaces(m_triangles.size());
+    std::vector<std::size_t> first(m_boundary_vertices.size(), m_triangles.size());
+    for(std::size_t i = 0; i < m_triangles.size(); ++i)
+    {
+      std::size_t& f = first[vertices.representative(m_triangles[i][0])];
+      f = (std::min)(f, i);
+      surfaces.unite(f, i);
+    }
+    m_outer_surfaces.resize(parts.size());
+    std::vector<double> largest(parts.size(), -std::numeric_limits<double>::infinity());
+    for(std::vector<std::size_t>& surface : members(surfaces, m_triangles.size()))
+    {
+      const Posed_component component = component_of(surface);
+      const double volume = signed_volume(component.points, component.triangles);
+      const std::size_t p = part_of_cell[m_boundary_faces[surface.front()] / 4];
+      if(volume > largest[p])
+      {
+        largest[p] = volume;
+        m_outer_surfaces[p] = std::move(surface);
+      }
+    }
+  }
+
+  void unite_fragments(std::vector<std::vector<std::size_t>> parts)
+  {
+    Disjoint_sets sets(parts.size());
+    std::vector<std::size_t> part_of_vertex(static_cast<std::size_t>(m_points.rows()),
+                                            parts.size());
+    for(std::size_t p = 0; p < parts.size(); ++p)
+      for(const std::size_t t : parts[p])
+        for(const int v : m_cells[t])
+        {
+          std::size_t& other = part_of_vertex[static_cast<std::size_t>(v)];
+          if(other == parts.size())
+            other = p;
+          sets.unite(p, other);
+        }
+    std::vector<std::vector<std::size_t>> surfaces;
+    m_cells_of_parts.assign(parts.size(), {});
+    for(const std::vector<std::size_t>& group : members(sets, parts.size()))
+    {
+      double rest = 0;
+      for(std::size_t k = 1; k < group.size(); ++k)
+        rest += volume(parts[group[k]]);
+      const bool is_one = rest <= SHARE_OF_FRAGMENTS * volume(parts[group.front()]);
+      for(const std::size_t p : group)
+      {
+        std::vector<std::size_t>& cells = m_cells_of_parts[is_one ? group.front() : p];
+        cells.insert(cells.end(), parts[p].begin(), parts[p].end());
+      }
+      std::sort(m_cells_of_parts[group.front()].begin(), m_cells_of_parts[group.front()].end());
+    }
+    for(std::size_t p = 0; p < parts.size(); ++p)
+      if(!m_cells_of_parts[p].empty())
+        surfaces.push_back(std::move(m_outer_surfaces[p]));
+    m_outer_surfaces = std::move(surfaces);
+    m_cells_of_parts.erase(std::remove_if(m_cells_of_parts.begin(), m_cells_of_parts.end(),
+                                          [](const auto& cells) { return cells.empty(); }),
+                           m_cells_of_parts.end());
+  }
+
+  // A surface with its own numbers of vertices, but without the vertices of the pose.
+  Posed_component component_of(const std::vector<std::size_t>& surface) const
+  {
+    Posed_component component;
+    for(const std::size_t i : surface)
+      component.field_rows.insert(component.field_rows.end(), m_triangles[i].begin(),
+                                  m_triangles[i].end());
+    sort_and_make_unique(component.field_rows);
+    for(const std::size_t i : surface)
+    {
+      component.triangles.push_back(m_triangles[i]);
+      for(std::size_t& v : component.triangles.back())
+        v = index_in(component.field_rows, v);
+      component.faces.push_back(i);
+    }
+    component.points.resize(static_cast<Eigen::Index>(component.field_rows.size()), 3);
+    for(std::size_t i = 0; i < component.field_rows.size(); ++i)
+      component.points.row(static_cast<Eigen::Index>(i))
+        = m_boundary_points.row(static_cast<Eigen::Index>(component.field_rows[i]));
+    return component;
+  }
+
+  const Point_matrix& m_points;
+  const std::vector<std::array<int, 4>>& m_cells;
+  const Eigen::VectorXd& m_volumes;
+  const Cell_faces m_faces;
+  const std::vector<std::size_t> m_boundary_faces;
+  std::vector<Index_triangle> m_triangles; // of the boundary
+  std::vector<std::size_t> m_boundary_vertices;
+  Point_matrix m_boundary_points;
+  std::vector<std::vector<std::size_t>> m_cells_of_parts;
+  std::vector<std::vector<std::size_t>> m_outer_surfaces; // of the parts: triangles of the boundary
+};
+
+} // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_COMPLEX_PARTS_H

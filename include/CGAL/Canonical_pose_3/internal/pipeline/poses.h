@@ -1,0 +1,48 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_POSES_H
+#define CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_POSES_H
+
+// What canonical_pose_3() does with points and indices, whatever they came from, and what takes long to
+// compile. A program of several sources may do so once: where CGAL_CANONICAL_POSE_3_COMPILED_APART is
+// defined there are declarations only, and another source has the definitions.
+#ifndef CGAL_CANONICAL_POSE_3_COMPILED_APART
+#include <CGAL/Canonical_pose_3/internal/pipeline/pose_of_complex.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/pose_of_surface.h>
+#else
+#include <CGAL/Canonical_pose_3/Options.h>
+#include <CGAL/Canonical_pose_3/Registration_summary.h>
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+#include <CGAL/Canonical_pose_3/point_matrix.h>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
+namespace internal {
+
+Registration_summary pose_of_surface(const Point_matrix& points,
+                                     const std::vector<std::vector<std::size_t>>& polygons,
+                                     const Options& options, Point_matrix& pose);
+
+Registration_summary pose_of_complex(const Point_matrix& points,
+                                     const std::vector<std::array<int, 4>>& cells,
+                                     const Options& options, Point_matrix& pose);
+
+} // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
+} // namespace Canonical_pose_3
+} // namespace CGAL
+#endif
+
+#endif // CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_POSES_H

@@ -1,0 +1,83 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_INTERNAL_REGISTRATION_CONSTRAINT_ELEMENT_TRAITS_H
+#define CGAL_CANONICAL_POSE_3_INTERNAL_REGISTRATION_CONSTRAINT_ELEMENT_TRAITS_H
+
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <tuple>
+#include <type_traits>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
+namespace internal {
+
+// What `Constraint_list_3` and the one call have to know of the elements of a constraint; specialised
+// beside each of them, with
+//   const char* name             what it is called in messages,
+//   pointers_to_vertices(e)      an array of pointers to the vertices that it names,
+//   std::string defect(e)        which of its own numbers is out of bounds; empty if none is,
+// and, if the list is to remember something about each element from one iteration to the next,
+//   State                        what that is, as it is at first if default-constructed.
+template <typename Element>
+struct Constraint_element_traits;
+
+struct No_constraint_state
+{};
+
+template <typename Traits, typename = void>
+struct Constraint_element_state
+{
+  using type = No_constraint_state;
+};
+
+template <typename Traits>
+struct Constraint_element_state<Traits, std::void_t<typename Traits::State>>
+{
+  using type = typename Traits::State;
+};
+
+// The base of those for elements of two vertices p and q.
+struct Vertex_pair_traits
+{
+  template <typename Element>
+  static std::array<std::size_t*, 2> pointers_to_vertices(Element& e)
+  {
+    return {{&e.p, &e.q}};
+  }
+};
+
+// The defect of an element whose vertices must differ.
+template <typename Element>
+std::string coincidence_of_vertices(const Element& e)
+{
+  return e.p == e.q ? "joins vertex " + std::to_string(e.p) + " to itself" : std::string();
+}
+
+template <typename Element>
+auto vertices_of(Element e)
+{
+  const auto pointers = Constraint_element_traits<Element>::pointers_to_vertices(e);
+  std::array<std::size_t, std::tuple_size<decltype(pointers)>::value> result;
+  for(std::size_t i = 0; i < result.size(); ++i)
+    result[i] = *pointers[i];
+  return result;
+}
+
+} // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_INTERNAL_REGISTRATION_CONSTRAINT_ELEMENT_TRAITS_H

@@ -1,0 +1,95 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_INTERNAL_REGISTRATION_QUASI_NEWTON_DIRECTION_H
+#define CGAL_CANONICAL_POSE_3_INTERNAL_REGISTRATION_QUASI_NEWTON_DIRECTION_H
+
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
+namespace internal {
+
+// Directions of descent by limited-memory BFGS with a constant factored matrix in the place of the
+// Hessian matrix: the last steps and the changes of the gradient along them correct it.
+class Quasi_newton_direction
+{
+public:
+  // `window`: number of steps that are remembered.
+  explicit Quasi_newton_direction(const int window) : m_memory(window) {}
+
+  bool has_memory() const { return m_used > 0; }
+
+  void forget() { m_used = 0; }
+
+  // Tells that the gradient changed by `change` along `step`.
+  template <typename Step, typename Change>
+  void remember(const Step& step, const Change& change)
+  {
+    const double curvature = step.cwiseProduct(change).sum();
+    if(m_memory.empty() || !(curvature > 0))
+      return;
+    Pair& pair = m_memory[m_next];
+    pair.step = step;
+    pair.change = change;
+    pair.curvature = curvature;
+    m_next = (m_next + 1) % m_memory.size();
+    m_used = (std::min)(m_used + 1, m_memory.size());
+  }
+
+  // Replaces the gradient, given in `direction`, by the direction to step against; `solve(x)` solves
+  // for x in place.
+  template <typename Solve>
+  void apply(Eigen::MatrixXd& direction, const Solve& solve) const
+  {
+    std::vector<double> weights(m_used);
+    for(std::size_t k = 0; k < m_used; ++k) // from the newest on
+    {
+      const Pair& pair = newest(k);
+      weights[k] = pair.step.cwiseProduct(direction).sum() / pair.curvature;
+      direction -= weights[k] * pair.change;
+    }
+    solve(direction);
+    for(std::size_t k = m_used; k-- > 0;)
+    {
+      const Pair& pair = newest(k);
+      direction
+        += (weights[k] - pair.change.cwiseProduct(direction).sum() / pair.curvature) * pair.step;
+    }
+  }
+
+private:
+  struct Pair
+  {
+    Eigen::MatrixXd step, change;
+    double curvature;
+  };
+
+  const Pair& newest(const std::size_t k) const
+  {
+    return m_memory[(m_next + m_memory.size() - 1 - k) % m_memory.size()];
+  }
+
+  std::vector<Pair> m_memory; // a ring
+  std::size_t m_next = 0, m_used = 0;
+};
+
+} // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_INTERNAL_REGISTRATION_QUASI_NEWTON_DIRECTION_H

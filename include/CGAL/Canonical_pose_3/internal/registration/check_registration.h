@@ -1,0 +1,133 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_INTERNAL_REGISTRATION_CHECK_REGISTRATION_H
+#define CGAL_CANONICAL_POSE_3_INTERNAL_REGISTRATION_CHECK_REGISTRATION_H
+
+#include <CGAL/Canonical_pose_3/internal/support/Disjoint_sets.h>
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+
+#include <CGAL/assertions.h>
+
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
+namespace internal {
+
+inline double checked_length_scale(const double length_scale)
+{
+  if(!(length_scale > 0) || !std::isfinite(length_scale))
+    throw std::invalid_argument("the length scale must be positive and finite");
+  return length_scale;
+}
+
+// Throws unless there are no factors or n of them, finite, positive ones or, where zeros are allowed,
+// nonnegative ones that are not all 0. `what` and `element` name them in messages.
+inline void check_factors(const Eigen::VectorXd& factors, const Eigen::Index n,
+                          const std::string& what, const std::string& element,
+                          const bool zeros_are_allowed)
+{
+  if(factors.size() == 0)
+    return;
+  if(factors.size() != n)
+    throw std::invalid_argument(std::to_string(factors.size()) + " numbers are given as " + what
+                                + ", but it takes " + std::to_string(n) + ", one per " + element);
+  for(Eigen::Index i = 0; i < n; ++i)
+    if(!(zeros_are_allowed ? factors[i] >= 0 : factors[i] > 0) || !std::isfinite(factors[i]))
+      throw std::invalid_argument("the " + what + " of " + element + ' ' + std::to_string(i)
+                                  + " is " + (zeros_are_allowed ? "negative" : "not positive")
+                                  + " or not finite");
+  if(!(factors.array() > 0).any())
+    throw std::invalid_argument("the " + what + " of every " + element + " is 0");
+}
+
+inline const Eigen::VectorXd& checked_stiffness(const Eigen::VectorXd& stiffness,
+                                                const std::size_t number_of_cells)
+{
+  check_factors(stiffness, static_cast<Eigen::Index>(number_of_cells), "stiffness", "cell", false);
+  return stiffness;
+}
+
+// Tells for each vertex of the body whether its component carries a surface vertex of positive weight. The
+// matrix of the registration is positive definite if and only if each does.
+template <typename ElasticBody>
+std::vector<bool> held_vertices(const ElasticBody& body, const Eigen::VectorXd& weights)
+{
+  const std::size_t n = static_cast<std::size_t>(body.points().rows());
+  Disjoint_sets sets(n);
+  for(const auto& cell : body.cells())
+    for(int k = 1; k < 4; ++k)
+      sets.unite(static_cast<std::size_t>(cell[0]), static_cast<std::size_t>(cell[k]));
+
+  std::vector<bool> is_held(n, false);
+  const Eigen::SparseMatrix<double>& embedding = body.embedding();
+  for(Eigen::Index v = 0; v < embedding.outerSize(); ++v)
+    for(Eigen::SparseMatrix<double>::InnerIterator it(embedding, v); it; ++it)
+      if(it.value() != 0 && weights[it.row()] > 0)
+        is_held[sets.representative(static_cast<std::size_t>(v))] = true;
+  for(std::size_t v = 0; v < n; ++v)
+    is_held[v] = is_held[sets.representative(v)];
+  return is_held;
+}
+
+// A surface vertex that a component of the body carries although none there has a positive weight.
+template <typename ElasticBody>
+std::optional<std::size_t> surface_vertex_of_loose_component(const ElasticBody& body,
+                                                             const Eigen::VectorXd& weights)
+{
+  const std::vector<bool> is_held = held_vertices(body, weights);
+  const Eigen::SparseMatrix<double>& embedding = body.embedding();
+  for(Eigen::Index v = 0; v < embedding.outerSize(); ++v)
+    for(Eigen::SparseMatrix<double>::InnerIterator it(embedding, v); it; ++it)
+      if(it.value() != 0 && !is_held[static_cast<std::size_t>(v)])
+        return static_cast<std::size_t>(it.row());
+  return std::nullopt;
+}
+
+template <typename ElasticBody>
+void check_that_components_are_held(const ElasticBody& body, const Eigen::VectorXd& weights)
+{
+  const std::vector<bool> is_held = held_vertices(body, weights);
+  const auto loose = std::find(is_held.begin(), is_held.end(), false);
+  if(loose != is_held.end())
+    throw std::invalid_argument("the component of the body with vertex "
+                                + std::to_string(loose - is_held.begin())
+                                + " carries no surface vertex of positive weight");
+}
+
+// Returns the weights with sum 1.
+template <typename ElasticBody>
+Eigen::VectorXd checked_matching_weights(const ElasticBody& body, const Eigen::VectorXd& weights)
+{
+  CGAL_precondition(weights.size() == body.embedding().rows());
+  CGAL_precondition(body.embedding().cols() == body.points().rows());
+  for(Eigen::Index i = 0; i < weights.size(); ++i)
+    if(!(weights[i] >= 0) || !std::isfinite(weights[i]))
+      throw std::invalid_argument("the matching weight of vertex " + std::to_string(i)
+                                  + " is negative or not finite");
+  check_that_components_are_held(body, weights);
+  return weights / weights.sum();
+}
+
+} // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_INTERNAL_REGISTRATION_CHECK_REGISTRATION_H

@@ -1,0 +1,126 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_INTERNAL_REGISTRATION_FLIPPED_FACES_H
+#define CGAL_CANONICAL_POSE_3_INTERNAL_REGISTRATION_FLIPPED_FACES_H
+
+#include <CGAL/Canonical_pose_3/internal/body/body_cells.h>
+#include <CGAL/Canonical_pose_3/internal/energy/closest_rotation.h>
+#include <CGAL/Canonical_pose_3/internal/soup/Indexed_mesh.h>
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+#include <CGAL/Canonical_pose_3/internal/support/for_each_block.h>
+#include <CGAL/Canonical_pose_3/point_matrix.h>
+
+#include <Eigen/Dense>
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <vector>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
+namespace internal {
+
+// Finds the cell that has most of the body vertices on which the corners of a triangle hang, among those
+// around the vertex on which the first corner hangs most.
+template <typename ElasticBody>
+class Cell_of_triangle
+{
+public:
+  explicit Cell_of_triangle(const ElasticBody& body)
+    : m_cells(body.cells()), m_embedding(body.embedding()),
+      m_cells_of_vertex(
+        cells_of_vertices(static_cast<std::size_t>(body.points().rows()), body.cells()))
+  {}
+
+  std::size_t operator()(const Index_triangle& triangle) const
+  {
+    const auto has = [&](const std::size_t t, const Eigen::Index v) {
+      return std::find(m_cells[t].begin(), m_cells[t].end(), static_cast<int>(v))
+             != m_cells[t].end();
+    };
+    Entry main(m_embedding, static_cast<Eigen::Index>(triangle[0]));
+    for(Entry entry = main; entry; ++entry)
+      if(std::abs(entry.value()) > std::abs(main.value()))
+        main = entry;
+    int most = 0; // all of them
+    for(const std::size_t v : triangle)
+      for(Entry entry(m_embedding, static_cast<Eigen::Index>(v)); entry; ++entry)
+        most += entry.value() != 0 ? 1 : 0;
+    std::size_t best = 0;
+    int best_count = -1;
+    const auto cells = m_cells_of_vertex[static_cast<std::size_t>(main.col())];
+    for(auto t = cells.begin(); t != cells.end() && best_count < most; ++t)
+    {
+      int count = 0;
+      for(const std::size_t v : triangle)
+        for(Entry entry(m_embedding, static_cast<Eigen::Index>(v)); entry; ++entry)
+          count += entry.value() != 0 && has(*t, entry.col()) ? 1 : 0;
+      if(count > best_count)
+      {
+        best = *t;
+        best_count = count;
+      }
+    }
+    return best;
+  }
+
+private:
+  typedef Eigen::SparseMatrix<double, Eigen::RowMajor> Embedding;
+  typedef Embedding::InnerIterator Entry;
+
+  const std::vector<std::array<int, 4>>& m_cells;
+  Embedding m_embedding;
+  Buckets<std::size_t> m_cells_of_vertex;
+};
+
+// Number of surface faces whose normal turned by more than 90 degrees against the rotation of their
+// cell.
+template <typename ElasticBody>
+std::size_t flipped_faces(const ElasticBody& body, const std::vector<Index_triangle>& triangles,
+                          const Point_matrix& rest, const Point_matrix& pose,
+                          const Point_matrix& body_pose)
+{
+  const auto normal = [](const Point_matrix& points, const Index_triangle& t) {
+    const Eigen::Vector3d e = points.row(t[1]) - points.row(t[0]);
+    const Eigen::Vector3d f = points.row(t[2]) - points.row(t[0]);
+    return Eigen::Vector3d(e.cross(f));
+  };
+  const Cell_of_triangle<ElasticBody> cell_of(body);
+  std::vector<std::size_t> counts(number_of_blocks(triangles.size()), 0);
+  for_each_block(
+    triangles.size(), [&](const std::size_t block, const std::size_t begin, const std::size_t end) {
+      for(std::size_t f = begin; f < end; ++f)
+      {
+        const auto& c = body.cells()[cell_of(triangles[f])];
+        Eigen::Matrix3d before, after;
+        for(int k = 0; k < 3; ++k)
+        {
+          before.col(k) = body.points().row(c[k]) - body.points().row(c[3]);
+          after.col(k) = body_pose.row(c[k]) - body_pose.row(c[3]);
+        }
+        const Eigen::Matrix3d rotation = closest_rotation(after * before.inverse());
+        if(!((rotation * normal(rest, triangles[f])).dot(normal(pose, triangles[f])) > 0))
+          ++counts[block];
+      }
+    });
+  return std::accumulate(counts.begin(), counts.end(), std::size_t(0));
+}
+
+} // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_INTERNAL_REGISTRATION_FLIPPED_FACES_H

@@ -1,0 +1,96 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_INTERNAL_SOUP_CORNER_TABLE_H
+#define CGAL_CANONICAL_POSE_3_INTERNAL_SOUP_CORNER_TABLE_H
+
+#include <CGAL/Canonical_pose_3/internal/support/Buckets.h>
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
+namespace internal {
+
+// The corners of polygons, numbered face by face. Side c runs from the vertex of corner c to that of
+// the next corner of the face.
+class Corner_table
+{
+public:
+  template <typename Polygons>
+  Corner_table(const std::size_t number_of_vertices, const Polygons& polygons)
+    : m_number_of_vertices(number_of_vertices)
+  {
+    m_first.reserve(polygons.size() + 1);
+    for(const auto& polygon : polygons)
+    {
+      m_first.push_back(m_vertex.size());
+      m_vertex.insert(m_vertex.end(), polygon.begin(), polygon.end());
+      m_face.resize(m_vertex.size(), m_first.size() - 1);
+    }
+    m_first.push_back(m_vertex.size());
+  }
+
+  std::size_t number_of_corners() const { return m_vertex.size(); }
+  std::size_t vertex(const std::size_t c) const { return m_vertex[c]; }
+  std::size_t face(const std::size_t c) const { return m_face[c]; }
+  std::size_t next(const std::size_t c) const
+  {
+    return c + 1 == m_first[m_face[c] + 1] ? m_first[m_face[c]] : c + 1;
+  }
+  std::size_t target(const std::size_t c) const { return m_vertex[next(c)]; }
+  // Returns the corner of v, which is an end of side c.
+  std::size_t end(const std::size_t c, const std::size_t v) const
+  {
+    return m_vertex[c] == v ? c : next(c);
+  }
+
+  // Calls f(sides) once for each edge, with a vector of its sides in their order; edges come by
+  // their smaller vertex, then by their larger. Sides from a vertex to itself are left out.
+  template <typename Function>
+  void for_each_edge(const Function& f) const
+  {
+    typedef std::pair<std::size_t, std::size_t> End_and_side; // the larger end
+    Buckets<End_and_side> sides_of_smaller_ends(m_number_of_vertices, [&](const auto& put) {
+      for(std::size_t c = 0; c < m_vertex.size(); ++c)
+        if(m_vertex[c] != target(c))
+          put((std::min)(m_vertex[c], target(c)),
+              End_and_side((std::max)(m_vertex[c], target(c)), c));
+    });
+    std::vector<std::size_t> sides;
+    for(std::size_t v = 0; v < m_number_of_vertices; ++v)
+    {
+      const auto around = sides_of_smaller_ends[v];
+      std::sort(around.begin(), around.end());
+      for(auto it = around.begin(); it != around.end();)
+      {
+        const std::size_t w = it->first;
+        for(sides.clear(); it != around.end() && it->first == w; ++it)
+          sides.push_back(it->second);
+        f(static_cast<const std::vector<std::size_t>&>(sides));
+      }
+    }
+  }
+
+private:
+  std::size_t m_number_of_vertices;
+  std::vector<std::size_t> m_first, m_vertex, m_face;
+};
+
+} // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_INTERNAL_SOUP_CORNER_TABLE_H

@@ -1,0 +1,61 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_INTERNAL_SOUP_FACE_DEFECT_H
+#define CGAL_CANONICAL_POSE_3_INTERNAL_SOUP_FACE_DEFECT_H
+
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
+namespace internal {
+
+// Says what is wrong with a face: "is degenerate".
+class Face_defect : public std::invalid_argument
+{
+public:
+  Face_defect(const std::size_t face, const std::string& defect)
+    : std::invalid_argument("face " + std::to_string(face) + ' ' + defect), m_face(face),
+      m_defect(defect)
+  {}
+
+  std::size_t face() const { return m_face; }
+  const std::string& defect() const { return m_defect; }
+
+private:
+  std::size_t m_face;
+  std::string m_defect;
+};
+
+// Calls f(). Defects that it throws are those of triangles: the face is named that each is part of.
+template <class Function>
+auto with_faces_of_input(const std::vector<std::size_t>& face_of_triangle, const Function& f)
+{
+  try
+  {
+    return f();
+  }
+  catch(const Face_defect& defect)
+  {
+    throw Face_defect(face_of_triangle[defect.face()], defect.defect());
+  }
+}
+
+} // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_INTERNAL_SOUP_FACE_DEFECT_H

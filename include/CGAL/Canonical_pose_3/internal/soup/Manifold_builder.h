@@ -1,0 +1,236 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_INTERNAL_SOUP_MANIFOLD_BUILDER_H
+#define CGAL_CANONICAL_POSE_3_INTERNAL_SOUP_MANIFOLD_BUILDER_H
+
+#include <CGAL/Canonical_pose_3/Repaired_surface_3.h>
+#include <CGAL/Canonical_pose_3/internal/soup/Indexed_mesh.h>
+#include <CGAL/Canonical_pose_3/internal/soup/Side_pairing.h>
+#include <CGAL/Canonical_pose_3/internal/soup/Triangle_soup.h>
+#include <CGAL/Canonical_pose_3/internal/support/Disjoint_sets.h>
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+#include <CGAL/Canonical_pose_3/point_matrix.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
+namespace internal {
+
+// Makes an oriented 2-manifold of triangles: sews, orients, and splits vertices. Corner 3t+k is
+// corner k of triangle t, and side 3t+k runs from it to the next corner.
+class Manifold_builder
+{
+public:
+  static constexpr std::size_t NONE = Side_pairing::NONE;
+
+  // `points`: normalised.
+  Manifold_builder(const Point_matrix& points, Triangle_soup soup)
+    : m_points(points), m_soup(std::move(soup))
+  {}
+
+  // Sets triangles, face_of_triangle, origins and representatives.
+  void run(Repaired_surface_3& result)
+  {
+    drop_duplicates(m_soup.triangles);
+    check_area();
+    pair_sides();
+    find_fans();
+    cut_edges_that_coincide();
+    make_vertices(result);
+    sew_slits(result.triangles);
+    result.face_of_triangle = std::move(m_soup.face_of_triangle);
+  }
+
+  // Twin of each side, or NONE; it runs in the opposite direction.
+  const std::vector<std::size_t>& twins() const { return m_twin; }
+
+  static std::size_t next(const std::size_t c) { return c % 3 == 2 ? c - 2 : c + 1; }
+  static std::size_t previous(const std::size_t c) { return c % 3 == 0 ? c + 2 : c - 1; }
+
+private:
+  std::size_t row(const std::size_t c) const { return m_soup.triangles[c / 3][c % 3]; }
+
+  // `triangles` may name places instead of rows.
+  void drop_duplicates(const std::vector<Index_triangle>& triangles)
+  {
+    const std::vector<bool> is_duplicate
+      = is_duplicate_face(static_cast<std::size_t>(m_points.rows()), triangles);
+    m_soup.keep_if([&](const std::size_t t) { return !is_duplicate[t]; });
+  }
+
+  void check_area() const
+  {
+    if(std::all_of(m_soup.triangles.begin(), m_soup.triangles.end(),
+                   [&](const Index_triangle& t) { return is_degenerate(m_points, t); }))
+      throw std::invalid_argument("the surface has no area: all its faces are degenerate");
+  }
+
+  void pair_sides()
+  {
+    const Side_pairing pairing(m_points, m_soup.triangles);
+    m_place = places_of_boundary(m_points, pairing.boundary_vertices());
+    std::vector<Index_triangle> placed = placed_triangles();
+    if(placed == m_soup.triangles)
+      return take(pairing);
+    m_soup.keep_if([&](const std::size_t t) { return !names_a_vertex_twice(placed[t]); });
+    drop_duplicates(placed_triangles());
+    check_area();
+    placed = placed_triangles();
+    take(Side_pairing(m_points, placed));
+  }
+
+  std::vector<Index_triangle> placed_triangles() const
+  {
+    std::vector<Index_triangle> result = m_soup.triangles;
+    for(Index_triangle& t : result)
+      for(std::size_t& v : t)
+        v = m_place[v];
+    return result;
+  }
+
+  // Turns triangles over, and their sides with them.
+  void take(const Side_pairing& pairing)
+  {
+    const auto turned = [&](const std::size_t side) {
+      return side != NONE && pairing.is_flipped(side / 3) ? side + 2 - 2 * (side % 3) : side;
+    };
+    m_twin.resize(pairing.twins().size());
+    for(std::size_t side = 0; side < m_twin.size(); ++side)
+      m_twin[turned(side)] = turned(pairing.twins()[side]);
+    m_complex_edges = pairing.complex_edges();
+    for(std::vector<std::size_t>& sides : m_complex_edges)
+      std::transform(sides.begin(), sides.end(), sides.begin(), turned);
+    for(std::size_t t = 0; t < m_soup.triangles.size(); ++t)
+      if(pairing.is_flipped(t))
+        std::swap(m_soup.triangles[t][1], m_soup.triangles[t][2]);
+  }
+
+  // A fan: corners around a place that are connected by twins. They become one vertex.
+  void find_fans()
+  {
+    m_fan.assign(m_twin.size(), NONE);
+    m_first_of_fan.clear();
+    for(std::size_t first = 0; first < m_twin.size(); ++first)
+    {
+      if(m_fan[first] != NONE)
+        continue;
+      std::size_t c = first;
+      do
+      {
+        m_fan[c] = m_first_of_fan.size();
+        c = m_twin[c] == NONE ? NONE : next(m_twin[c]);
+      } while(c != NONE && c != first);
+      if(c == NONE) // the fan is open: the other way, too
+        for(c = m_twin[previous(first)]; c != NONE; c = m_twin[previous(c)])
+          m_fan[c] = m_first_of_fan.size();
+      m_first_of_fan.push_back(first);
+    }
+  }
+
+  // Two edges between the same two fans would be one edge of more than two triangles. When all sides
+  // there lose their twins, the fans fall apart.
+  void cut_edges_that_coincide()
+  {
+    std::vector<std::pair<std::size_t, std::size_t>> edges;
+    bool is_cut = false;
+    for(const std::vector<std::size_t>& sides : m_complex_edges)
+    {
+      edges.clear();
+      for(const std::size_t side : sides)
+        if(m_twin[side] == NONE || side < m_twin[side])
+          edges.push_back(std::minmax({m_fan[side], m_fan[next(side)]}));
+      std::sort(edges.begin(), edges.end());
+      if(std::adjacent_find(edges.begin(), edges.end()) == edges.end())
+        continue;
+      for(const std::size_t side : sides)
+        m_twin[side] = NONE;
+      is_cut = true;
+    }
+    if(is_cut)
+      find_fans();
+  }
+
+  // Rows that share a fan become one, the smallest.
+  std::vector<std::size_t> representatives() const
+  {
+    const std::size_t n = m_place.size();
+    Disjoint_sets rows(n);
+    std::vector<bool> has_corner(n, false);
+    for(std::size_t c = 0; c < m_fan.size(); ++c)
+    {
+      has_corner[row(c)] = true;
+      rows.unite(row(c), row(m_first_of_fan[m_fan[c]]));
+    }
+    for(std::size_t v = 0; v < n; ++v)
+      if(!has_corner[v]) // all its faces have been dropped
+        rows.unite(v, m_place[v]);
+    std::vector<std::size_t> smallest(n, NONE), result(n);
+    for(std::size_t v = 0; v < n; ++v)
+    {
+      std::size_t& s = smallest[rows.representative(v)];
+      result[v] = s = (std::min)(s, v);
+    }
+    return result;
+  }
+
+  // Vertices are numbered by the row that they are copies of, then by their first corner.
+  void make_vertices(Repaired_surface_3& result) const
+  {
+    result.representatives = representatives();
+    std::vector<std::pair<std::size_t, std::size_t>> row_and_fan;
+    for(const std::size_t c : m_first_of_fan)
+      row_and_fan.emplace_back(result.representatives[row(c)], row_and_fan.size());
+    std::sort(row_and_fan.begin(), row_and_fan.end());
+    std::vector<std::size_t> vertex_of_fan(row_and_fan.size());
+    for(const auto& [row, fan] : row_and_fan)
+    {
+      vertex_of_fan[fan] = result.origins.size();
+      result.origins.push_back(row);
+    }
+    for(std::size_t c = 0; c < m_fan.size(); c += 3)
+      result.triangles.push_back(
+        {vertex_of_fan[m_fan[c]], vertex_of_fan[m_fan[c + 1]], vertex_of_fan[m_fan[c + 2]]});
+  }
+
+  // Two sides that lost their twins may run between the same two vertices still.
+  void sew_slits(const std::vector<Index_triangle>& triangles)
+  {
+    const auto vertex = [&](const std::size_t c) { return triangles[c / 3][c % 3]; };
+    std::vector<std::size_t> leaving(m_first_of_fan.size(), NONE);
+    for(std::size_t side = 0; side < m_twin.size(); ++side)
+      if(m_twin[side] == NONE)
+        leaving[vertex(side)] = side;
+    for(const std::size_t side : leaving)
+    {
+      const std::size_t back = side == NONE ? NONE : leaving[vertex(next(side))];
+      if(back != NONE && vertex(next(back)) == vertex(side))
+        m_twin[side] = back;
+    }
+  }
+
+  const Point_matrix& m_points;
+  Triangle_soup m_soup;
+  std::vector<std::size_t> m_place, m_twin;
+  std::vector<std::vector<std::size_t>> m_complex_edges;
+  std::vector<std::size_t> m_fan, m_first_of_fan;
+};
+
+} // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_INTERNAL_SOUP_MANIFOLD_BUILDER_H

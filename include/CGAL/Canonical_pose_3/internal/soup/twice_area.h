@@ -1,0 +1,41 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_INTERNAL_SOUP_TWICE_AREA_H
+#define CGAL_CANONICAL_POSE_3_INTERNAL_SOUP_TWICE_AREA_H
+
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <array>
+#include <cstddef>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
+namespace internal {
+
+// Twice the area of a triangle.
+template <typename Points>
+double twice_area(const Points& points, const std::array<std::size_t, 3>& t)
+{
+  const auto corner = [&](const std::size_t k) -> Eigen::Vector3d {
+    return points.row(static_cast<Eigen::Index>(t[k]));
+  };
+  return (corner(1) - corner(0)).cross(corner(2) - corner(0)).norm();
+}
+
+} // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_INTERNAL_SOUP_TWICE_AREA_H

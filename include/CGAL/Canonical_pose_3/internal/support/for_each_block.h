@@ -1,0 +1,60 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_INTERNAL_SUPPORT_FOR_EACH_BLOCK_H
+#define CGAL_CANONICAL_POSE_3_INTERNAL_SUPPORT_FOR_EACH_BLOCK_H
+
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#endif
+
+#include <algorithm>
+#include <cstddef>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
+namespace internal {
+
+// Calls f(block, begin, end) for the blocks of fixed size that [0, n) is cut into, in parallel if
+// TBB is there. The blocks do not depend on the number of threads, so that sums taken per block do
+// not either.
+constexpr std::size_t block_size = 1024;
+
+inline std::size_t number_of_blocks(const std::size_t n, const std::size_t size = block_size)
+{
+  return (n + size - 1) / size;
+}
+
+template <typename Function>
+void for_each_block(const std::size_t n, const Function& f, const std::size_t size = block_size)
+{
+  const auto call
+    = [&](const std::size_t block) { f(block, block * size, (std::min)(n, (block + 1) * size)); };
+#ifdef CGAL_LINKED_WITH_TBB
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, number_of_blocks(n, size)),
+                    [&](const tbb::blocked_range<std::size_t>& blocks) {
+                      for(std::size_t b = blocks.begin(); b != blocks.end(); ++b)
+                        call(b);
+                    });
+#else
+  for(std::size_t b = 0; b < number_of_blocks(n, size); ++b)
+    call(b);
+#endif
+}
+
+} // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_INTERNAL_SUPPORT_FOR_EACH_BLOCK_H

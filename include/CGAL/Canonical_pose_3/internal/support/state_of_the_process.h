@@ -1,0 +1,71 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_INTERNAL_SUPPORT_STATE_OF_THE_PROCESS_H
+#define CGAL_CANONICAL_POSE_3_INTERNAL_SUPPORT_STATE_OF_THE_PROCESS_H
+
+#include <mutex>
+
+// What there is once per process, whatever its parts are configured with: not in their inline namespaces.
+namespace CGAL {
+namespace Canonical_pose_3 {
+namespace internal {
+
+// METIS and TetGen seed std::rand(), and draw from it: one at a time.
+inline std::mutex& mutex_of_random_numbers()
+{
+  static std::mutex mutex;
+  return mutex;
+}
+
+#if defined(__GNUC__) && !defined(_WIN32)
+extern "C" {
+int openblas_get_num_threads(void) __attribute__((weak));
+void openblas_set_num_threads(int number_of_threads) __attribute__((weak));
+}
+#define CGAL_CANONICAL_POSE_3_HAS_WEAK_OPENBLAS
+#endif
+
+// While one of these lives, OpenBLAS, if it is the BLAS of this process, uses one thread: its sums,
+// and so the bytes, depend on the number. The first one saves the user's number, the last one
+// restores it.
+class Single_threaded_blas
+{
+public:
+  Single_threaded_blas() { count(+1); }
+  ~Single_threaded_blas() { count(-1); }
+  Single_threaded_blas(const Single_threaded_blas&) = delete;
+  Single_threaded_blas& operator=(const Single_threaded_blas&) = delete;
+
+private:
+  static void count([[maybe_unused]] int step)
+  {
+#ifdef CGAL_CANONICAL_POSE_3_HAS_WEAK_OPENBLAS
+    static std::mutex mutex;
+    static int living = 0, saved = 1;
+    if(openblas_get_num_threads == nullptr || openblas_set_num_threads == nullptr)
+      return;
+    const std::lock_guard<std::mutex> lock(mutex);
+    if(step > 0 && living == 0)
+    {
+      saved = openblas_get_num_threads();
+      openblas_set_num_threads(1);
+    }
+    living += step;
+    if(living == 0)
+      openblas_set_num_threads(saved);
+#endif
+  }
+};
+
+} // namespace internal
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_INTERNAL_SUPPORT_STATE_OF_THE_PROCESS_H

@@ -1,0 +1,43 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_INTERNAL_TARGET_CHECK_NUMBER_OF_LANDMARKS_H
+#define CGAL_CANONICAL_POSE_3_INTERNAL_TARGET_CHECK_NUMBER_OF_LANDMARKS_H
+
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
+namespace internal {
+
+// Each of n vertices has a distance to each landmark, of which there are n at most: no more than fit into
+// memory, and no more landmarks than can be embedded.
+inline void check_number_of_landmarks(const std::size_t number_of_landmarks, const std::size_t n)
+{
+  constexpr std::size_t largest_number = 4096, largest_number_of_distances = std::size_t(1) << 29;
+  const std::size_t largest
+    = (std::min)(largest_number, largest_number_of_distances / (std::max)(n, std::size_t(1)));
+  if((std::min)(number_of_landmarks, n) > largest)
+    throw std::invalid_argument(
+      "option number_of_landmarks is " + std::to_string(number_of_landmarks) + ", but must be <= "
+      + std::to_string(largest) + " for a surface of " + std::to_string(n) + " vertices");
+}
+
+} // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_INTERNAL_TARGET_CHECK_NUMBER_OF_LANDMARKS_H

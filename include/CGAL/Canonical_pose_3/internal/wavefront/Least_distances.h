@@ -1,0 +1,94 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_INTERNAL_WAVEFRONT_LEAST_DISTANCES_H
+#define CGAL_CANONICAL_POSE_3_INTERNAL_WAVEFRONT_LEAST_DISTANCES_H
+
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+#include <CGAL/Canonical_pose_3/internal/wavefront/Arrival_queue.h>
+#include <CGAL/Canonical_pose_3/internal/wavefront/Beam.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
+namespace internal {
+
+// For each halfedge, the least distances that any beam over it had to evenly spaced points of it,
+// both ends included.
+class Least_distances
+{
+public:
+  using Samples = Arrival_queue::Samples;
+
+  explicit Least_distances(std::size_t number_of_halfedges)
+    : m_least(number_of_halfedges, nowhere())
+  {}
+
+  // the distances of a beam
+  static Samples samples(const Beam& beam)
+  {
+    const double length = beam.end(beam.size() - 1);
+    Samples result;
+    for(std::size_t i = 0; i < result.size(); ++i)
+      result[i]
+        = beam.at(length * (static_cast<double>(i) / static_cast<double>(result.size() - 1)));
+    return result;
+  }
+
+  // Whether one of the distances is the least so far; less than before by more than rounding, if
+  // `relative_gain` says so.
+  bool are_least(int h, const Samples& at, double relative_gain) const
+  {
+    const Samples& least = m_least[static_cast<std::size_t>(h)];
+    for(std::size_t i = 0; i < at.size(); ++i)
+      if(relative_gain > 0 ? at[i] < least[i] * (1 - relative_gain) : at[i] <= least[i])
+        return true;
+    return false;
+  }
+
+  void lower(int h, const Samples& at)
+  {
+    Samples& least = m_least[static_cast<std::size_t>(h)];
+    if(least[0] == std::numeric_limits<double>::infinity())
+      m_touched.push_back(h);
+    for(std::size_t i = 0; i < at.size(); ++i)
+      least[i] = (std::min)(least[i], at[i]);
+  }
+
+  // Back to infinity, in time proportional to what was lowered.
+  void reset()
+  {
+    for(int h : m_touched)
+      m_least[static_cast<std::size_t>(h)] = nowhere();
+    m_touched.clear();
+  }
+
+private:
+  static Samples nowhere()
+  {
+    Samples samples;
+    samples.fill(std::numeric_limits<double>::infinity());
+    return samples;
+  }
+
+  std::vector<Samples> m_least;
+  std::vector<int> m_touched;
+};
+
+} // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_INTERNAL_WAVEFRONT_LEAST_DISTANCES_H

@@ -1,0 +1,71 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_INTERNAL_WAVEFRONT_VIRTUAL_SOURCE_H
+#define CGAL_CANONICAL_POSE_3_INTERNAL_WAVEFRONT_VIRTUAL_SOURCE_H
+
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
+namespace internal {
+
+// A source as it is seen from a face: where the true source, or the vertex at which the path bent
+// last, lies when the faces on the way are laid out in the plane, and the length of the path up to
+// there. Also whether this vertex is a flat one, at which no shortest path bends.
+struct Virtual_source
+{
+  double x, y, base;
+  bool is_flat;
+
+  double distance(double px, double py) const
+  {
+    const double dx = px - x, dy = py - y;
+    return base + std::sqrt(dx * dx + dy * dy);
+  }
+
+  // Where the segment to a point above the x axis crosses it; the source does not lie above.
+  double crossing(double px, double py) const { return x + (px - x) * (y / (y - py)); }
+};
+
+// A side of a face in the frame of another: the point where it begins, its unit direction and its
+// length.
+struct Unfolded_side
+{
+  double x, y, direction_x, direction_y, length;
+
+  // the source in the frame in which this side runs from (0,0) to (length,0)
+  Virtual_source in_frame(const Virtual_source& source) const
+  {
+    const double dx = source.x - x, dy = source.y - y;
+    // rounding must not lift a source above the side that it lights
+    return {direction_x * dx + direction_y * dy,
+            (std::min)(direction_x * dy - direction_y * dx, 0.), source.base, source.is_flat};
+  }
+
+  // how far along this side the ray from the source through (t,0) arrives, within [0,length]
+  double arrival(const Virtual_source& source, double t) const
+  {
+    const double rx = t - source.x, ry = -source.y;
+    const double at = ((t - x) * ry + y * rx) / (direction_x * ry - direction_y * rx);
+    // a ray along the side has no arrival: whatever is chosen, distances stay lengths of paths
+    return at >= 0 ? (std::min)(at, length) : at < 0 ? 0. : length;
+  }
+};
+
+} // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_INTERNAL_WAVEFRONT_VIRTUAL_SOURCE_H
