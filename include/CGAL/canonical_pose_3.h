@@ -14,8 +14,10 @@
 #include <CGAL/Canonical_pose_3/Registration_summary.h>
 #include <CGAL/Canonical_pose_3/diagnose.h>
 #include <CGAL/Canonical_pose_3/internal/body/Indexed_complex.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/linked_bodies.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/poses.h>
 #include <CGAL/Canonical_pose_3/internal/soup/Indexed_mesh.h>
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/Real_timer.h>
@@ -27,6 +29,7 @@
 #include <vector>
 
 namespace CGAL {
+inline namespace CGAL_CANONICAL_POSE_3_BODIES {
 
 /*!
 \ingroup PkgCanonicalPose3Ref
@@ -104,7 +107,8 @@ canonical_pose_3(const TriangleMesh& tmesh, PoseVertexPointMap pose_vertex_point
                    traits);
   Point_matrix pose;
   const Registration_summary summary = Canonical_pose_3::internal::pose_of_surface(
-    points, Canonical_pose_3::internal::index_polygons(tmesh), options, pose);
+    points, Canonical_pose_3::internal::index_polygons(tmesh), options,
+    Canonical_pose_3::internal::linked_bodies(), pose);
   if(summary.is_usable())
     put_points(pose, tmesh, pose_vertex_point_map, traits);
   return summary;
@@ -146,8 +150,8 @@ canonical_pose_3(const PointRange& points, const PolygonRange& polygons, PosePoi
   std::vector<std::vector<std::size_t>> indices;
   for(const auto& polygon : polygons)
     indices.emplace_back(std::begin(polygon), std::end(polygon));
-  const Registration_summary summary
-    = Canonical_pose_3::internal::pose_of_surface(rows, indices, options, pose_rows);
+  const Registration_summary summary = Canonical_pose_3::internal::pose_of_surface(
+    rows, indices, options, Canonical_pose_3::internal::linked_bodies(), pose_rows);
   if(summary.is_usable())
   {
     pose.clear();
@@ -208,6 +212,7 @@ canonical_pose_3(const TetrahedralComplex& complex, PoseVertexPointMap pose_vert
   return summary;
 }
 
+} // namespace CGAL_CANONICAL_POSE_3_BODIES
 } // namespace CGAL
 
 #endif // CGAL_CANONICAL_POSE_3_H

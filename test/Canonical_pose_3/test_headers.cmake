@@ -25,7 +25,7 @@ function(add_canonical_pose_header_test name compiler)
     COMMAND ${compiler} -std=c++17 -fsyntax-only -Wall -Wextra -Wshadow -Werror -I${own_headers}
       "$<$<BOOL:${directories}>:-isystem$<JOIN:${directories},;-isystem>>"
       "$<$<BOOL:${definitions}>:-D$<JOIN:${definitions},;-D>>"
-      ${apart} ${source}
+      ${compiled} ${source}
     COMMAND_EXPAND_LISTS)
   set_tests_properties(header.${name} PROPERTIES LABELS header TIMEOUT 300)
 endfunction()
@@ -33,15 +33,15 @@ endfunction()
 if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
   foreach(header IN LISTS public_headers)
     get_filename_component(name ${header} NAME)
-    # The long part, which would take minutes: poses.cpp and the program in the README have it.
+    # The long part, which would take minutes: compiled.cpp and the program in the README have it.
     if(name STREQUAL "canonical_pose_3.h")
-      set(apart -DCGAL_CANONICAL_POSE_3_COMPILED_APART)
+      set(compiled -DCGAL_CANONICAL_POSE_3_COMPILED)
     else()
-      set(apart "")
+      set(compiled "")
     endif()
     add_canonical_pose_header_test(${name} ${CMAKE_CXX_COMPILER} ${header})
   endforeach()
-  set(apart "")
+  set(compiled "")
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     set(other clang++)
   else()

@@ -32,21 +32,18 @@ add_canonical_pose_consumer_test(FetchContent FetchContent ${as_here} ${tetgen})
 add_canonical_pose_consumer_test(bare add_subdirectory -DPACKAGE_DIRECTORY=${PROJECT_SOURCE_DIR}
   -DWITH_CHOLMOD=OFF -DWITH_TBB=OFF -DWITH_TETGEN=OFF)
 
-# The program in the README, installed. Not optimized: the run takes seconds, optimization a minute; its
-# functions stay in the object, for the parts that are compiled apart.
-set(library_with_tetgen "")
-if(TARGET Canonical_pose_3::tetgen)
-  set(library_with_tetgen -DLIBRARY_WITH_TETGEN=$<TARGET_FILE:canonical_pose_3_test_poses>)
+# The program in the README, installed. Not optimized: the run takes seconds, optimization a minute.
+if(WITH_compiled)
+  add_test(NAME consumer.readme
+    COMMAND ${CMAKE_CTEST_COMMAND} --build-and-test
+      ${CMAKE_CURRENT_SOURCE_DIR}/test_consumer/readme
+      ${CMAKE_CURRENT_BINARY_DIR}/test_consumer/readme
+      --build-generator ${CMAKE_GENERATOR}
+      --build-options -DCMAKE_PREFIX_PATH=${installation} -DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER}
+        -DCMAKE_CXX_FLAGS=${CMAKE_CXX_FLAGS} -DCGAL_DIR=${CGAL_DIR}
+        -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE=-DNDEBUG
+        -DREADME=${installation}/${CMAKE_INSTALL_DOCDIR}/README.md
+      --test-command ${CMAKE_COMMAND} -P ${CMAKE_CURRENT_SOURCE_DIR}/test_consumer/readme/run.cmake)
+  set_tests_properties(consumer.readme PROPERTIES
+    LABELS consumer TIMEOUT 1200 FIXTURES_REQUIRED installation)
 endif()
-add_test(NAME consumer.readme
-  COMMAND ${CMAKE_CTEST_COMMAND} --build-and-test
-    ${CMAKE_CURRENT_SOURCE_DIR}/test_consumer/readme
-    ${CMAKE_CURRENT_BINARY_DIR}/test_consumer/readme
-    --build-generator ${CMAKE_GENERATOR}
-    --build-options -DCMAKE_PREFIX_PATH=${installation} -DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER}
-      -DCMAKE_CXX_FLAGS=${CMAKE_CXX_FLAGS} -DCGAL_DIR=${CGAL_DIR}
-      -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE=-DNDEBUG
-      -DREADME=${installation}/${CMAKE_INSTALL_DOCDIR}/README.md ${library_with_tetgen}
-    --test-command ${CMAKE_COMMAND} -P ${CMAKE_CURRENT_SOURCE_DIR}/test_consumer/readme/run.cmake)
-set_tests_properties(consumer.readme PROPERTIES
-  LABELS consumer TIMEOUT 1200 FIXTURES_REQUIRED installation)

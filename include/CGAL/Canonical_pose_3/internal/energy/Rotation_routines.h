@@ -97,7 +97,7 @@ Rotation_routines rotation_routines()
 } // namespace Canonical_pose_3
 } // namespace CGAL
 
-#ifndef CGAL_CANONICAL_POSE_3_COMPILED_APART
+#ifndef CGAL_CANONICAL_POSE_3_COMPILED
 #include <CGAL/Canonical_pose_3/internal/energy/closest_rotation.h>
 #endif
 

@@ -12,7 +12,6 @@
 
 #include <CGAL/Canonical_pose_3/internal/energy/Rotation_routines.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
-#include <CGAL/Canonical_pose_3/internal/support/inline_definition.h>
 
 #include <CGAL/Deformation_Eigen_closest_rotation_traits_3.h>
 
@@ -130,8 +129,8 @@ inline void closest_rotations(const Matrix_3<Pack>& f, Matrix_3<Pack>& r)
       for_lane(f, r, lane, closest_rotation);
 }
 
-#ifndef CGAL_CANONICAL_POSE_3_COMPILED_APART
-CGAL_CANONICAL_POSE_3_DEFINITION Rotation_routines default_rotation_routines()
+#ifndef CGAL_CANONICAL_POSE_3_COMPILED
+CGAL_CANONICAL_POSE_3_INLINE Rotation_routines default_rotation_routines()
 {
   return {closest_rotation, closest_rotations};
 }

@@ -19,7 +19,6 @@
 #include <CGAL/Canonical_pose_3/internal/linear_algebra/Lane_factor.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/support/in_parallel.h>
-#include <CGAL/Canonical_pose_3/internal/support/inline_definition.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <Eigen/Core>
@@ -240,31 +239,30 @@ private:
   Gradient_field m_field;
 };
 
-CGAL_CANONICAL_POSE_3_DEFINITION
+CGAL_CANONICAL_POSE_3_INLINE
 Heat_solver::Heat_solver(const Face_corners& corners, const Point_matrix& points,
                          const Lane_factor_maker factor_maker)
   : m_state(std::make_unique<Heat_solver_state>(corners, points, factor_maker))
 {}
 
-CGAL_CANONICAL_POSE_3_DEFINITION Heat_solver::Heat_solver(Heat_solver&&) noexcept = default;
+CGAL_CANONICAL_POSE_3_INLINE Heat_solver::Heat_solver(Heat_solver&&) noexcept = default;
 
-CGAL_CANONICAL_POSE_3_DEFINITION Heat_solver&
-Heat_solver::operator=(Heat_solver&&) noexcept = default;
+CGAL_CANONICAL_POSE_3_INLINE Heat_solver& Heat_solver::operator=(Heat_solver&&) noexcept = default;
 
-CGAL_CANONICAL_POSE_3_DEFINITION Heat_solver::~Heat_solver() = default;
+CGAL_CANONICAL_POSE_3_INLINE Heat_solver::~Heat_solver() = default;
 
-CGAL_CANONICAL_POSE_3_DEFINITION const Intrinsic_triangulation& Heat_solver::triangulation() const
+CGAL_CANONICAL_POSE_3_INLINE const Intrinsic_triangulation& Heat_solver::triangulation() const
 {
   return m_state->triangulation();
 }
 
-CGAL_CANONICAL_POSE_3_DEFINITION Eigen::MatrixXd
+CGAL_CANONICAL_POSE_3_INLINE Eigen::MatrixXd
 Heat_solver::distances(const std::vector<Eigen::Index>& sources) const
 {
   return m_state->distances(sources);
 }
 
-CGAL_CANONICAL_POSE_3_DEFINITION Eigen::VectorXd
+CGAL_CANONICAL_POSE_3_INLINE Eigen::VectorXd
 Heat_solver::distance_to_nearest(const std::vector<Eigen::Index>& sources) const
 {
   return m_state->distance_to_nearest(sources);

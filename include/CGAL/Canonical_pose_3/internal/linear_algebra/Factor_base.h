@@ -79,7 +79,7 @@ std::unique_ptr<Factor_base> make_factor()
 } // namespace Canonical_pose_3
 } // namespace CGAL
 
-#ifndef CGAL_CANONICAL_POSE_3_COMPILED_APART
+#ifndef CGAL_CANONICAL_POSE_3_COMPILED
 #include <CGAL/Canonical_pose_3/internal/linear_algebra/make_default_factor_impl.h>
 #endif
 

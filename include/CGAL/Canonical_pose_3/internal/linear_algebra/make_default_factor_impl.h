@@ -13,7 +13,6 @@
 #include <CGAL/Canonical_pose_3/Default_factor_traits_d.h>
 #include <CGAL/Canonical_pose_3/internal/linear_algebra/Factor_base.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
-#include <CGAL/Canonical_pose_3/internal/support/inline_definition.h>
 
 #include <memory>
 
@@ -22,7 +21,7 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-CGAL_CANONICAL_POSE_3_DEFINITION std::unique_ptr<Factor_base> make_default_factor()
+CGAL_CANONICAL_POSE_3_INLINE std::unique_ptr<Factor_base> make_default_factor()
 {
   return make_factor<Default_factor_traits_d>();
 }

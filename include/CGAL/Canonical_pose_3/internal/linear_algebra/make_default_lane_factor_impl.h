@@ -12,7 +12,6 @@
 
 #include <CGAL/Canonical_pose_3/internal/linear_algebra/Lane_factor.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
-#include <CGAL/Canonical_pose_3/internal/support/inline_definition.h>
 #ifdef CGAL_CANONICAL_POSE_3_USE_CHOLMOD
 #include <CGAL/Canonical_pose_3/internal/linear_algebra/Supernodal_factor.h>
 #else
@@ -26,7 +25,7 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-CGAL_CANONICAL_POSE_3_DEFINITION std::unique_ptr<Lane_factor_base> make_default_lane_factor()
+CGAL_CANONICAL_POSE_3_INLINE std::unique_ptr<Lane_factor_base> make_default_lane_factor()
 {
 #ifdef CGAL_CANONICAL_POSE_3_USE_CHOLMOD
   return std::make_unique<Lane_factor_model<Supernodal_factor>>();

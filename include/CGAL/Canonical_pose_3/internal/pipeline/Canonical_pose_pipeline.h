@@ -27,6 +27,7 @@
 #include <CGAL/Canonical_pose_3/front_landmarks.h>
 #include <CGAL/Canonical_pose_3/internal/body/Body_view.h>
 #include <CGAL/Canonical_pose_3/internal/energy/Rotation_routines.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/Body_makers.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/Options_constraints.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/Posed_component.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/Solver.h>
@@ -39,12 +40,6 @@
 #include <CGAL/Canonical_pose_3/internal/target/check_number_of_landmarks.h>
 #include <CGAL/Canonical_pose_3/surface_measures.h>
 #include <CGAL/Canonical_pose_3/target_handedness.h>
-#ifdef CGAL_CANONICAL_POSE_3_USE_MESH_3
-#include <CGAL/Canonical_pose_3/mesh_3_body.h>
-#endif
-#ifdef CGAL_CANONICAL_POSE_3_USE_TETGEN
-#include <CGAL/Canonical_pose_3/tetgen_body.h>
-#endif
 
 #include <CGAL/Random.h>
 #include <CGAL/Real_timer.h>
@@ -69,9 +64,10 @@ class Canonical_pose_pipeline
 {
 public:
   Canonical_pose_pipeline(const Posed_component& component, const Options& options,
-                          const Solver& solver, const Diagnosis_3& diagnosis)
+                          const Solver& solver, const Body_makers& bodies,
+                          const Diagnosis_3& diagnosis)
     : m_component(component), m_points(component.points), m_triangles(component.triangles),
-      m_options(options), m_solver(solver)
+      m_options(options), m_solver(solver), m_bodies(bodies)
   {
     for(const char* stage : {"diagnosis", "geodesics", "target", "body", "factorization",
                              "local_steps", "global_steps"})
@@ -152,12 +148,13 @@ private:
   // Not beside the distances: TetGen and METIS, which CHOLMOD may call, draw from the same std::rand().
   Registration_summary run_in_tetgen_body(Point_matrix& pose)
   {
-#ifdef CGAL_CANONICAL_POSE_3_USE_TETGEN
+    if(m_bodies.tetgen == nullptr)
+      throw std::runtime_error("the program was built without TetGen");
     std::optional<Conforming_body_3> body;
     timed("body", [&] {
       try
       {
-        body = tetgen_body_of_clean_surface(m_points, m_triangles);
+        body = m_bodies.tetgen(m_points, m_triangles);
       }
       catch(const std::runtime_error& error)
       {
@@ -165,27 +162,17 @@ private:
       }
     });
     return body ? deform_in("tetgen", *body, pose) : run_in_lattice(pose);
-#else
-    CGAL_USE(pose);
-    throw std::runtime_error("the program was built without TetGen");
-#endif
   }
 
   Registration_summary run_in_mesh_3_body(Point_matrix& pose)
   {
-#ifdef CGAL_CANONICAL_POSE_3_USE_MESH_3
+    if(m_bodies.mesh_3 == nullptr)
+      throw std::runtime_error("the program was built without bodies of Mesh_3");
     std::optional<Embedded_body_3> body;
     timed("body", [&] {
-      body = m_options.lattice_spacing > 0
-               ? mesh_3_body_of_clean_surface(m_points, m_triangles, m_length_scale,
-                                              m_options.lattice_spacing)
-               : mesh_3_body_of_clean_surface(m_points, m_triangles, m_length_scale);
+      body = m_bodies.mesh_3(m_points, m_triangles, m_length_scale, m_options.lattice_spacing);
     });
     return deform_in("mesh_3", *body, pose);
-#else
-    CGAL_USE(pose);
-    throw std::runtime_error("the program was built without bodies of Mesh_3");
-#endif
   }
 
   void prepare()
@@ -412,6 +399,7 @@ private:
   const std::vector<Index_triangle>& m_triangles;
   const Options& m_options;
   const Solver m_solver;
+  const Body_makers m_bodies;
   Intermediate_results m_results;
   Registration_summary m_summary;
   double m_length_scale = 0;

@@ -14,6 +14,7 @@
 #include <CGAL/Canonical_pose_3/Options.h>
 #include <CGAL/Canonical_pose_3/Registration_summary.h>
 #include <CGAL/Canonical_pose_3/diagnose.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/Body_makers.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/Canonical_pose_pipeline.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/Complex_parts.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/Component_poses.h>
@@ -21,7 +22,6 @@
 #include <CGAL/Canonical_pose_3/internal/pipeline/Thread_limit.h>
 #include <CGAL/Canonical_pose_3/internal/registration/check_registration.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
-#include <CGAL/Canonical_pose_3/internal/support/inline_definition.h>
 
 #include <CGAL/Real_timer.h>
 
@@ -59,7 +59,7 @@ inline Point_matrix rows_of(const Point_matrix& points, const std::vector<std::s
 }
 
 // canonical_pose_3() for tetrahedra, which are the body. `pose`: of all points.
-CGAL_CANONICAL_POSE_3_DEFINITION Registration_summary
+CGAL_CANONICAL_POSE_3_INLINE Registration_summary
 pose_of_complex(const Point_matrix& points, const std::vector<std::array<int, 4>>& cells,
                 const Options& options, Point_matrix& pose)
 {
@@ -94,7 +94,8 @@ pose_of_complex(const Point_matrix& points, const std::vector<std::array<int, 4>
       seconds_for_body += body_timer.time();
       if(options.stiffness.size() > 0)
         local_options.stiffness = Component_poses::values_at(options.stiffness, part.cells);
-      Canonical_pose_pipeline pipeline(part.component, local_options, solver, diagnosis);
+      Canonical_pose_pipeline pipeline(part.component, local_options, solver, Body_makers(),
+                                       diagnosis);
       Point_matrix pose_of_part;
       const Registration_summary one
         = pipeline.run(body_of_part, part.surface_vertices, pose_of_part);

@@ -13,6 +13,7 @@
 #include <CGAL/Canonical_pose_3/Options.h>
 #include <CGAL/Canonical_pose_3/Registration_summary.h>
 #include <CGAL/Canonical_pose_3/diagnose.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/Body_makers.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/Canonical_pose_pipeline.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/Component_poses.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/Posed_component.h>
@@ -21,7 +22,6 @@
 #include <CGAL/Canonical_pose_3/internal/registration/check_registration.h>
 #include <CGAL/Canonical_pose_3/internal/support/Disjoint_sets.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
-#include <CGAL/Canonical_pose_3/internal/support/inline_definition.h>
 #include <CGAL/Canonical_pose_3/repair_surface.h>
 #include <CGAL/Canonical_pose_3/surface_measures.h>
 
@@ -96,11 +96,12 @@ class Pose_of_surface
 {
 public:
   Pose_of_surface(const Point_matrix& points, const std::vector<std::vector<std::size_t>>& polygons,
-                  const Options& options)
-    : m_points(points), m_polygons(polygons), m_options(options)
+                  const Options& options, const Body_makers& bodies)
+    : m_points(points), m_polygons(polygons), m_options(options), m_solver(options),
+      m_bodies(bodies)
   {}
 
-  Registration_summary run(const Solver& solver, Point_matrix& pose) const
+  Registration_summary run(Point_matrix& pose) const
   {
     check_options(m_options, static_cast<std::size_t>(m_points.rows()));
     check_factors(m_options.stiffness, m_points.rows(), "stiffness", "vertex", false);
@@ -119,7 +120,7 @@ public:
         if(m_options.stiffness.size() > 0)
           options.stiffness
             = Component_poses::values_at(m_options.stiffness, components[c].vertices);
-        Canonical_pose_pipeline pipeline(components[c], options, solver, diagnosis);
+        Canonical_pose_pipeline pipeline(components[c], options, m_solver, m_bodies, diagnosis);
         Point_matrix pose_of_component;
         const Registration_summary one = pipeline.run(pose_of_component);
         return {one, std::move(pose_of_component), std::move(pipeline.results())};
@@ -209,15 +210,16 @@ private:
   const Point_matrix& m_points;
   const std::vector<std::vector<std::size_t>>& m_polygons;
   const Options& m_options;
+  const Solver m_solver;
+  const Body_makers m_bodies;
 };
 
-CGAL_CANONICAL_POSE_3_DEFINITION Registration_summary
+CGAL_CANONICAL_POSE_3_INLINE Registration_summary
 pose_of_surface(const Point_matrix& points, const std::vector<std::vector<std::size_t>>& polygons,
-                const Options& options, Point_matrix& pose)
+                const Options& options, const Body_makers& bodies, Point_matrix& pose)
 {
   const Thread_limit limit(options);
-  const Solver solver(options);
-  return Pose_of_surface(points, polygons, options).run(solver, pose);
+  return Pose_of_surface(points, polygons, options, bodies).run(pose);
 }
 
 } // namespace internal

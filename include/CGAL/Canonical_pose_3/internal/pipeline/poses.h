@@ -10,15 +10,14 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_POSES_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_POSES_H
 
-// What canonical_pose_3() does with points and indices, whatever they came from, and what takes long to
-// compile. A program of several sources may do so once: where CGAL_CANONICAL_POSE_3_COMPILED_APART is
-// defined there are declarations only, and another source has the definitions.
-#ifndef CGAL_CANONICAL_POSE_3_COMPILED_APART
+// What canonical_pose_3() does with points and indices, whatever they came from.
+#ifndef CGAL_CANONICAL_POSE_3_COMPILED
 #include <CGAL/Canonical_pose_3/internal/pipeline/pose_of_complex.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/pose_of_surface.h>
 #else
 #include <CGAL/Canonical_pose_3/Options.h>
 #include <CGAL/Canonical_pose_3/Registration_summary.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/Body_makers.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
@@ -33,7 +32,8 @@ namespace internal {
 
 Registration_summary pose_of_surface(const Point_matrix& points,
                                      const std::vector<std::vector<std::size_t>>& polygons,
-                                     const Options& options, Point_matrix& pose);
+                                     const Options& options, const Body_makers& bodies,
+                                     Point_matrix& pose);
 
 Registration_summary pose_of_complex(const Point_matrix& points,
                                      const std::vector<std::array<int, 4>>& cells,

@@ -62,7 +62,7 @@ private:
 } // namespace Canonical_pose_3
 } // namespace CGAL
 
-#ifndef CGAL_CANONICAL_POSE_3_COMPILED_APART
+#ifndef CGAL_CANONICAL_POSE_3_COMPILED
 #include <CGAL/Canonical_pose_3/internal/registration/Arap_registration_impl.h>
 #endif
 

@@ -20,7 +20,6 @@
 #include <CGAL/Canonical_pose_3/internal/registration/Taubin_fairing.h>
 #include <CGAL/Canonical_pose_3/internal/registration/check_registration.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
-#include <CGAL/Canonical_pose_3/internal/support/inline_definition.h>
 
 #include <CGAL/Real_timer.h>
 #include <CGAL/assertions.h>
@@ -419,7 +418,7 @@ private:
   Point_matrix m_surface, m_right_hand_side;
 };
 
-CGAL_CANONICAL_POSE_3_DEFINITION
+CGAL_CANONICAL_POSE_3_INLINE
 Arap_registration::Arap_registration(const Body_view& body, const Eigen::VectorXd& matching_weights,
                                      const double length_scale, const Registration_options& options,
                                      const Eigen::VectorXd& stiffness,
@@ -429,51 +428,50 @@ Arap_registration::Arap_registration(const Body_view& body, const Eigen::VectorX
                                                       stiffness, rotations, factor_maker))
 {}
 
-CGAL_CANONICAL_POSE_3_DEFINITION
+CGAL_CANONICAL_POSE_3_INLINE
 Arap_registration::Arap_registration(Arap_registration&&) noexcept = default;
 
-CGAL_CANONICAL_POSE_3_DEFINITION Arap_registration&
+CGAL_CANONICAL_POSE_3_INLINE Arap_registration&
 Arap_registration::operator=(Arap_registration&&) noexcept = default;
 
-CGAL_CANONICAL_POSE_3_DEFINITION Arap_registration::~Arap_registration() = default;
+CGAL_CANONICAL_POSE_3_INLINE Arap_registration::~Arap_registration() = default;
 
-CGAL_CANONICAL_POSE_3_DEFINITION const Registration_options& Arap_registration::options() const
+CGAL_CANONICAL_POSE_3_INLINE const Registration_options& Arap_registration::options() const
 {
   return m_state->options();
 }
 
-CGAL_CANONICAL_POSE_3_DEFINITION void
+CGAL_CANONICAL_POSE_3_INLINE void
 Arap_registration::set_number_of_iterations(const int number_of_iterations)
 {
   m_state->set_number_of_iterations(number_of_iterations);
 }
 
-CGAL_CANONICAL_POSE_3_DEFINITION void
+CGAL_CANONICAL_POSE_3_INLINE void
 Arap_registration::add_constraint(std::unique_ptr<Registration_constraint_base> constraint)
 {
   m_state->add_constraint(std::move(constraint));
 }
 
-CGAL_CANONICAL_POSE_3_DEFINITION void
-Arap_registration::remove_constraint(const void* const constraint)
+CGAL_CANONICAL_POSE_3_INLINE void Arap_registration::remove_constraint(const void* const constraint)
 {
   m_state->remove_constraint(constraint);
 }
 
-CGAL_CANONICAL_POSE_3_DEFINITION void Arap_registration::set_target(const Point_matrix& target)
+CGAL_CANONICAL_POSE_3_INLINE void Arap_registration::set_target(const Point_matrix& target)
 {
   m_state->set_target(target);
 }
 
-CGAL_CANONICAL_POSE_3_DEFINITION void Arap_registration::factor() { m_state->factor(); }
+CGAL_CANONICAL_POSE_3_INLINE void Arap_registration::factor() { m_state->factor(); }
 
-CGAL_CANONICAL_POSE_3_DEFINITION Registration_summary Arap_registration::register_to_target(
+CGAL_CANONICAL_POSE_3_INLINE Registration_summary Arap_registration::register_to_target(
   Point_matrix& body_points, const Registration_visitor& visitor)
 {
   return m_state->register_to_target(body_points, visitor);
 }
 
-CGAL_CANONICAL_POSE_3_DEFINITION Point_matrix
+CGAL_CANONICAL_POSE_3_INLINE Point_matrix
 Arap_registration::surface_points(const Point_matrix& body_points) const
 {
   return m_state->surface_points(body_points);

@@ -10,10 +10,15 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_SUPPORT_CONFIGURATION_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_SUPPORT_CONFIGURATION_H
 
+#include <Eigen/Core>
+
 #include <boost/preprocessor/cat.hpp>
 
-// The libraries that this translation unit is compiled with name the inline namespace that everything lies
-// in: functions that differ have different symbols, so that parts of a program may be configured differently.
+// The libraries that this translation unit is compiled with, and the alignment of Eigen's matrices, which follows
+// the processor compiled for, name inline namespaces: functions that differ have different symbols, so that parts
+// of a program may be configured differently. Everything lies in
+// CGAL_CANONICAL_POSE_3_CONFIGURATION; what depends on the bodies that are offered, besides, in
+// CGAL_CANONICAL_POSE_3_BODIES.
 #ifdef CGAL_CANONICAL_POSE_3_USE_CHOLMOD
 #define CGAL_CANONICAL_POSE_3_SOLVER with_cholmod
 #else
@@ -40,6 +45,17 @@
 
 #define CGAL_CANONICAL_POSE_3_CONFIGURATION                                                        \
   BOOST_PP_CAT(BOOST_PP_CAT(CGAL_CANONICAL_POSE_3_SOLVER, CGAL_CANONICAL_POSE_3_THREADS),          \
+               BOOST_PP_CAT(_aligned_, EIGEN_MAX_ALIGN_BYTES))
+#define CGAL_CANONICAL_POSE_3_BODIES                                                               \
+  BOOST_PP_CAT(with_lattice,                                                                       \
                BOOST_PP_CAT(CGAL_CANONICAL_POSE_3_TETGEN, CGAL_CANONICAL_POSE_3_MESH_3))
+
+// What takes long to compile is inline, or, where CGAL_CANONICAL_POSE_3_COMPILED is defined, in the library
+// Canonical_pose_3::compiled; its source defines CGAL_CANONICAL_POSE_3_SOURCE.
+#ifdef CGAL_CANONICAL_POSE_3_SOURCE
+#define CGAL_CANONICAL_POSE_3_INLINE
+#else
+#define CGAL_CANONICAL_POSE_3_INLINE inline
+#endif
 
 #endif // CGAL_CANONICAL_POSE_3_INTERNAL_SUPPORT_CONFIGURATION_H

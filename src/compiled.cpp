@@ -7,9 +7,9 @@
 //
 // Author(s) : The Canonical_pose_3 authors
 
-// The long parts of the library, compiled once for all programs here.
+// Canonical_pose_3::compiled: what takes long to compile.
 
-#define CGAL_CANONICAL_POSE_3_DEFINE_APART
+#define CGAL_CANONICAL_POSE_3_SOURCE
 
 #include <CGAL/Canonical_pose_3/internal/pipeline/pose_of_complex.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/pose_of_surface.h>

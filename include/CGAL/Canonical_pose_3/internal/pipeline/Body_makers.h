@@ -1,0 +1,45 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_BODY_MAKERS_H
+#define CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_BODY_MAKERS_H
+
+#include <CGAL/Canonical_pose_3/Conforming_body_3.h>
+#include <CGAL/Canonical_pose_3/Embedded_body_3.h>
+#include <CGAL/Canonical_pose_3/internal/soup/Indexed_mesh.h>
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+#include <CGAL/Canonical_pose_3/point_matrix.h>
+
+#include <vector>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
+namespace internal {
+
+// What makes bodies of clean surfaces by libraries that not every program links; null in those that do not.
+struct Body_makers
+{
+  Conforming_body_3 (*tetgen)(const Point_matrix& points,
+                              const std::vector<Index_triangle>& triangles)
+    = nullptr;
+
+  // `cell_size`: a fraction of `length_scale`; 0: the default.
+  Embedded_body_3 (*mesh_3)(const Point_matrix& points,
+                            const std::vector<Index_triangle>& triangles, double length_scale,
+                            double cell_size)
+    = nullptr;
+};
+
+} // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_BODY_MAKERS_H
