@@ -26,6 +26,7 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <cstddef>
+#include <memory>
 #include <type_traits>
 #include <vector>
 
@@ -149,8 +150,9 @@ public:
   Heat_geodesics_3(const TriangleMesh& tmesh, Point_map vertex_point_map, const Geometry& traits,
                    const internal::Lane_factor_maker factor_maker)
     : m_tmesh(&tmesh), m_rows(internal::number_vertices(tmesh)),
-      m_solver(internal::face_corners(tmesh, m_rows), point_matrix(tmesh, vertex_point_map, traits),
-               factor_maker)
+      m_solver(internal::make_heat_solver(internal::face_corners(tmesh, m_rows),
+                                          point_matrix(tmesh, vertex_point_map, traits),
+                                          factor_maker))
   {}
 
   explicit Heat_geodesics_3(const TriangleMesh&&) = delete;
@@ -190,7 +192,7 @@ public:
   */
   Eigen::VectorXd distances(vertex_descriptor source) const
   {
-    return m_solver.distance_to_nearest({static_cast<Eigen::Index>(index(source))});
+    return m_solver->distance_to_nearest({static_cast<Eigen::Index>(index(source))});
   }
 
   /*!
@@ -209,7 +211,7 @@ public:
             std::enable_if_t<!std::is_convertible<VertexRange, vertex_descriptor>::value, int> = 0>
   Eigen::MatrixXd distances(const VertexRange& sources) const
   {
-    return m_solver.distances(rows(sources));
+    return m_solver->distances(rows(sources));
   }
 
   /*!
@@ -230,7 +232,7 @@ public:
   template <class VertexRange>
   Eigen::VectorXd distance_to_nearest(const VertexRange& sources) const
   {
-    return m_solver.distance_to_nearest(rows(sources));
+    return m_solver->distance_to_nearest(rows(sources));
   }
 
   /*!
@@ -253,7 +255,7 @@ public:
   /// \cond SKIP_IN_MANUAL
   const internal::Intrinsic_triangulation& intrinsic_triangulation() const
   {
-    return m_solver.triangulation();
+    return m_solver->triangulation();
   }
   /// \endcond
 
@@ -269,7 +271,7 @@ private:
 
   const TriangleMesh* m_tmesh;
   Row_map m_rows;
-  internal::Heat_solver m_solver;
+  std::unique_ptr<internal::Heat_solver> m_solver;
 };
 
 } // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION

@@ -94,9 +94,9 @@ public:
                                const double length_scale,
                                const Registration_options& options = Registration_options(),
                                const Eigen::VectorXd& stiffness = Eigen::VectorXd())
-    : m_registration(internal::Body_view(body), matching_weights, length_scale, options, stiffness,
-                     internal::rotation_routines<ClosestRotationTraits>(),
-                     internal::make_factor<FactorTraits>)
+    : m_registration(internal::make_arap_registration(
+      internal::Body_view(body), matching_weights, length_scale, options, stiffness,
+      internal::rotation_routines<ClosestRotationTraits>(), internal::make_factor<FactorTraits>))
   {}
 
   /// \cond SKIP_IN_MANUAL
@@ -113,7 +113,7 @@ public:
   template <typename Constraint>
   void add_constraint(Constraint& constraint)
   {
-    m_registration.add_constraint(
+    m_registration->add_constraint(
       std::make_unique<internal::Registration_constraint_model<Constraint>>(constraint));
   }
 
@@ -127,17 +127,17 @@ public:
   template <typename Constraint>
   void remove_constraint(const Constraint& constraint)
   {
-    m_registration.remove_constraint(&constraint);
+    m_registration->remove_constraint(&constraint);
   }
 
   /// sets the target \f$ \hat v \f$ (\f$ n \times 3 \f$); no factorisation is needed.
   /// \pre The number of rows is that of the surface vertices.
   /// \throws std::invalid_argument if a coordinate is not finite.
-  void set_target(const Point_matrix& target) { m_registration.set_target(target); }
+  void set_target(const Point_matrix& target) { m_registration->set_target(target); }
 
   /// factors the matrix, or updates its factor, unless that has been done for the present constraints.
   /// \throws std::runtime_error if the matrix is not positive definite to working precision.
-  void factor() { m_registration.factor(); }
+  void factor() { m_registration->factor(); }
 
   /*!
   runs the iteration.
@@ -163,27 +163,27 @@ public:
                                           const Registration_visitor& visitor
                                           = Registration_visitor())
   {
-    return m_registration.register_to_target(body_points, visitor);
+    return m_registration->register_to_target(body_points, visitor);
   }
 
   /// returns the surface vertices \f$ Bv \f$ (\f$ n \times 3 \f$) at body positions \f$ v \f$ (\f$
   /// N \times 3 \f$).
   Point_matrix surface_points(const Point_matrix& body_points) const
   {
-    return m_registration.surface_points(body_points);
+    return m_registration->surface_points(body_points);
   }
 
   /// changes the cap on the number of iterations; no factorisation is needed. Not negative.
   void set_number_of_iterations(const int number_of_iterations)
   {
-    m_registration.set_number_of_iterations(number_of_iterations);
+    m_registration->set_number_of_iterations(number_of_iterations);
   }
 
   /// returns the options.
-  const Registration_options& options() const { return m_registration.options(); }
+  const Registration_options& options() const { return m_registration->options(); }
 
 private:
-  internal::Arap_registration m_registration;
+  std::unique_ptr<internal::Arap_registration> m_registration;
 };
 
 } // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION

@@ -25,31 +25,26 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-class Heat_solver_state;
-
 // The heat method on an intrinsic Delaunay triangulation: heat spreads for a short time from the
 // source, and the distance is the function whose gradient follows the directions of descent of the
 // heat.
 class Heat_solver
 {
 public:
-  Heat_solver(const Face_corners& corners, const Point_matrix& points,
-              Lane_factor_maker factor_maker);
-  Heat_solver(Heat_solver&&) noexcept;
-  Heat_solver& operator=(Heat_solver&&) noexcept;
-  ~Heat_solver();
+  virtual ~Heat_solver() = default;
 
-  const Intrinsic_triangulation& triangulation() const;
+  virtual const Intrinsic_triangulation& triangulation() const = 0;
 
   // One column per source (a row of the points): n distances in the unit of the input.
-  Eigen::MatrixXd distances(const std::vector<Eigen::Index>& sources) const;
+  virtual Eigen::MatrixXd distances(const std::vector<Eigen::Index>& sources) const = 0;
 
   // Distances from the nearest of the sources.
-  Eigen::VectorXd distance_to_nearest(const std::vector<Eigen::Index>& sources) const;
-
-private:
-  std::unique_ptr<Heat_solver_state> m_state;
+  virtual Eigen::VectorXd distance_to_nearest(const std::vector<Eigen::Index>& sources) const = 0;
 };
+
+std::unique_ptr<Heat_solver> make_heat_solver(const Face_corners& corners,
+                                              const Point_matrix& points,
+                                              Lane_factor_maker factor_maker);
 
 } // namespace internal
 } // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
@@ -57,7 +52,7 @@ private:
 } // namespace CGAL
 
 #ifndef CGAL_CANONICAL_POSE_3_COMPILED
-#include <CGAL/Canonical_pose_3/internal/heat/Heat_solver_impl.h>
+#include <CGAL/Canonical_pose_3/internal/heat/make_heat_solver_impl.h>
 #endif
 
 #endif // CGAL_CANONICAL_POSE_3_INTERNAL_HEAT_HEAT_SOLVER_H

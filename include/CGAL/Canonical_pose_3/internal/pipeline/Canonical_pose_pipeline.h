@@ -290,10 +290,11 @@ private:
 
     check_that_body_is_held(body, weights);
     Options_constraints constraints(m_options, static_cast<std::size_t>(n));
-    Arap_registration registration(body, weights, m_length_scale, registration_options(body),
-                                   stiffness, default_rotation_routines(), m_solver.factor_maker);
-    constraints.add_to(registration);
-    registration.set_target(target_of_body());
+    const auto registration
+      = make_arap_registration(body, weights, m_length_scale, registration_options(body), stiffness,
+                               default_rotation_routines(), m_solver.factor_maker);
+    constraints.add_to(*registration);
+    registration->set_target(target_of_body());
     Registration_visitor visitor;
     if(m_options.visitor)
       visitor = [&](Registration_progress progress) { // which counts all iterations
@@ -301,13 +302,13 @@ private:
         return m_options.visitor(progress);
       };
     Point_matrix body_pose;
-    take(registration.register_to_target(body_pose, visitor));
+    take(registration->register_to_target(body_pose, visitor));
     if(is_size_free && m_summary.is_usable() && m_summary.volume_ratio > TOLERATED_VOLUME_RATIO
        && m_summary.termination != Registration_summary::CANCELED)
     {
       shrink_target(shares);
-      registration.set_target(target_of_body());
-      take(registration.register_to_target(body_pose, visitor));
+      registration->set_target(target_of_body());
+      take(registration->register_to_target(body_pose, visitor));
     }
     if(m_summary.is_usable())
     {

@@ -29,33 +29,28 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-class Arap_registration_state;
-
 // What `Tetrahedral_arap_registrar_3` does, for any body, rotations and solver; see there.
 class Arap_registration
 {
 public:
-  Arap_registration(const Body_view& body, const Eigen::VectorXd& matching_weights,
-                    double length_scale, const Registration_options& options,
-                    const Eigen::VectorXd& stiffness, const Rotation_routines& rotations,
-                    Factor_maker factor_maker);
-  Arap_registration(Arap_registration&&) noexcept;
-  Arap_registration& operator=(Arap_registration&&) noexcept;
-  ~Arap_registration();
-
-  const Registration_options& options() const;
-  void set_number_of_iterations(int number_of_iterations);
-  void add_constraint(std::unique_ptr<Registration_constraint_base> constraint);
-  void remove_constraint(const void* constraint);
-  void set_target(const Point_matrix& target);
-  void factor();
-  Registration_summary register_to_target(Point_matrix& body_points,
-                                          const Registration_visitor& visitor);
-  Point_matrix surface_points(const Point_matrix& body_points) const;
-
-private:
-  std::unique_ptr<Arap_registration_state> m_state;
+  virtual ~Arap_registration() = default;
+  virtual const Registration_options& options() const = 0;
+  virtual void set_number_of_iterations(int number_of_iterations) = 0;
+  virtual void add_constraint(std::unique_ptr<Registration_constraint_base> constraint) = 0;
+  virtual void remove_constraint(const void* constraint) = 0;
+  virtual void set_target(const Point_matrix& target) = 0;
+  virtual void factor() = 0;
+  virtual Registration_summary register_to_target(Point_matrix& body_points,
+                                                  const Registration_visitor& visitor)
+    = 0;
+  virtual Point_matrix surface_points(const Point_matrix& body_points) const = 0;
 };
+
+std::unique_ptr<Arap_registration>
+make_arap_registration(const Body_view& body, const Eigen::VectorXd& matching_weights,
+                       double length_scale, const Registration_options& options,
+                       const Eigen::VectorXd& stiffness, const Rotation_routines& rotations,
+                       Factor_maker factor_maker);
 
 } // namespace internal
 } // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
@@ -63,7 +58,7 @@ private:
 } // namespace CGAL
 
 #ifndef CGAL_CANONICAL_POSE_3_COMPILED
-#include <CGAL/Canonical_pose_3/internal/registration/Arap_registration_impl.h>
+#include <CGAL/Canonical_pose_3/internal/registration/make_arap_registration_impl.h>
 #endif
 
 #endif // CGAL_CANONICAL_POSE_3_INTERNAL_REGISTRATION_ARAP_REGISTRATION_H

@@ -7,8 +7,8 @@
 //
 // Author(s) : The Canonical_pose_3 authors
 
-#ifndef CGAL_CANONICAL_POSE_3_INTERNAL_REGISTRATION_ARAP_REGISTRATION_IMPL_H
-#define CGAL_CANONICAL_POSE_3_INTERNAL_REGISTRATION_ARAP_REGISTRATION_IMPL_H
+#ifndef CGAL_CANONICAL_POSE_3_INTERNAL_REGISTRATION_MAKE_ARAP_REGISTRATION_IMPL_H
+#define CGAL_CANONICAL_POSE_3_INTERNAL_REGISTRATION_MAKE_ARAP_REGISTRATION_IMPL_H
 
 #include <CGAL/Canonical_pose_3/internal/energy/Arap_energy.h>
 #include <CGAL/Canonical_pose_3/internal/injective/Injective_repair.h>
@@ -40,15 +40,14 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// A registration of a body with its target: energies, matrix and factor; the local and global steps.
-// `Arap_registration` refers to one.
-class Arap_registration_state
+// Energies, matrix and factor; the local and global steps.
+class Body_registration final : public Arap_registration
 {
 public:
-  Arap_registration_state(const Body_view& body, const Eigen::VectorXd& matching_weights,
-                          const double length_scale, const Registration_options& options,
-                          const Eigen::VectorXd& stiffness, const Rotation_routines& rotations,
-                          const Factor_maker factor_maker)
+  Body_registration(const Body_view& body, const Eigen::VectorXd& matching_weights,
+                    const double length_scale, const Registration_options& options,
+                    const Eigen::VectorXd& stiffness, const Rotation_routines& rotations,
+                    const Factor_maker factor_maker)
     : m_body(body), m_length_scale(checked_length_scale(length_scale)), m_options(options),
       m_weights(checked_matching_weights(body, matching_weights)),
       m_embedding_transposed(body.embedding().transpose()),
@@ -61,21 +60,21 @@ public:
       m_fairing.emplace(body.points(), body.cells());
   }
 
-  const Registration_options& options() const { return m_options; }
+  const Registration_options& options() const override { return m_options; }
 
-  void set_number_of_iterations(const int number_of_iterations)
+  void set_number_of_iterations(const int number_of_iterations) override
   {
     CGAL_precondition(number_of_iterations >= 0);
     m_options.number_of_iterations = number_of_iterations;
   }
 
-  void add_constraint(std::unique_ptr<Registration_constraint_base> constraint)
+  void add_constraint(std::unique_ptr<Registration_constraint_base> constraint) override
   {
     m_constraints.push_back(std::move(constraint));
     m_factored_revisions.reset();
   }
 
-  void remove_constraint(const void* const constraint)
+  void remove_constraint(const void* const constraint) override
   {
     const auto position = std::find_if(m_constraints.begin(), m_constraints.end(),
                                        [&](const auto& c) { return c->is_model_of(constraint); });
@@ -84,7 +83,7 @@ public:
     m_factored_revisions.reset();
   }
 
-  void set_target(const Point_matrix& target)
+  void set_target(const Point_matrix& target) override
   {
     CGAL_precondition(target.rows() == m_weights.size());
     check_finite(target);
@@ -92,7 +91,7 @@ public:
     transposed_product(m_body.embedding(), m_weights.asDiagonal() * m_target, m_target_term);
   }
 
-  void factor()
+  void factor() override
   {
     std::vector<std::size_t> revisions;
     for(const auto& constraint : m_constraints)
@@ -113,7 +112,7 @@ public:
   }
 
   Registration_summary register_to_target(Point_matrix& body_points,
-                                          const Registration_visitor& visitor)
+                                          const Registration_visitor& visitor) override
   {
     CGAL_precondition(m_target.rows() == m_weights.size());
     CGAL_precondition(body_points.rows() == 0 || body_points.rows() == m_body.points().rows());
@@ -139,7 +138,7 @@ public:
     return summary;
   }
 
-  Point_matrix surface_points(const Point_matrix& body_points) const
+  Point_matrix surface_points(const Point_matrix& body_points) const override
   {
     CGAL_precondition(body_points.rows() == m_body.points().rows());
     return m_body.embedding() * body_points;
@@ -418,63 +417,14 @@ private:
   Point_matrix m_surface, m_right_hand_side;
 };
 
-CGAL_CANONICAL_POSE_3_INLINE
-Arap_registration::Arap_registration(const Body_view& body, const Eigen::VectorXd& matching_weights,
-                                     const double length_scale, const Registration_options& options,
-                                     const Eigen::VectorXd& stiffness,
-                                     const Rotation_routines& rotations,
-                                     const Factor_maker factor_maker)
-  : m_state(std::make_unique<Arap_registration_state>(body, matching_weights, length_scale, options,
-                                                      stiffness, rotations, factor_maker))
-{}
-
-CGAL_CANONICAL_POSE_3_INLINE
-Arap_registration::Arap_registration(Arap_registration&&) noexcept = default;
-
-CGAL_CANONICAL_POSE_3_INLINE Arap_registration&
-Arap_registration::operator=(Arap_registration&&) noexcept = default;
-
-CGAL_CANONICAL_POSE_3_INLINE Arap_registration::~Arap_registration() = default;
-
-CGAL_CANONICAL_POSE_3_INLINE const Registration_options& Arap_registration::options() const
+CGAL_CANONICAL_POSE_3_INLINE std::unique_ptr<Arap_registration>
+make_arap_registration(const Body_view& body, const Eigen::VectorXd& matching_weights,
+                       const double length_scale, const Registration_options& options,
+                       const Eigen::VectorXd& stiffness, const Rotation_routines& rotations,
+                       const Factor_maker factor_maker)
 {
-  return m_state->options();
-}
-
-CGAL_CANONICAL_POSE_3_INLINE void
-Arap_registration::set_number_of_iterations(const int number_of_iterations)
-{
-  m_state->set_number_of_iterations(number_of_iterations);
-}
-
-CGAL_CANONICAL_POSE_3_INLINE void
-Arap_registration::add_constraint(std::unique_ptr<Registration_constraint_base> constraint)
-{
-  m_state->add_constraint(std::move(constraint));
-}
-
-CGAL_CANONICAL_POSE_3_INLINE void Arap_registration::remove_constraint(const void* const constraint)
-{
-  m_state->remove_constraint(constraint);
-}
-
-CGAL_CANONICAL_POSE_3_INLINE void Arap_registration::set_target(const Point_matrix& target)
-{
-  m_state->set_target(target);
-}
-
-CGAL_CANONICAL_POSE_3_INLINE void Arap_registration::factor() { m_state->factor(); }
-
-CGAL_CANONICAL_POSE_3_INLINE Registration_summary Arap_registration::register_to_target(
-  Point_matrix& body_points, const Registration_visitor& visitor)
-{
-  return m_state->register_to_target(body_points, visitor);
-}
-
-CGAL_CANONICAL_POSE_3_INLINE Point_matrix
-Arap_registration::surface_points(const Point_matrix& body_points) const
-{
-  return m_state->surface_points(body_points);
+  return std::make_unique<Body_registration>(body, matching_weights, length_scale, options,
+                                             stiffness, rotations, factor_maker);
 }
 
 } // namespace internal
@@ -482,4 +432,4 @@ Arap_registration::surface_points(const Point_matrix& body_points) const
 } // namespace Canonical_pose_3
 } // namespace CGAL
 
-#endif // CGAL_CANONICAL_POSE_3_INTERNAL_REGISTRATION_ARAP_REGISTRATION_IMPL_H
+#endif // CGAL_CANONICAL_POSE_3_INTERNAL_REGISTRATION_MAKE_ARAP_REGISTRATION_IMPL_H

@@ -7,8 +7,8 @@
 //
 // Author(s) : The Canonical_pose_3 authors
 
-#ifndef CGAL_CANONICAL_POSE_3_INTERNAL_HEAT_HEAT_SOLVER_IMPL_H
-#define CGAL_CANONICAL_POSE_3_INTERNAL_HEAT_HEAT_SOLVER_IMPL_H
+#ifndef CGAL_CANONICAL_POSE_3_INTERNAL_HEAT_MAKE_HEAT_SOLVER_IMPL_H
+#define CGAL_CANONICAL_POSE_3_INTERNAL_HEAT_MAKE_HEAT_SOLVER_IMPL_H
 
 #include <CGAL/Canonical_pose_3/internal/heat/Gradient_field.h>
 #include <CGAL/Canonical_pose_3/internal/heat/Heat_solver.h>
@@ -51,11 +51,11 @@ namespace internal {
 // Both matrices are block diagonal over the components of the mesh, and each component has a time
 // step of its own, see heat_lengths(). They have the same pattern, which is analysed once, and are
 // factored side by side. Sources come eight at a time, one per lane, and such blocks side by side.
-class Heat_solver_state
+class Intrinsic_heat_solver final : public Heat_solver
 {
 public:
-  Heat_solver_state(const Face_corners& corners, const Point_matrix& points,
-                    const Lane_factor_maker factor_maker)
+  Intrinsic_heat_solver(const Face_corners& corners, const Point_matrix& points,
+                        const Lane_factor_maker factor_maker)
     : m_surface(corners, points), m_heat(factor_maker())
   {
     const Eigen::SparseMatrix<double> laplacian = cotangent_laplacian(triangulation());
@@ -76,10 +76,12 @@ public:
       });
   }
 
-  const Intrinsic_triangulation& triangulation() const { return m_surface.triangulation(); }
+  const Intrinsic_triangulation& triangulation() const override
+  {
+    return m_surface.triangulation();
+  }
 
-  // One column per source (a row of the points): n distances in the unit of the input.
-  Eigen::MatrixXd distances(const std::vector<Eigen::Index>& sources) const
+  Eigen::MatrixXd distances(const std::vector<Eigen::Index>& sources) const override
   {
     Eigen::MatrixXd result(m_heat_diagonal.size(), static_cast<Eigen::Index>(sources.size()));
     for_each_block_of_fields(sources, [&](std::size_t first, std::size_t width, Lane_rows& rows) {
@@ -93,8 +95,7 @@ public:
     return result;
   }
 
-  // Distances from the nearest of the sources.
-  Eigen::VectorXd distance_to_nearest(const std::vector<Eigen::Index>& sources) const
+  Eigen::VectorXd distance_to_nearest(const std::vector<Eigen::Index>& sources) const override
   {
     Eigen::VectorXd result = Eigen::VectorXd::Constant(m_heat_diagonal.size(), INFINITE);
     std::mutex mutex;
@@ -239,33 +240,11 @@ private:
   Gradient_field m_field;
 };
 
-CGAL_CANONICAL_POSE_3_INLINE
-Heat_solver::Heat_solver(const Face_corners& corners, const Point_matrix& points,
-                         const Lane_factor_maker factor_maker)
-  : m_state(std::make_unique<Heat_solver_state>(corners, points, factor_maker))
-{}
-
-CGAL_CANONICAL_POSE_3_INLINE Heat_solver::Heat_solver(Heat_solver&&) noexcept = default;
-
-CGAL_CANONICAL_POSE_3_INLINE Heat_solver& Heat_solver::operator=(Heat_solver&&) noexcept = default;
-
-CGAL_CANONICAL_POSE_3_INLINE Heat_solver::~Heat_solver() = default;
-
-CGAL_CANONICAL_POSE_3_INLINE const Intrinsic_triangulation& Heat_solver::triangulation() const
+CGAL_CANONICAL_POSE_3_INLINE std::unique_ptr<Heat_solver>
+make_heat_solver(const Face_corners& corners, const Point_matrix& points,
+                 const Lane_factor_maker factor_maker)
 {
-  return m_state->triangulation();
-}
-
-CGAL_CANONICAL_POSE_3_INLINE Eigen::MatrixXd
-Heat_solver::distances(const std::vector<Eigen::Index>& sources) const
-{
-  return m_state->distances(sources);
-}
-
-CGAL_CANONICAL_POSE_3_INLINE Eigen::VectorXd
-Heat_solver::distance_to_nearest(const std::vector<Eigen::Index>& sources) const
-{
-  return m_state->distance_to_nearest(sources);
+  return std::make_unique<Intrinsic_heat_solver>(corners, points, factor_maker);
 }
 
 } // namespace internal
@@ -273,4 +252,4 @@ Heat_solver::distance_to_nearest(const std::vector<Eigen::Index>& sources) const
 } // namespace Canonical_pose_3
 } // namespace CGAL
 
-#endif // CGAL_CANONICAL_POSE_3_INTERNAL_HEAT_HEAT_SOLVER_IMPL_H
+#endif // CGAL_CANONICAL_POSE_3_INTERNAL_HEAT_MAKE_HEAT_SOLVER_IMPL_H
