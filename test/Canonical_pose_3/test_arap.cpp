@@ -22,6 +22,7 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace CP = CGAL::Canonical_pose_3;
 using Canonical_pose_test::uniform_weights;
@@ -30,7 +31,7 @@ using CP::Registration_summary;
 
 namespace {
 
-typedef Canonical_pose_test::Svd_registrar Registrar;
+using Registrar = Canonical_pose_test::Svd_registrar;
 
 CP::Conforming_body_3 bar_body() { return Canonical_pose_test::bar_body(12, 2, 2); }
 
@@ -40,6 +41,21 @@ Point_matrix bent_bar_points(const double angle)
 }
 
 } // namespace
+
+// A registrar that was moved goes on with factor and target as if it had not been.
+TEST(Arap, registrars_can_be_moved)
+{
+  const CP::Conforming_body_3 body = bar_body();
+  Registrar registrar(body, uniform_weights(body.points()), 8.);
+  registrar.set_target(bent_bar_points(2.));
+  registrar.factor();
+  Point_matrix pose, pose_of_moved;
+  const Registration_summary summary = registrar.register_to_target(pose);
+  Registrar moved(std::move(registrar));
+  const Registration_summary summary_of_moved = moved.register_to_target(pose_of_moved);
+  EXPECT_EQ(pose_of_moved, pose);
+  EXPECT_EQ(summary_of_moved.energy_history, summary.energy_history);
+}
 
 // A target that is a rigid motion of the rest pose has E = 0, and rotations fitted to it are exact:
 // the iteration ends at the target at once. Large rotations are no harder than small ones.

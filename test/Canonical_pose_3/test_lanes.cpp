@@ -9,6 +9,8 @@
 #include "geodesic_fixtures.h"
 #include "sparse_matrices.h"
 
+#include <CGAL/Canonical_pose_3/Default_factor_traits_d.h>
+#include <CGAL/Canonical_pose_3/Eigen_factor_traits_d.h>
 #include <CGAL/Canonical_pose_3/internal/heat/Gradient_field.h>
 #include <CGAL/Canonical_pose_3/internal/linear_algebra/Lane_factor.h>
 #include <CGAL/Canonical_pose_3/internal/linear_algebra/Supernodal_kernels.h>
