@@ -35,6 +35,8 @@
 
 #include "../../examples/Canonical_pose_3/Articulated_figure.h"
 
+#include <Eigen/Dense>
+
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>

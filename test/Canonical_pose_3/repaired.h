@@ -19,6 +19,8 @@
 #include "dirty_shapes.h"
 #include "matchers.h"
 
+#include <Eigen/Dense>
+
 #include <cstddef>
 #include <map>
 #include <utility>

@@ -14,6 +14,8 @@
 
 #include <CGAL/Random.h>
 
+#include <Eigen/Dense>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>

@@ -24,6 +24,8 @@
 
 #include "matchers.h"
 
+#include <Eigen/Dense>
+
 #include <algorithm>
 #include <cmath>
 #include <iostream>

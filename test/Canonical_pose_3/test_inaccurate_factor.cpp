@@ -7,6 +7,8 @@
 //
 // Author(s) : The Canonical_pose_3 authors
 
+#include <CGAL/Canonical_pose_3/Default_factor_traits_d.h>
+
 #include <CGAL/Default.h>
 
 #include <gtest/gtest.h>

@@ -19,6 +19,8 @@
 #include "shapes.h"
 #include "threads.h"
 
+#include <Eigen/Dense>
+
 #include <array>
 #include <cstddef>
 

@@ -8,6 +8,7 @@
 // Author(s) : The Canonical_pose_3 authors
 
 #include <CGAL/Canonical_pose_3/Conforming_body_3.h>
+#include <CGAL/Canonical_pose_3/Default_factor_traits_d.h>
 #include <CGAL/Canonical_pose_3/Tetrahedral_arap_registrar_3.h>
 
 #include <CGAL/Default.h>

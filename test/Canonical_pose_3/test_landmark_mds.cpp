@@ -16,6 +16,8 @@
 
 #include "matchers.h"
 
+#include <Eigen/Dense>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -26,6 +26,8 @@
 #include "registrar.h"
 #include "shapes.h"
 
+#include <Eigen/Dense>
+
 #include <array>
 #include <cmath>
 #include <cstddef>

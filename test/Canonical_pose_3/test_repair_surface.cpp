@@ -9,6 +9,8 @@
 
 #include "repaired.h"
 
+#include <Eigen/Dense>
+
 #include <array>
 #include <limits>
 #include <random>

@@ -14,6 +14,8 @@
 #include "matchers.h"
 #include "shapes.h"
 
+#include <Eigen/Dense>
+
 #include <cmath>
 #include <random>
 
