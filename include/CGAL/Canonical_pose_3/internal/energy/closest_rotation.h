@@ -96,10 +96,10 @@ Rotation_root<Real> rotation_by_root(const Matrix_3<Real>& f, Matrix_3<Real>& r)
 }
 
 // Whether the rotation is good to 1e-12. It is not where the root is nearly a double one, s2 + s3
-// small, or powers of it underflow or overflow.
+// small, or powers of it underflow or overflow. There, a step may even lead up, and far.
 inline bool is_reliable(const double root, const double last_step, const double slope)
 {
-  return slope > 0.03 * root * root * root && last_step <= 1e-8 * root && root > 1e-70;
+  return slope > 0.03 * root * root * root && std::abs(last_step) <= 1e-8 * root && root > 1e-70;
 }
 
 // The rotation R (determinant +1) closest to m in the Frobenius norm: in closed form, and by a
