@@ -45,5 +45,5 @@ if(WITH_compiled)
         -DREADME=${installation}/${CMAKE_INSTALL_DOCDIR}/README.md
       --test-command ${CMAKE_COMMAND} -P ${CMAKE_CURRENT_SOURCE_DIR}/test_consumer/readme/run.cmake)
   set_tests_properties(consumer.readme PROPERTIES
-    LABELS consumer TIMEOUT 1200 FIXTURES_REQUIRED installation)
+    LABELS consumer TIMEOUT 1200 COST 1000 FIXTURES_REQUIRED installation) # the longest: first
 endif()
