@@ -3,7 +3,6 @@
 
 file(GLOB_RECURSE objects ${BUILD}/*.o)
 set(number 0)
-list(FILTER objects EXCLUDE REGEX "compiled\\.cpp\\.o$") # Canonical_pose_3::compiled
 foreach(object IN LISTS objects)
   execute_process(COMMAND ${NM} --defined-only --extern-only ${object}
     RESULT_VARIABLE result OUTPUT_VARIABLE symbols ERROR_QUIET)
@@ -11,6 +10,9 @@ foreach(object IN LISTS objects)
     continue()
   endif()
   string(REGEX MATCHALL " [TDBRSG] _ZNK?4CGAL[^\n]*" found "${symbols}")
+  if(object MATCHES "compiled\\.cpp\\.o$") # Canonical_pose_3::compiled
+    list(FILTER found EXCLUDE REGEX "15pose_of_(surface|complex)E|22make_arap_registrationE|16make_heat_solverE|19make_default_factorE|24make_default_lane_factorE|25default_rotation_routinesE")
+  endif()
   if(found)
     list(JOIN found "\n" found)
     message(SEND_ERROR "${object} defines what is not inline:\n${found}")

@@ -16,8 +16,6 @@
 #include <CGAL/Canonical_pose_3/internal/linear_algebra/Lane_factor.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 
-#include <CGAL/Default.h>
-
 #include <stdexcept>
 
 namespace CGAL {
