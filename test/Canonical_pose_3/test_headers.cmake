@@ -1,5 +1,6 @@
 # Each public header compiles alone, and twice over, without a warning of ours: one test per header with the
-# compiler of the build, and one test for all of them together with the other of g++ and clang++, if present.
+# compiler of the build, without what takes long (src/compiled/ includes each part of that first), and one test for
+# all of them together, header-only, with the other of g++ and clang++, if present.
 
 set(own_headers ${PROJECT_SOURCE_DIR}/include)
 file(GLOB_RECURSE public_headers CONFIGURE_DEPENDS RELATIVE ${own_headers} "${own_headers}/CGAL/*.h")
@@ -31,14 +32,9 @@ function(add_canonical_pose_header_test name compiler)
 endfunction()
 
 if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
+  set(compiled -DCGAL_CANONICAL_POSE_3_COMPILED)
   foreach(header IN LISTS public_headers)
     get_filename_component(name ${header} NAME)
-    # The long part, which would take minutes: compiled.cpp and the program in the README have it.
-    if(name STREQUAL "canonical_pose_3.h")
-      set(compiled -DCGAL_CANONICAL_POSE_3_COMPILED)
-    else()
-      set(compiled "")
-    endif()
     add_canonical_pose_header_test(${name} ${CMAKE_CXX_COMPILER} ${header})
   endforeach()
   set(compiled "")

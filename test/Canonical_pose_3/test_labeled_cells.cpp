@@ -13,18 +13,14 @@
 #include <CGAL/canonical_pose_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Labeled_mesh_domain_3.h>
-#include <CGAL/Mesh_complex_3_in_triangulation_3.h>
-#include <CGAL/Mesh_criteria_3.h>
-#include <CGAL/Mesh_triangulation_3.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/make_mesh_3.h>
 
 #include <boost/property_map/property_map.hpp>
 
 #include <gtest/gtest.h>
 
+#include "c3t3.h"
 #include "matchers.h"
 
 #include <map>
@@ -40,26 +36,19 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_3;
 using Mesh = CGAL::Surface_mesh<Point>;
 using Tetrahedra = CP::Indexed_tetrahedra_3<Point>;
-using Domain = CGAL::Labeled_mesh_domain_3<Kernel>;
-using Triangulation = CGAL::Mesh_triangulation_3<Domain>::type;
-using C3t3 = CGAL::Mesh_complex_3_in_triangulation_3<Triangulation>;
+using Canonical_pose_test::C3t3;
 using Selection = CP::Labeled_cells_3<Tetrahedra>;
 
 // A bar of 3 x 1 x 1 cubes, labeled 1, 2, 4 along it, as Mesh_3 sees it.
 const C3t3& bar()
 {
   static const C3t3 result = [] {
-    using Criteria = CGAL::Mesh_criteria_3<Triangulation>;
-    namespace params = CGAL::parameters;
     const auto label = [](const Point& p) {
       const bool is_inside
         = p.x() > 0 && p.x() < 3 && p.y() > 0 && p.y() < 1 && p.z() > 0 && p.z() < 1;
       return !is_inside ? 0 : p.x() < 1 ? 1 : p.x() < 2 ? 2 : 4;
     };
-    const Domain domain(label, Kernel::Sphere_3(Point(1.5, 0.5, 0.5), 9.));
-    const Criteria criteria(Criteria::Facet_criteria(25, 0.25, 0.05),
-                            Criteria::Cell_criteria(3, 0.3));
-    return CGAL::make_mesh_3<C3t3>(domain, criteria, params::no_perturb(), params::no_exude());
+    return Canonical_pose_test::make_c3t3(label, Kernel::Sphere_3(Point(1.5, 0.5, 0.5), 9.), 0.05);
   }();
   return result;
 }

@@ -12,19 +12,15 @@
 
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Labeled_mesh_domain_3.h>
-#include <CGAL/Mesh_complex_3_in_triangulation_3.h>
-#include <CGAL/Mesh_criteria_3.h>
-#include <CGAL/Mesh_triangulation_3.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Tetrahedral_remeshing/Remeshing_triangulation_3.h>
-#include <CGAL/make_mesh_3.h>
 #include <CGAL/property_map.h>
 #include <CGAL/tetrahedral_remeshing.h>
 
 #include <gtest/gtest.h>
 
+#include "c3t3.h"
 #include "matchers.h"
 #include "shapes.h"
 
@@ -107,20 +103,10 @@ TEST(Tetrahedral_complex, boundary_is_split_where_it_is_not_manifold)
 
 TEST(Tetrahedral_complex, mesh_3_complex)
 {
-  typedef CGAL::Labeled_mesh_domain_3<Kernel> Domain;
-  typedef CGAL::Mesh_triangulation_3<Domain>::type Triangulation;
-  typedef CGAL::Mesh_complex_3_in_triangulation_3<Triangulation> C3t3;
-  typedef CGAL::Mesh_criteria_3<Triangulation> Criteria;
-  const Domain domain = Domain::create_implicit_mesh_domain(
-    [](const Point& p) {
-      return CGAL::to_double(p.x() * p.x() + p.y() * p.y() + 4 * p.z() * p.z() - 1);
-    },
-    Kernel::Sphere_3(CGAL::ORIGIN, 4.));
-  namespace params = CGAL::parameters;
-  const Criteria criteria(Criteria::Facet_criteria(25, 0.25, 0.02),
-                          Criteria::Cell_criteria(3, 0.3));
-  const C3t3 c3t3
-    = CGAL::make_mesh_3<C3t3>(domain, criteria, params::no_perturb(), params::no_exude());
+  const auto label = [](const Point& p) {
+    return CGAL::to_double(p.x() * p.x() + p.y() * p.y() + 4 * p.z() * p.z()) < 1 ? 1 : 0;
+  };
+  const auto c3t3 = Canonical_pose_test::make_c3t3(label, Kernel::Sphere_3(CGAL::ORIGIN, 4.), 0.02);
   expect_same_volume(c3t3);
   // An ellipsoid of half axes 1, 1, 1/2, inscribed.
   EXPECT_NEAR(CP::complex_body(c3t3).volume(), 2. / 3 * Canonical_pose_test::pi, 0.1);

@@ -12,8 +12,6 @@
 
 #include <CGAL/Canonical_pose_3/Diagnosis_3.h>
 #include <CGAL/Canonical_pose_3/internal/soup/Indexed_mesh.h>
-#include <CGAL/Canonical_pose_3/internal/soup/Soup_diagnosis.h>
-#include <CGAL/Canonical_pose_3/internal/soup/Triangle_soup.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
@@ -24,17 +22,6 @@
 namespace CGAL {
 namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
-namespace internal {
-
-template <typename Polygons>
-Diagnosis_3 diagnose_soup(const Point_matrix& points, const Polygons& polygons)
-{
-  check_soup(points, polygons);
-  return Soup_diagnosis<Polygons>(points, polygons).run();
-}
-
-} // namespace internal
-
 /*!
 \ingroup PkgCanonicalPose3Ref
 
@@ -52,11 +39,8 @@ face and ten million overlap.
 
 \sa `repair_surface()`
 */
-inline Diagnosis_3 diagnose(const Point_matrix& points,
-                            const std::vector<std::vector<std::size_t>>& polygons)
-{
-  return internal::diagnose_soup(points, polygons);
-}
+Diagnosis_3 diagnose(const Point_matrix& points,
+                     const std::vector<std::vector<std::size_t>>& polygons);
 
 /*!
 \ingroup PkgCanonicalPose3Ref
@@ -69,11 +53,8 @@ inline Diagnosis_3 diagnose(const Point_matrix& points,
 \throws std::invalid_argument if a coordinate is not finite or a triangle names a row that does not
        exist.
 */
-inline Diagnosis_3 diagnose(const Point_matrix& points,
-                            const std::vector<std::array<std::size_t, 3>>& triangles)
-{
-  return internal::diagnose_soup(points, triangles);
-}
+Diagnosis_3 diagnose(const Point_matrix& points,
+                     const std::vector<std::array<std::size_t, 3>>& triangles);
 
 /*!
 \ingroup PkgCanonicalPose3Ref
@@ -95,5 +76,9 @@ Diagnosis_3 diagnose(const PolygonMesh& mesh, VertexPointMap vertex_point_map)
 } // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
+
+#ifndef CGAL_CANONICAL_POSE_3_COMPILED
+#include <CGAL/Canonical_pose_3/internal/soup/diagnose_impl.h>
+#endif
 
 #endif // CGAL_CANONICAL_POSE_3_DIAGNOSE_H

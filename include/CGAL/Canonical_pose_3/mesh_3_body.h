@@ -12,14 +12,11 @@
 
 #include <CGAL/Canonical_pose_3/Embedded_body_3.h>
 #include <CGAL/Canonical_pose_3/diagnose.h>
-#include <CGAL/Canonical_pose_3/internal/body/Mesh_3_embedder.h>
-#include <CGAL/Canonical_pose_3/internal/body/mesh_3_complex.h>
 #include <CGAL/Canonical_pose_3/internal/soup/Indexed_mesh.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <stdexcept>
 #include <vector>
@@ -32,20 +29,10 @@ namespace internal {
 constexpr double MESH_3_CELL_SIZE = 1. / 60;
 
 // Precondition: the surface is clean.
-inline Embedded_body_3 mesh_3_body_of_clean_surface(Point_matrix points,
-                                                    const std::vector<Index_triangle>& triangles,
-                                                    const double length_scale,
-                                                    const double cell_size = MESH_3_CELL_SIZE)
-{
-  const int exponent = normalize(points); // so that squares of lengths neither vanish nor overflow
-  const double size = cell_size * std::ldexp(length_scale, -exponent);
-  const double extent = (points.colwise().maxCoeff() - points.colwise().minCoeff()).maxCoeff();
-  if(!(size >= extent / 1000) || !std::isfinite(size))
-    throw std::invalid_argument("the cells would be smaller than a thousandth of the surface, or "
-                                "their size is not finite");
-  const Mesh_3_complex complex = mesh_3_complex(points, triangles, size);
-  return Mesh_3_embedder(complex).body(points, exponent);
-}
+Embedded_body_3 mesh_3_body_of_clean_surface(Point_matrix points,
+                                             const std::vector<Index_triangle>& triangles,
+                                             double length_scale,
+                                             double cell_size = MESH_3_CELL_SIZE);
 
 } // namespace internal
 
@@ -60,8 +47,8 @@ surface but close to it. A vertex of the surface is a combination of the vertice
 contains it; if it is outside of all of them, of a cell nearby, of whose points it is an affine
 combination with small coefficients. Nothing is random: the same surface gives the same body.
 
-This header takes long to compile: `canonical_pose_3()` offers this body only to programs that link
-the target `Canonical_pose_3::mesh_3`.
+`canonical_pose_3()` offers this body only to programs that link the target `Canonical_pose_3::mesh_3`:
+without `Canonical_pose_3::compiled` Mesh_3 takes long to compile.
 
 \param points \f$ n \times 3 \f$, positions.
 \param triangles triples of rows of `points`.
@@ -113,5 +100,9 @@ Embedded_body_3 mesh_3_body(const TriangleMesh& tmesh, VertexPointMap vertex_poi
 } // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
+
+#ifndef CGAL_CANONICAL_POSE_3_COMPILED
+#include <CGAL/Canonical_pose_3/internal/body/mesh_3_body_impl.h>
+#endif
 
 #endif // CGAL_CANONICAL_POSE_3_MESH_3_BODY_H

@@ -11,9 +11,6 @@
 #define CGAL_CANONICAL_POSE_3_REPAIR_SURFACE_H
 
 #include <CGAL/Canonical_pose_3/Repaired_surface_3.h>
-#include <CGAL/Canonical_pose_3/internal/soup/Component_orienter.h>
-#include <CGAL/Canonical_pose_3/internal/soup/Manifold_builder.h>
-#include <CGAL/Canonical_pose_3/internal/soup/Triangle_soup.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
@@ -21,7 +18,6 @@
 #include <cstddef>
 #include <stdexcept>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -29,32 +25,6 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-template <typename Polygons>
-Repaired_surface_3 repair_soup(const Point_matrix& points, const Polygons& polygons)
-{
-  check_soup(points, polygons);
-  if(polygons.empty())
-    throw std::invalid_argument("the surface has no face");
-  Point_matrix normalized = points;
-  normalize(normalized);
-  Repaired_surface_3 result;
-  Manifold_builder builder(normalized, triangle_soup(normalized, polygons));
-  builder.run(result);
-  const std::size_t n = result.origins.size();
-  result.points.resize(static_cast<Eigen::Index>(n), 3);
-  Point_matrix normalized_copies(result.points.rows(), 3);
-  for(std::size_t v = 0; v < n; ++v)
-  {
-    const Eigen::Index row = static_cast<Eigen::Index>(v),
-                       origin = static_cast<Eigen::Index>(result.origins[v]);
-    result.points.row(row) = points.row(origin);
-    normalized_copies.row(row) = normalized.row(origin);
-  }
-  Component_orienter(normalized_copies, builder.twins(), result).run();
-  return result;
-}
-
-// The first copy of each row of the input; the number of vertices of the surface where there is none.
 inline std::vector<std::size_t> first_copies(const Repaired_surface_3& surface)
 {
   const std::size_t none = surface.origins.size();
@@ -94,22 +64,16 @@ A surface that needs no repair comes back as it is.
 
 \sa `diagnose()`
 */
-inline Repaired_surface_3 repair_surface(const Point_matrix& points,
-                                         const std::vector<std::vector<std::size_t>>& polygons)
-{
-  return internal::repair_soup(points, polygons);
-}
+Repaired_surface_3 repair_surface(const Point_matrix& points,
+                                  const std::vector<std::vector<std::size_t>>& polygons);
 
 /*!
 \ingroup PkgCanonicalPose3Ref
 
 \brief makes an oriented 2-manifold of any triangles, without moving or making a vertex.
 */
-inline Repaired_surface_3 repair_surface(const Point_matrix& points,
-                                         const std::vector<std::array<std::size_t, 3>>& triangles)
-{
-  return internal::repair_soup(points, triangles);
-}
+Repaired_surface_3 repair_surface(const Point_matrix& points,
+                                  const std::vector<std::array<std::size_t, 3>>& triangles);
 
 /*!
 \ingroup PkgCanonicalPose3Ref
@@ -167,5 +131,9 @@ inline Repaired_surface_3 component_of_surface(const Repaired_surface_3& surface
 } // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
+
+#ifndef CGAL_CANONICAL_POSE_3_COMPILED
+#include <CGAL/Canonical_pose_3/internal/soup/repair_surface_impl.h>
+#endif
 
 #endif // CGAL_CANONICAL_POSE_3_REPAIR_SURFACE_H

@@ -11,6 +11,7 @@
 #define CGAL_CANONICAL_POSE_3_TARGET_HANDEDNESS_H
 
 #include <CGAL/Canonical_pose_3/internal/soup/Indexed_mesh.h>
+#include <CGAL/Canonical_pose_3/internal/soup/signed_volume.h>
 #include <CGAL/Canonical_pose_3/internal/support/Principal_axes.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
@@ -30,24 +31,6 @@ namespace CGAL {
 namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
-
-// Six times the volume inside the triangles; summed in units of the extent, so that it is accurate in
-// any.
-inline double signed_volume(const Point_matrix& points,
-                            const std::vector<std::array<std::size_t, 3>>& triangles)
-{
-  const Eigen::RowVector3d center = points.colwise().mean();
-  const double extent = (points.rowwise() - center).cwiseAbs().maxCoeff();
-  double sum = 0;
-  for(const auto& t : triangles)
-  {
-    Eigen::Matrix3d corners;
-    for(int k = 0; k < 3; ++k)
-      corners.row(k) = (points.row(static_cast<Eigen::Index>(t[k])) - center) / extent;
-    sum += corners.determinant();
-  }
-  return sum * extent * extent * extent;
-}
 
 // sum m x y z along the principal axes, the longest first, taken as a right-handed frame, by the
 // product of the standard deviations; 0 for flat points. Reversing two axes does not change it,

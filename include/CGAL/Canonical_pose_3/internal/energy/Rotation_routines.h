@@ -98,7 +98,7 @@ Rotation_routines rotation_routines()
 } // namespace CGAL
 
 #ifndef CGAL_CANONICAL_POSE_3_COMPILED
-#include <CGAL/Canonical_pose_3/internal/energy/closest_rotation.h>
+#include <CGAL/Canonical_pose_3/internal/energy/default_rotation_routines_impl.h>
 #endif
 
 #endif // CGAL_CANONICAL_POSE_3_INTERNAL_ENERGY_ROTATION_ROUTINES_H

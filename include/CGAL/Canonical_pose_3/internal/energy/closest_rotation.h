@@ -129,13 +129,6 @@ inline void closest_rotations(const Matrix_3<Pack>& f, Matrix_3<Pack>& r)
       for_lane(f, r, lane, closest_rotation);
 }
 
-#ifndef CGAL_CANONICAL_POSE_3_COMPILED
-CGAL_CANONICAL_POSE_3_INLINE Rotation_routines default_rotation_routines()
-{
-  return {closest_rotation, closest_rotations};
-}
-#endif
-
 } // namespace internal
 } // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3

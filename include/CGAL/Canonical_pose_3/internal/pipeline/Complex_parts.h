@@ -12,10 +12,10 @@
 
 #include <CGAL/Canonical_pose_3/internal/body/boundary_triangles.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/Posed_component.h>
+#include <CGAL/Canonical_pose_3/internal/soup/signed_volume.h>
 #include <CGAL/Canonical_pose_3/internal/support/Disjoint_sets.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
-#include <CGAL/Canonical_pose_3/target_handedness.h>
 
 #include <Eigen/Core>
 

@@ -10,11 +10,6 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_POSES_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_POSES_H
 
-// What canonical_pose_3() does with points and indices, whatever they came from.
-#ifndef CGAL_CANONICAL_POSE_3_COMPILED
-#include <CGAL/Canonical_pose_3/internal/pipeline/pose_of_complex.h>
-#include <CGAL/Canonical_pose_3/internal/pipeline/pose_of_surface.h>
-#else
 #include <CGAL/Canonical_pose_3/Options.h>
 #include <CGAL/Canonical_pose_3/Registration_summary.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/Body_makers.h>
@@ -30,6 +25,8 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
+// What canonical_pose_3() does with points and indices, whatever they came from.
+
 Registration_summary pose_of_surface(const Point_matrix& points,
                                      const std::vector<std::vector<std::size_t>>& polygons,
                                      const Options& options, const Body_makers& bodies,
@@ -43,6 +40,10 @@ Registration_summary pose_of_complex(const Point_matrix& points,
 } // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
+
+#ifndef CGAL_CANONICAL_POSE_3_COMPILED
+#include <CGAL/Canonical_pose_3/internal/pipeline/pose_of_complex_impl.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/pose_of_surface_impl.h>
 #endif
 
 #endif // CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_POSES_H

@@ -51,12 +51,13 @@ public:
   }
 
   // Returns pairs of faces, the smaller one first, sorted; not more than `maximum`. Returns nothing
-  // where so many bounding boxes overlap that it gives up before it has found a pair.
-  std::optional<std::vector<Face_pair>> run(const std::size_t maximum)
+  // where more than `maximum_of_overlaps` bounding boxes, and 200 per face, overlap before it has found a pair.
+  std::optional<std::vector<Face_pair>> run(const std::size_t maximum,
+                                            const std::size_t maximum_of_overlaps = 10000000)
   {
     sort_boxes();
     m_maximum_of_pairs = maximum;
-    m_maximum_of_overlaps = 10000000 + 200 * m_triangles.size();
+    m_maximum_of_overlaps = maximum_of_overlaps + 200 * m_triangles.size();
     std::vector<std::vector<Face_pair>> blocks(number_of_blocks(m_boxes.size(), BOXES_PER_BLOCK));
     const auto search = [&](const std::size_t block, const std::size_t begin,
                             const std::size_t end) { search_block(begin, end, blocks[block]); };

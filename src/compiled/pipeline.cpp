@@ -7,9 +7,5 @@
 //
 // Author(s) : The Canonical_pose_3 authors
 
-// Canonical_pose_3::compiled: what takes long to compile.
-
-#define CGAL_CANONICAL_POSE_3_SOURCE
-
-#include <CGAL/Canonical_pose_3/internal/pipeline/pose_of_complex.h>
-#include <CGAL/Canonical_pose_3/internal/pipeline/pose_of_surface.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/pose_of_complex_impl.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/pose_of_surface_impl.h>

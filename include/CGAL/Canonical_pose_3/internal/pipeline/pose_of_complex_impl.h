@@ -7,8 +7,8 @@
 //
 // Author(s) : The Canonical_pose_3 authors
 
-#ifndef CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_POSE_OF_COMPLEX_H
-#define CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_POSE_OF_COMPLEX_H
+#ifndef CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_POSE_OF_COMPLEX_IMPL_H
+#define CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_POSE_OF_COMPLEX_IMPL_H
 
 #include <CGAL/Canonical_pose_3/Conforming_body_3.h>
 #include <CGAL/Canonical_pose_3/Options.h>
@@ -20,6 +20,7 @@
 #include <CGAL/Canonical_pose_3/internal/pipeline/Component_poses.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/Solver.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/Thread_limit.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/poses.h>
 #include <CGAL/Canonical_pose_3/internal/registration/check_registration.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 
@@ -112,4 +113,4 @@ pose_of_complex(const Point_matrix& points, const std::vector<std::array<int, 4>
 } // namespace Canonical_pose_3
 } // namespace CGAL
 
-#endif // CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_POSE_OF_COMPLEX_H
+#endif // CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_POSE_OF_COMPLEX_IMPL_H

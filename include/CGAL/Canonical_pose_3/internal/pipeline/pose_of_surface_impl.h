@@ -7,8 +7,8 @@
 //
 // Author(s) : The Canonical_pose_3 authors
 
-#ifndef CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_POSE_OF_SURFACE_H
-#define CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_POSE_OF_SURFACE_H
+#ifndef CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_POSE_OF_SURFACE_IMPL_H
+#define CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_POSE_OF_SURFACE_IMPL_H
 
 #include <CGAL/Canonical_pose_3/Options.h>
 #include <CGAL/Canonical_pose_3/Registration_summary.h>
@@ -19,6 +19,7 @@
 #include <CGAL/Canonical_pose_3/internal/pipeline/Posed_component.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/Solver.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/Thread_limit.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/poses.h>
 #include <CGAL/Canonical_pose_3/internal/registration/check_registration.h>
 #include <CGAL/Canonical_pose_3/internal/support/Disjoint_sets.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
@@ -227,4 +228,4 @@ pose_of_surface(const Point_matrix& points, const std::vector<std::vector<std::s
 } // namespace Canonical_pose_3
 } // namespace CGAL
 
-#endif // CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_POSE_OF_SURFACE_H
+#endif // CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_POSE_OF_SURFACE_IMPL_H

@@ -1,0 +1,43 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_INTERNAL_LATTICE_LATTICE_BODY_3_IMPL_H
+#define CGAL_CANONICAL_POSE_3_INTERNAL_LATTICE_LATTICE_BODY_3_IMPL_H
+
+#include <CGAL/Canonical_pose_3/Lattice_body_3.h>
+#include <CGAL/Canonical_pose_3/internal/lattice/Lattice_builder.h>
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+#include <CGAL/Canonical_pose_3/point_matrix.h>
+
+#include <CGAL/assertions.h>
+
+#include <array>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
+
+CGAL_CANONICAL_POSE_3_INLINE
+Lattice_body_3::Lattice_body_3(const Point_matrix& points,
+                               std::vector<std::array<std::size_t, 3>> triangles,
+                               const Eigen::MatrixXd& distances, const double spacing,
+                               const std::vector<std::array<std::size_t, 3>>& caps)
+{
+  CGAL_precondition(distances.rows() == points.rows() && distances.cols() > 0);
+  m_data = internal::Lattice_builder(points, std::move(triangles), distances, spacing, caps).take();
+}
+
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_INTERNAL_LATTICE_LATTICE_BODY_3_IMPL_H

@@ -1,0 +1,96 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_INTERNAL_LINEAR_ALGEBRA_LEADING_EIGENVECTORS_IMPL_H
+#define CGAL_CANONICAL_POSE_3_INTERNAL_LINEAR_ALGEBRA_LEADING_EIGENVECTORS_IMPL_H
+
+#include <CGAL/Canonical_pose_3/internal/linear_algebra/leading_eigenvectors.h>
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <random>
+#include <stdexcept>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
+namespace internal {
+
+CGAL_CANONICAL_POSE_3_INLINE Eigenpairs largest_of_all_eigenpairs(const Eigen::MatrixXd& matrix,
+                                                                  const Eigen::Index count)
+{
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(matrix);
+  if(solver.info() != Eigen::Success)
+    throw std::runtime_error("the eigenvalues of a symmetric matrix could not be computed");
+  return {solver.eigenvalues().tail(count).reverse(),
+          solver.eigenvectors().rightCols(count).rowwise().reverse()};
+}
+
+// An orthonormal basis of what `block` adds to an orthonormal basis; columns that add less than
+// `negligible` are dropped. The second pass mends what the first one loses where much cancels.
+inline Eigen::MatrixXd new_directions(Eigen::MatrixXd block,
+                                      const Eigen::Ref<const Eigen::MatrixXd>& basis,
+                                      const double negligible)
+{
+  for(const double smallest : {negligible, 0.5})
+  {
+    block -= basis * (basis.transpose() * block);
+    Eigen::Index kept = 0;
+    for(Eigen::Index j = 0; j < block.cols(); ++j)
+    {
+      Eigen::VectorXd v = block.col(j);
+      for(int pass = 0; pass < 2; ++pass)
+        v -= block.leftCols(kept) * (block.leftCols(kept).transpose() * v);
+      if(v.norm() > smallest)
+        block.col(kept++) = v.normalized();
+    }
+    block.conservativeResize(Eigen::NoChange, kept);
+  }
+  return block;
+}
+
+// `image`: the matrix times `basis`.
+CGAL_CANONICAL_POSE_3_INLINE Eigenpairs leading_eigenpairs(const Eigen::MatrixXd& matrix,
+                                                           const Eigen::Index count)
+{
+  const Eigen::Index n = matrix.rows(), width = (std::max)(Eigen::Index(8), count);
+  const double tolerance = 1e-13 * matrix.norm();
+  Eigen::MatrixXd block(n, width), basis(n, n / 2 + width), image(n, n / 2 + width);
+  std::mt19937 random; // the same numbers everywhere
+  std::generate_n(block.data(), block.size(), [&] { return random() / 2147483648. - 1; });
+  block = new_directions(block, basis.leftCols(0), 0);
+  for(Eigen::Index m = 0, next_check = 4 * width; m <= n / 2;)
+  {
+    basis.middleCols(m, block.cols()) = block;
+    image.middleCols(m, block.cols()).noalias() = matrix * block;
+    m += block.cols();
+    block = new_directions(image.middleCols(m - block.cols(), block.cols()), basis.leftCols(m),
+                           tolerance);
+    if(m < next_check && block.cols() > 0)
+      continue;
+    next_check = m + m / 4;
+    Eigenpairs result
+      = largest_of_all_eigenpairs(basis.leftCols(m).transpose() * image.leftCols(m), count);
+    result.vectors = basis.leftCols(m) * result.vectors;
+    const Eigen::MatrixXd residuals
+      = matrix * result.vectors - result.vectors * result.values.asDiagonal();
+    if(block.cols() == 0 || residuals.colwise().norm().maxCoeff() <= tolerance)
+      return result;
+  }
+  return largest_of_all_eigenpairs(matrix, count);
+}
+
+} // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_INTERNAL_LINEAR_ALGEBRA_LEADING_EIGENVECTORS_IMPL_H

@@ -1,0 +1,54 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_INTERNAL_SOUP_DIAGNOSE_IMPL_H
+#define CGAL_CANONICAL_POSE_3_INTERNAL_SOUP_DIAGNOSE_IMPL_H
+
+#include <CGAL/Canonical_pose_3/Diagnosis_3.h>
+#include <CGAL/Canonical_pose_3/diagnose.h>
+#include <CGAL/Canonical_pose_3/internal/soup/Soup_diagnosis.h>
+#include <CGAL/Canonical_pose_3/internal/soup/Triangle_soup.h>
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+#include <CGAL/Canonical_pose_3/point_matrix.h>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
+namespace internal {
+
+template <typename Polygons>
+Diagnosis_3 diagnose_soup(const Point_matrix& points, const Polygons& polygons)
+{
+  check_soup(points, polygons);
+  return Soup_diagnosis<Polygons>(points, polygons).run();
+}
+
+} // namespace internal
+
+CGAL_CANONICAL_POSE_3_INLINE Diagnosis_3
+diagnose(const Point_matrix& points, const std::vector<std::vector<std::size_t>>& polygons)
+{
+  return internal::diagnose_soup(points, polygons);
+}
+
+CGAL_CANONICAL_POSE_3_INLINE Diagnosis_3
+diagnose(const Point_matrix& points, const std::vector<std::array<std::size_t, 3>>& triangles)
+{
+  return internal::diagnose_soup(points, triangles);
+}
+
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_INTERNAL_SOUP_DIAGNOSE_IMPL_H
