@@ -54,18 +54,17 @@ Eigen::VectorXd numbers_of(const std::string& path)
 }
 
 // Shows the iterations on a terminal.
-Registration_summary compute_watched_pose(const Mesh_file& input, const Arguments& arguments,
-                                          Point_matrix& pose)
+Result compute_watched_pose(const Mesh_file& input, const Arguments& arguments)
 {
   if(!is_watched(arguments))
-    return compute_pose(input, arguments.options, pose);
+    return compute_pose(input, arguments.options);
   Progress_line line(std::cerr);
   Options options = arguments.options;
   options.visitor = [&](const CGAL::Canonical_pose_3::Registration_progress& progress) {
     line.show(progress);
     return true;
   };
-  return compute_pose(input, options, pose);
+  return compute_pose(input, options);
 }
 
 void run_pose(Arguments& arguments)
@@ -83,21 +82,18 @@ void run_pose(Arguments& arguments)
   const double seconds_to_read = clock.lap();
 
   say(arguments, "computing the pose");
-  CGAL::Canonical_pose_3::Intermediate_results results;
-  if(!arguments.target.empty())
-    arguments.options.intermediate_results = &results;
-  Point_matrix pose;
-  Registration_summary summary = compute_watched_pose(input, arguments, pose);
+  Result result = compute_watched_pose(input, arguments);
+  CGAL::Canonical_pose_3::Registration_summary& summary = result.summary;
   summary.stages.insert(summary.stages.begin(), {"read", seconds_to_read});
   clock.lap();
 
   say(arguments, "writing " + arguments.output);
   files.write(arguments.output, [&](std::ostream& out) {
-    write_mesh(out, format_of(arguments.output), with_points(input, pose));
+    write_mesh(out, format_of(arguments.output), with_points(input, result.pose));
   });
   files.write(arguments.target, [&](std::ostream& out) {
     const Mesh_file surface = input.is_tetrahedral ? boundary_of(input) : input;
-    write_mesh(out, format_of(arguments.target), with_points(surface, *results.target));
+    write_mesh(out, format_of(arguments.target), with_points(surface, *result.target));
   });
   summary.add_seconds("write", clock.lap());
   files.write(arguments.report,

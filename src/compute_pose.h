@@ -22,35 +22,32 @@
 namespace Canonical_pose_tool {
 
 using CGAL::Canonical_pose_3::Options;
-using CGAL::Canonical_pose_3::Registration_summary;
+using CGAL::Canonical_pose_3::Result;
 
-// `pose` receives one row per vertex of `input`.
-inline Registration_summary compute_pose(const Mesh_file& input, const Options& options,
-                                         Point_matrix& pose)
+// Throws `std::runtime_error` if there is no pose.
+inline Result compute_pose(const Mesh_file& input, const Options& options)
 {
   Stage_clock clock;
   double seconds_to_convert; // and to find that it can be done
-  Registration_summary summary;
+  Result result;
   if(input.is_tetrahedral)
   {
     const Tetrahedra complex = tetrahedra_of(input);
     seconds_to_convert = clock.lap();
     std::vector<Point_3> points(complex.points.size());
-    summary = CGAL::canonical_pose_3(complex, CGAL::make_property_map(points), options);
-    pose = matrix_of(points);
+    result = CGAL::canonical_pose_3(complex, CGAL::make_property_map(points), options);
   }
   else
   {
     const std::vector<Point_3> points = points_of(input);
     seconds_to_convert = clock.lap();
-    std::vector<Point_3> pose_points;
-    summary = CGAL::canonical_pose_3(points, input.faces, pose_points, options);
-    pose = matrix_of(pose_points);
+    std::vector<Point_3> pose;
+    result = CGAL::canonical_pose_3(points, input.faces, pose, options);
   }
-  if(!summary.is_usable())
+  if(!result.is_usable())
     throw std::runtime_error("there is no pose: the registration met numbers that are not finite");
-  summary.add_seconds("diagnosis", seconds_to_convert);
-  return summary;
+  result.summary.add_seconds("diagnosis", seconds_to_convert);
+  return result;
 }
 
 } // namespace Canonical_pose_tool

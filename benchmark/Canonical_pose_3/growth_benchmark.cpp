@@ -124,7 +124,7 @@ Seconds pose(Mesh mesh)
 {
   CGAL::Real_timer timer;
   timer.start();
-  const CP::Registration_summary summary = CGAL::canonical_pose_3(mesh, mesh.points());
+  const CP::Registration_summary summary = CGAL::canonical_pose_3(mesh, mesh.points()).summary;
   const double total = timer.time();
   double body_and_registration = 0;
   for(const auto& [name, seconds] : summary.stages)

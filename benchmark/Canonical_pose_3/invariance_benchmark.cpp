@@ -70,10 +70,8 @@ public:
   {
     const CP::Point_matrix points = Tool::matrix_of(Tool::points_of(mesh));
     const std::vector<std::size_t> vertices = m_correspondence.vertices(name, points);
-    CP::Intermediate_results intermediate;
-    m_options.intermediate_results = &intermediate;
-    CP::Point_matrix pose;
-    const CP::Registration_summary summary = Tool::compute_pose(mesh, m_options, pose);
+    const CP::Result result = Tool::compute_pose(mesh, m_options);
+    const CP::Registration_summary& summary = result.summary;
     std::printf("%-20s%9zu %-8s%9.4f%12.6f%9d%10s%9zu%9.4f%9.2f\n",
                 name.substr(name.find_last_of('/') + 1).c_str(), mesh.points.size(),
                 summary.body.kind.c_str(), summary.target.stress, summary.energy,
@@ -81,8 +79,8 @@ public:
                 summary.median_edge_strain, summary.total_seconds());
     std::fflush(stdout);
     m_inputs.push_back(rows(points, vertices));
-    m_targets.push_back(rows(*intermediate.target, vertices));
-    m_results.push_back(rows(pose, vertices));
+    m_targets.push_back(rows(*result.target, vertices));
+    m_results.push_back(rows(result.pose, vertices));
   }
 
   std::size_t size() const { return m_results.size(); }

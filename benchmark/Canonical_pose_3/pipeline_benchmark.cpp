@@ -80,8 +80,7 @@ double seconds(const Function& f)
 // The first two columns.
 struct Ours
 {
-  CP::Registration_summary summary; // with the medians of the seconds
-  CP::Intermediate_results results;
+  CP::Result result; // with the medians of the seconds
   double set_up = 0, fields = 0;
 };
 
@@ -92,25 +91,24 @@ Ours run_ours(const Mesh& mesh, const int runs, const CP::Options::Body body)
   std::vector<double> set_up, fields;
   for(int run = 0; run < runs; ++run)
   {
-    ours.results = {};
     CP::Options options;
     options.body = body;
-    options.intermediate_results = &ours.results;
+    options.return_landmark_fields = true;
     Mesh pose = mesh;
-    ours.summary = CGAL::canonical_pose_3(mesh, pose.points(), options);
-    stages.resize(ours.summary.stages.size());
+    ours.result = CGAL::canonical_pose_3(mesh, pose.points(), options);
+    stages.resize(ours.result.summary.stages.size());
     for(std::size_t s = 0; s < stages.size(); ++s)
-      stages[s].push_back(ours.summary.stages[s].second);
+      stages[s].push_back(ours.result.summary.stages[s].second);
 
     CGAL::Real_timer timer;
     timer.start();
     const CP::Heat_geodesics_3<Mesh> geodesics(mesh);
     set_up.push_back(timer.time());
-    const Mesh::Vertex_index first(Mesh::size_type(ours.results.landmark_fields->landmarks[0]));
+    const Mesh::Vertex_index first(Mesh::size_type(ours.result.landmark_fields->landmarks[0]));
     fields.push_back(seconds([&] { CP::front_landmarks(geodesics, 80, first); }));
   }
   for(std::size_t s = 0; s < stages.size(); ++s)
-    ours.summary.stages[s].second = median(stages[s]);
+    ours.result.summary.stages[s].second = median(stages[s]);
   ours.set_up = median(set_up);
   ours.fields = median(fields);
   return ours;
@@ -223,10 +221,10 @@ void print_table(const Ours& ours, const Ours& with_tetgen, const Heat_method& h
   std::printf("%-22s%14s%14s%18s%18s\n", "seconds", "this package", "with TetGen",
               "CGAL heat method", "paper, literally");
   double total_heat = 0, total_literal = 0;
-  for(std::size_t i = 0; i < ours.summary.stages.size(); ++i)
+  for(std::size_t i = 0; i < ours.result.summary.stages.size(); ++i)
   {
-    const auto& [stage, s] = ours.summary.stages[i];
-    const double s_with_tetgen = with_tetgen.summary.stages[i].second;
+    const auto& [stage, s] = ours.result.summary.stages[i];
+    const double s_with_tetgen = with_tetgen.result.summary.stages[i].second;
     const double heat_here = stage == "geodesics" ? heat.set_up + heat.fields : -1;
     const double literal_here = stage == "factorization"  ? n * literal.per_iteration.matrix
                                 : stage == "local_steps"  ? n * literal.per_iteration.rotations
@@ -241,8 +239,8 @@ void print_table(const Ours& ours, const Ours& with_tetgen, const Heat_method& h
       print_row("  fields", ours.fields, with_tetgen.fields, heat.fields);
     }
   }
-  print_row("total", ours.summary.total_seconds(), with_tetgen.summary.total_seconds(), total_heat,
-            total_literal);
+  print_row("total", ours.result.summary.total_seconds(),
+            with_tetgen.result.summary.total_seconds(), total_heat, total_literal);
 }
 
 void compare(const std::string& name, const Mesh& mesh, const Arguments& arguments)
@@ -250,13 +248,13 @@ void compare(const std::string& name, const Mesh& mesh, const Arguments& argumen
   const Ours ours = run_ours(mesh, arguments.runs, CP::Options::Body::AUTOMATIC);
   const Ours with_tetgen = run_ours(mesh, arguments.runs, CP::Options::Body::TETGEN);
   std::printf("\n%s: %zu vertices, %zu landmarks; median of %d runs\n", name.c_str(),
-              std::size_t(mesh.number_of_vertices()), ours.summary.target.landmarks,
+              std::size_t(mesh.number_of_vertices()), ours.result.summary.target.landmarks,
               arguments.runs);
-  const Heat_method heat = run_heat_method(mesh, *ours.results.landmark_fields);
-  const Literal literal = run_literal(mesh, with_tetgen.results, arguments.literal);
+  const Heat_method heat = run_heat_method(mesh, *ours.result.landmark_fields);
+  const Literal literal = run_literal(mesh, with_tetgen.result, arguments.literal);
   print_table(ours, with_tetgen, heat, literal);
-  std::printf("outcome: %s\n", ours.summary.brief_report().c_str());
-  std::printf("outcome with TetGen: %s\n", with_tetgen.summary.brief_report().c_str());
+  std::printf("outcome: %s\n", ours.result.summary.brief_report().c_str());
+  std::printf("outcome with TetGen: %s\n", with_tetgen.result.summary.brief_report().c_str());
   std::printf("distances: ours differ from CGAL's by %.2f %% in the mean\n", 100 * heat.difference);
   std::printf("literal registration: %d iterations timed (%.3f s each) of the %d to convergence\n",
               literal.iterations, literal.per_iteration.total(), literal.iterations_to_converge);

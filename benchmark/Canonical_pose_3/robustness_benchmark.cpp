@@ -39,8 +39,8 @@
 
 #include "compute_pose.h" // of the tool
 
+#include <CGAL/Canonical_pose_3/internal/soup/signed_volume.h>
 #include <CGAL/Canonical_pose_3/repair_surface.h>
-#include <CGAL/Canonical_pose_3/target_handedness.h>
 
 #include <algorithm>
 #include <cmath>
@@ -185,30 +185,30 @@ double surface_volume_ratio(const Tool::Mesh_file& input, const CP::Point_matrix
 std::string run(const Path& file, const Arguments& arguments)
 {
   const Tool::Mesh_file input = Tool::read_mesh_file(file.string());
-  CP::Point_matrix pose;
-  const CP::Registration_summary summary = Tool::compute_pose(input, arguments.options, pose);
-  Measures result = {};
-  result.vertices = input.points.size();
-  result.cells = summary.body.tetrahedra;
-  result.inverted = summary.inverted;
-  result.iterations = summary.iterations;
-  result.is_finite = pose.allFinite();
-  result.is_converged = summary.converged();
-  result.stress = summary.target.stress;
-  result.volume = summary.volume_ratio;
-  result.surface_volume = surface_volume_ratio(input, pose);
-  result.strain = summary.median_edge_strain;
-  summary.body.kind.copy(result.body, sizeof(result.body) - 1);
+  const CP::Result result = Tool::compute_pose(input, arguments.options);
+  const CP::Registration_summary& summary = result.summary;
+  Measures measures = {};
+  measures.vertices = input.points.size();
+  measures.cells = summary.body.tetrahedra;
+  measures.inverted = summary.inverted;
+  measures.iterations = summary.iterations;
+  measures.is_finite = result.pose.allFinite();
+  measures.is_converged = summary.converged();
+  measures.stress = summary.target.stress;
+  measures.volume = summary.volume_ratio;
+  measures.surface_volume = surface_volume_ratio(input, result.pose);
+  measures.strain = summary.median_edge_strain;
+  summary.body.kind.copy(measures.body, sizeof(measures.body) - 1);
   if(!arguments.pose_directory.empty())
   {
     const Path folder = std::filesystem::absolute(file).parent_path().filename();
     std::filesystem::create_directories(arguments.pose_directory / folder);
     std::ofstream out(arguments.pose_directory / folder / file.filename(), std::ios::binary);
-    Tool::write_mesh(out, Tool::format_of(file.string()), Tool::with_points(input, pose));
+    Tool::write_mesh(out, Tool::format_of(file.string()), Tool::with_points(input, result.pose));
     if(!out.flush())
       throw std::runtime_error("the pose cannot be written");
   }
-  return std::string(reinterpret_cast<const char*>(&result), sizeof(result));
+  return std::string(reinterpret_cast<const char*>(&measures), sizeof(measures));
 }
 
 std::string with_number(const char* what, const double number)

@@ -40,7 +40,7 @@ int main(int argc, char* argv[])
   auto pose = mesh.add_property_map<Mesh::Vertex_index, Kernel::Point_3>("v:pose").first;
   try
   {
-    const auto summary = CGAL::canonical_pose_3(mesh, pose);
+    const auto summary = CGAL::canonical_pose_3(mesh, pose).summary;
     std::cout << summary << '\n';
     if(!summary.is_usable())
       return EXIT_FAILURE;

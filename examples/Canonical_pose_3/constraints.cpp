@@ -85,11 +85,12 @@ int main(int argc, char* argv[])
   }
 
   CP::Options options;
-  CP::Intermediate_results reused; // distances and target serve both poses
-  options.given = options.intermediate_results = &reused;
+  options.return_landmark_fields = true;
   Mesh canonical = running;
-  if(!CGAL::canonical_pose_3(running, canonical.points(), options).is_usable())
+  const auto first = CGAL::canonical_pose_3(running, canonical.points(), options);
+  if(!first.is_usable())
     return EXIT_FAILURE;
+  options.given = first; // distances and target serve both poses
 
   // Limbs are straight in the canonical pose; each is wished as it is there, turned about its joint.
   for(const Limb& limb : limbs)
@@ -105,7 +106,7 @@ int main(int argc, char* argv[])
     }
   }
   Mesh vitruvian = running;
-  const auto summary = CGAL::canonical_pose_3(running, vitruvian.points(), options);
+  const auto summary = CGAL::canonical_pose_3(running, vitruvian.points(), options).summary;
   std::cout << summary << '\n';
   if(!summary.is_usable())
     return EXIT_FAILURE;

@@ -55,7 +55,7 @@ int main()
         bar.cells.push_back({v, v + steps[0], v + steps[0] + steps[1], v + 1 + 4 + 12});
   while(std::next_permutation(steps.begin(), steps.end()));
   std::vector<Point_3> pose(bar.points.size());
-  const auto summary = CGAL::canonical_pose_3(bar, CGAL::make_property_map(pose));
+  const auto summary = CGAL::canonical_pose_3(bar, CGAL::make_property_map(pose)).summary;
   const double length = CGAL::approximate_sqrt(CGAL::squared_distance(pose.front(), pose.back()));
   std::cout << summary << "\nfrom end to end: 10.0 -> " << length << '\n';
   return summary.is_usable() && length > 14 ? EXIT_SUCCESS : EXIT_FAILURE;

@@ -33,20 +33,18 @@ int main()
   const Articulated_figure fine_figure(10000);
   const Mesh fine = fine_figure.make_mesh<Mesh>(sitting);
 
-  CP::Intermediate_results results;
   CP::Options options;
   options.followers = CP::point_matrix(fine);
-  options.intermediate_results = &results;
   Mesh pose = coarse;
-  const auto summary = CGAL::canonical_pose_3(coarse, pose.points(), options);
-  std::cout << summary << '\n';
-  if(!summary.is_usable())
+  const auto result = CGAL::canonical_pose_3(coarse, pose.points(), options);
+  std::cout << result << '\n';
+  if(!result.is_usable())
     return EXIT_FAILURE;
 
   Mesh fine_pose = fine;
-  CP::put_points(results.pose_of_followers, fine, fine_pose.points(), Kernel());
+  CP::put_points(result.pose_of_followers, fine, fine_pose.points(), Kernel());
   const double strain
-    = CP::median_edge_strain(options.followers, results.pose_of_followers, fine_figure.triangles());
+    = CP::median_edge_strain(options.followers, result.pose_of_followers, fine_figure.triangles());
   std::cout << "median edge strain of the finer surface: " << strain << '\n';
   return strain < 0.1 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

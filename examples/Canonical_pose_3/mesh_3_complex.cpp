@@ -49,7 +49,8 @@ int main()
   CGAL::Canonical_pose_3::Options options;
   options.registration.injective = true; // no cell may be inverted
   std::unordered_map<C3t3::Vertex_handle, Point_3> pose;
-  const auto summary = CGAL::canonical_pose_3(c3t3, boost::make_assoc_property_map(pose), options);
+  const auto summary
+    = CGAL::canonical_pose_3(c3t3, boost::make_assoc_property_map(pose), options).summary;
   double before = 0, after = 0; // squared diameters
   for(const auto& [v, p] : pose)
     for(const auto& [w, q] : pose)

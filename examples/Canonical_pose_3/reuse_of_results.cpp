@@ -7,8 +7,8 @@
 //
 // Author(s) : The Canonical_pose_3 authors
 
-// Landmarks, distances and target of one call had out and used again: for other knobs at no cost,
-// and to hand in a target of one's own.
+// Landmarks, distances and target of one call given to others: for other options at no cost, and for a
+// target of one's own.
 
 #include <CGAL/canonical_pose_3.h>
 
@@ -32,16 +32,14 @@ int main()
   const Mesh mesh = figure.make_mesh<Mesh>(named_poses[1].angles); // sitting
   Mesh pose = mesh;
 
-  CP::Intermediate_results results;
   CP::Options options;
-  options.intermediate_results = &results;
+  options.return_landmark_fields = true;
   const auto first = CGAL::canonical_pose_3(mesh, pose.points(), options);
   std::cout << "detail length 0.1:  " << first << '\n'
-            << "landmarks " << results.landmark_fields->landmarks.size() << ", largest distance "
-            << results.landmark_fields->distances.maxCoeff() << '\n';
+            << "landmarks " << first.landmark_fields->landmarks.size() << ", largest distance "
+            << first.landmark_fields->distances.maxCoeff() << '\n';
 
-  options.intermediate_results = nullptr;
-  options.given = &results;                  // neither distances nor target are computed anew
+  options.given = first;                     // neither distances nor target are computed anew
   options.registration.detail_length = 0.05; // the target is followed more closely
   const auto second = CGAL::canonical_pose_3(mesh, pose.points(), options);
   std::cout << "detail length 0.05: " << second << '\n';
@@ -49,12 +47,12 @@ int main()
   // Our own target: the figure standing. Distances are kept, their largest one is the unit of
   // length.
   options.registration.detail_length = 0.1;
-  results.target = CP::point_matrix(figure.make_mesh<Mesh>(named_poses[0].angles));
+  options.given.target = CP::point_matrix(figure.make_mesh<Mesh>(named_poses[0].angles));
   const auto third = CGAL::canonical_pose_3(mesh, pose.points(), options);
   std::cout << "own target:         " << third << '\n';
 
-  return first.is_usable() && second.energy_match < first.energy_match
-             && third.target.kernel == "given"
+  return first.is_usable() && second.summary.energy_match < first.summary.energy_match
+             && third.summary.target.kernel == "given"
            ? EXIT_SUCCESS
            : EXIT_FAILURE;
 }

@@ -56,23 +56,24 @@ int main(int argc, char* argv[])
   const auto right = hand(mesh, figure.landmark(Examples::Landmark::RIGHT_HAND));
   const std::size_t n = (std::min)(left.size(), right.size());
 
-  CP::Intermediate_results reused; // distances and target are the same for all three
+  CP::Result reused; // distances and target are the same for all three
   std::map<std::string, double> distance;
   for(const auto& [name, stiffness] :
       std::map<std::string, double>{{"none", 0}, {"soft", 0.02}, {"stiff", 1}})
   {
     CP::Options options;
-    options.given = options.intermediate_results = &reused;
+    options.given = reused;
+    options.return_landmark_fields = true;
     for(std::size_t i = 0; i < n && stiffness > 0; ++i)
       options.springs.push_back({left[i], right[i], 0.1 /* metres */, stiffness / double(n)});
     Mesh pose = mesh;
-    const auto summary = CGAL::canonical_pose_3(mesh, pose.points(), options);
-    if(!summary.is_usable())
+    reused = CGAL::canonical_pose_3(mesh, pose.points(), options);
+    if(!reused.is_usable())
       return EXIT_FAILURE;
     const auto& points = pose.points();
     distance[name] = std::sqrt(CGAL::squared_distance(points[Mesh::Vertex_index(left[0])],
                                                       points[Mesh::Vertex_index(right[0])]));
-    std::cout << name << ": hands " << distance[name] << " m apart; " << summary << '\n';
+    std::cout << name << ": hands " << distance[name] << " m apart; " << reused << '\n';
     if(argc > 1 && !CGAL::IO::write_polygon_mesh(std::string(argv[1]) + name + ".off", pose))
       return EXIT_FAILURE;
   }

@@ -77,7 +77,7 @@ int main()
                 << ", largest move " << progress.largest_move << " L\n";
     return timer.time() < 60; // seconds
   };
-  const auto summary = CGAL::canonical_pose_3(mesh, pose, options);
+  const auto summary = CGAL::canonical_pose_3(mesh, pose, options).summary;
   const double after = strain_of_hands(mesh, stiffness, pose);
   std::cout << summary << "\nstrain of the hands: " << before << ", now " << after << '\n';
   return summary.is_usable() && after < before / 2 ? EXIT_SUCCESS : EXIT_FAILURE;

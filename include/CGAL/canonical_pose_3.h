@@ -11,10 +11,10 @@
 #define CGAL_CANONICAL_POSE_3_H
 
 #include <CGAL/Canonical_pose_3/Options.h>
-#include <CGAL/Canonical_pose_3/Registration_summary.h>
-#include <CGAL/Canonical_pose_3/diagnose.h>
+#include <CGAL/Canonical_pose_3/Result.h>
 #include <CGAL/Canonical_pose_3/internal/body/Indexed_complex.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/linked_bodies.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/options_of_parameters.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/poses.h>
 #include <CGAL/Canonical_pose_3/internal/soup/Indexed_mesh.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
@@ -42,7 +42,7 @@ tetrahedral body inside the surface is pulled towards it by an as-rigid-as-possi
 that keeps details smaller than the detail length. Bent and straight, a shape ends in nearly the
 same pose. Of the target and its mirror image the one of positive
 `Canonical_pose_3::target_handedness()` is taken. The pose lies where the rigid motion that fits the
-target to the input puts it. It follows rigid motions, scaling and relabelling of the input.
+target to the input puts it. It follows rigid motions, scaling and relabeling of the input.
 
 \tparam TriangleMesh a model of `FaceListGraph`
 \tparam PoseVertexPointMap a model of `WritablePropertyMap` with vertex descriptors of
@@ -53,7 +53,7 @@ target to the input puts it. It follows rigid motions, scaling and relabelling o
 \param tmesh a polygon mesh. It may have holes, intersect itself, and have defects of any kind
        (see `Canonical_pose_3::repair_surface()`); the repairs stay inside. Vertices that are on no
        face are carried along.
-\param pose_vertex_point_map receives the pose, unless the summary says that there is none.
+\param pose_vertex_point_map receives the pose, unless the result says that there is none.
 \param options the knobs of the method.
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
        below
@@ -70,9 +70,18 @@ target to the input puts it. It follows rigid motions, scaling and relabelling o
     \cgalParamType{a class model of `CanonicalPoseTraits_3`}
     \cgalParamDefault{a \cgal Kernel deduced from the point type, using `CGAL::Kernel_traits`}
   \cgalParamNEnd
+  \cgalParamNBegin{random_seed}
+    \cgalParamDescription{replaces `Options::random_seed`}
+    \cgalParamType{unsigned int}
+  \cgalParamNEnd
+  \cgalParamNBegin{visitor}
+    \cgalParamDescription{replaces `Options::visitor`}
+    \cgalParamType{a class model of `RegistrationVisitor_3`}
+  \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\returns the outcome; iterations, energies and seconds per stage included.
+\returns the pose as a matrix, the target and the outcome, which is printed as one line. It can be given to another call, see
+         `Options::given`.
 
 \throws std::invalid_argument if the surface has no area, a coordinate is not finite, there are
        several components and the options do not say what to do with them, the body wished needs a
@@ -81,15 +90,15 @@ target to the input puts it. It follows rigid motions, scaling and relabelling o
 \throws std::runtime_error if the solver or the mesher fails, or the program was built without the body
        wished.
 
-<em>Complexity:</em> with the default distances two factorisations and one solve per landmark of
-sparse matrices of the size of the surface, one factorisation of a matrix of the size of the body,
+<em>Complexity:</em> with the default distances two factorizations and one solve per landmark of
+sparse matrices of the size of the surface, one factorization of a matrix of the size of the body,
 and per iteration a pass over the cells and a solve.
 */
-template <typename TriangleMesh, typename PoseVertexPointMap,
-          typename NamedParameters = parameters::Default_named_parameters,
+template <class TriangleMesh, class PoseVertexPointMap,
+          class NamedParameters = parameters::Default_named_parameters,
           std::enable_if_t<!Canonical_pose_3::internal::Is_tetrahedral_complex<TriangleMesh>::value,
                            int> = 0>
-Canonical_pose_3::Registration_summary
+Canonical_pose_3::Result
 canonical_pose_3(const TriangleMesh& tmesh, PoseVertexPointMap pose_vertex_point_map,
                  const Canonical_pose_3::Options& options = Canonical_pose_3::Options(),
                  const NamedParameters& np = parameters::default_values())
@@ -97,7 +106,7 @@ canonical_pose_3(const TriangleMesh& tmesh, PoseVertexPointMap pose_vertex_point
   using namespace Canonical_pose_3;
   using parameters::choose_parameter;
   using parameters::get_parameter;
-  typedef typename GetGeomTraits<TriangleMesh, NamedParameters>::type Traits;
+  using Traits = typename GetGeomTraits<TriangleMesh, NamedParameters>::type;
 
   const Traits traits = choose_parameter<Traits>(get_parameter(np, internal_np::geom_traits));
   const Point_matrix points
@@ -105,13 +114,28 @@ canonical_pose_3(const TriangleMesh& tmesh, PoseVertexPointMap pose_vertex_point
                    choose_parameter(get_parameter(np, internal_np::vertex_point),
                                     get_const_property_map(vertex_point, tmesh)),
                    traits);
-  Point_matrix pose;
-  const Registration_summary summary = Canonical_pose_3::internal::pose_of_surface(
-    points, Canonical_pose_3::internal::index_polygons(tmesh), options,
-    Canonical_pose_3::internal::linked_bodies(), pose);
-  if(summary.is_usable())
-    put_points(pose, tmesh, pose_vertex_point_map, traits);
-  return summary;
+  const Result result = Canonical_pose_3::internal::pose_of_surface(
+    points, Canonical_pose_3::internal::index_polygons(tmesh),
+    Canonical_pose_3::internal::options_of_parameters(options, np),
+    Canonical_pose_3::internal::linked_bodies());
+  if(result.is_usable())
+    put_points(result.pose, tmesh, pose_vertex_point_map, traits);
+  return result;
+}
+
+/*!
+\ingroup PkgCanonicalPose3Ref
+
+\brief brings a surface into its detail-preserving canonical pose, with the default options.
+*/
+template <class TriangleMesh, class PoseVertexPointMap, class T, class Tag, class Base,
+          std::enable_if_t<!Canonical_pose_3::internal::Is_tetrahedral_complex<TriangleMesh>::value,
+                           int> = 0>
+Canonical_pose_3::Result canonical_pose_3(const TriangleMesh& tmesh,
+                                          PoseVertexPointMap pose_vertex_point_map,
+                                          const Named_function_parameters<T, Tag, Base>& np)
+{
+  return canonical_pose_3(tmesh, pose_vertex_point_map, Canonical_pose_3::Options(), np);
 }
 
 /*!
@@ -122,43 +146,47 @@ canonical_pose_3(const TriangleMesh& tmesh, PoseVertexPointMap pose_vertex_point
 \tparam PointRange a model of `RandomAccessContainer` of points of a kernel
 \tparam PolygonRange a range of ranges of indices of points
 \tparam PosePointRange a model of `BackInsertionSequence` of points of the same kernel
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param points the points.
 \param polygons the faces.
-\param pose receives the pose of each point, in the order of `points`, unless the summary says that
+\param pose receives the pose of each point, in the order of `points`, unless the result says that
        there is none.
 \param options the knobs of the method.
+\param np `geom_traits`, `random_seed` and `visitor`, as for a mesh
 
-\returns the outcome.
+\returns as for a mesh.
 
 \throws std::invalid_argument also if a polygon names a point that does not exist.
 */
-template <
-  typename PointRange, typename PolygonRange, typename PosePointRange,
-  std::enable_if_t<!std::is_same<PosePointRange, Canonical_pose_3::Options>::value, int> = 0>
-Canonical_pose_3::Registration_summary
+template <class PointRange, class PolygonRange, class PosePointRange,
+          class NamedParameters = parameters::Default_named_parameters,
+          std::enable_if_t<Canonical_pose_3::internal::Is_range<PosePointRange>::value, int> = 0>
+Canonical_pose_3::Result
 canonical_pose_3(const PointRange& points, const PolygonRange& polygons, PosePointRange& pose,
-                 const Canonical_pose_3::Options& options = Canonical_pose_3::Options())
+                 const Canonical_pose_3::Options& options = Canonical_pose_3::Options(),
+                 const NamedParameters& np = parameters::default_values())
 {
   using namespace Canonical_pose_3;
-  typedef typename Kernel_traits<std::decay_t<decltype(*std::begin(points))>>::Kernel Traits;
-  const Traits traits;
-  Point_matrix rows(static_cast<Eigen::Index>(std::size(points)), 3), pose_rows;
+  using Point = std::decay_t<decltype(*std::begin(points))>;
+  const auto traits = Canonical_pose_3::internal::traits_of_parameters<Point>(np);
+  Point_matrix rows(static_cast<Eigen::Index>(std::size(points)), 3);
   Eigen::Index row = 0;
   for(const auto& p : points)
     rows.row(row++) = Canonical_pose_3::internal::to_row(traits, p).transpose();
   std::vector<std::vector<std::size_t>> indices;
   for(const auto& polygon : polygons)
     indices.emplace_back(std::begin(polygon), std::end(polygon));
-  const Registration_summary summary = Canonical_pose_3::internal::pose_of_surface(
-    rows, indices, options, Canonical_pose_3::internal::linked_bodies(), pose_rows);
-  if(summary.is_usable())
+  const Result result = Canonical_pose_3::internal::pose_of_surface(
+    rows, indices, Canonical_pose_3::internal::options_of_parameters(options, np),
+    Canonical_pose_3::internal::linked_bodies());
+  if(result.is_usable())
   {
     pose.clear();
-    for(row = 0; row < pose_rows.rows(); ++row)
-      pose.push_back(Canonical_pose_3::internal::from_row(traits, pose_rows.row(row)));
+    for(row = 0; row < result.pose.rows(); ++row)
+      pose.push_back(Canonical_pose_3::internal::from_row(traits, result.pose.row(row)));
   }
-  return summary;
+  return result;
 }
 
 /*!
@@ -170,46 +198,61 @@ The distances are those on the boundary of the complex, which must be connected;
 complex are the body.
 
 \tparam TetrahedralComplex a type for which `Canonical_pose_3::Tetrahedral_complex_traits_3` is
-       specialised
+       specialized
 \tparam PoseVertexPointMap a model of `WritablePropertyMap` with the vertex descriptors of the
        complex as keys and its points as values
-\tparam Traits a model of `CanonicalPoseTraits_3`, by default the kernel of the points
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param complex the complex; it is not changed.
-\param pose_vertex_point_map receives the pose, unless the summary says that there is none.
+\param pose_vertex_point_map receives the pose, unless the result says that there is none.
 \param options the knobs of the method.
-\param traits the traits.
+\param np `geom_traits`, `random_seed` and `visitor`, as for a mesh
 
-\returns the outcome.
+\returns as for a mesh.
 
 \throws std::invalid_argument also if a cell has no volume, names a vertex that is not there, or
        shares a face with two others.
 */
-template <
-  typename TetrahedralComplex, typename PoseVertexPointMap,
-  typename Traits
-  = typename Kernel_traits<Canonical_pose_3::internal::Complex_point<TetrahedralComplex>>::Kernel,
-  std::enable_if_t<Canonical_pose_3::internal::Is_tetrahedral_complex<TetrahedralComplex>::value,
-                   int> = 0>
-Canonical_pose_3::Registration_summary
+template <class TetrahedralComplex, class PoseVertexPointMap,
+          class NamedParameters = parameters::Default_named_parameters,
+          std::enable_if_t<
+            Canonical_pose_3::internal::Is_tetrahedral_complex<TetrahedralComplex>::value, int> = 0>
+Canonical_pose_3::Result
 canonical_pose_3(const TetrahedralComplex& complex, PoseVertexPointMap pose_vertex_point_map,
                  const Canonical_pose_3::Options& options = Canonical_pose_3::Options(),
-                 const Traits& traits = Traits())
+                 const NamedParameters& np = parameters::default_values())
 {
   using namespace Canonical_pose_3;
+  using Point = Canonical_pose_3::internal::Complex_point<TetrahedralComplex>;
+  const auto traits = Canonical_pose_3::internal::traits_of_parameters<Point>(np);
   Real_timer timer;
   timer.start();
   const auto indexed = Canonical_pose_3::internal::indexed_complex(complex, traits);
   const double seconds_to_index = timer.time();
-  Point_matrix pose;
-  Registration_summary summary
-    = Canonical_pose_3::internal::pose_of_complex(indexed.points, indexed.cells, options, pose);
-  summary.add_seconds("body", seconds_to_index);
-  if(summary.is_usable())
+  Result result = Canonical_pose_3::internal::pose_of_complex(
+    indexed.points, indexed.cells, Canonical_pose_3::internal::options_of_parameters(options, np));
+  result.summary.add_seconds("body", seconds_to_index);
+  if(result.is_usable())
     for(std::size_t i = 0; i < indexed.vertices.size(); ++i)
       put(pose_vertex_point_map, indexed.vertices[i],
-          Canonical_pose_3::internal::from_row(traits, pose.row(static_cast<Eigen::Index>(i))));
-  return summary;
+          Canonical_pose_3::internal::from_row(traits,
+                                               result.pose.row(static_cast<Eigen::Index>(i))));
+  return result;
+}
+
+/*!
+\ingroup PkgCanonicalPose3Ref
+
+\brief brings a tetrahedral complex into its detail-preserving canonical pose, with the default options.
+*/
+template <class TetrahedralComplex, class PoseVertexPointMap, class T, class Tag, class Base,
+          std::enable_if_t<
+            Canonical_pose_3::internal::Is_tetrahedral_complex<TetrahedralComplex>::value, int> = 0>
+Canonical_pose_3::Result canonical_pose_3(const TetrahedralComplex& complex,
+                                          PoseVertexPointMap pose_vertex_point_map,
+                                          const Named_function_parameters<T, Tag, Base>& np)
+{
+  return canonical_pose_3(complex, pose_vertex_point_map, Canonical_pose_3::Options(), np);
 }
 
 } // namespace CGAL_CANONICAL_POSE_3_BODIES

@@ -23,33 +23,26 @@
 
 namespace Canonical_pose_test {
 
-/// what the one call gives
-struct Pose_result
-{
-  CGAL::Canonical_pose_3::Registration_summary summary;
-  Point_matrix pose;
-};
+using CGAL::Canonical_pose_3::Result;
 
 template <class Polygons>
-Pose_result pose_of(const Points& points, const Polygons& polygons,
-                    const CGAL::Canonical_pose_3::Options& options)
+Result pose_of(const Points& points, const Polygons& polygons,
+               const CGAL::Canonical_pose_3::Options& options)
 {
   std::vector<CGAL::Simple_cartesian<double>::Point_3> input, pose;
   for(const auto& p : points)
     input.emplace_back(p[0], p[1], p[2]);
-  Pose_result result;
-  result.summary = CGAL::canonical_pose_3(input, polygons, pose, options);
-  result.pose = to_matrix(pose);
+  const Result result = CGAL::canonical_pose_3(input, polygons, pose, options);
+  EXPECT_EQ(to_matrix(pose), result.pose);
   return result;
 }
 
-inline Pose_result pose_of(const Triangle_soup& soup,
-                           const CGAL::Canonical_pose_3::Options& options)
+inline Result pose_of(const Triangle_soup& soup, const CGAL::Canonical_pose_3::Options& options)
 {
   return pose_of(soup.points, soup.triangles, options);
 }
 
-inline Pose_result pose_of(const Polygon_soup& soup, const CGAL::Canonical_pose_3::Options& options)
+inline Result pose_of(const Polygon_soup& soup, const CGAL::Canonical_pose_3::Options& options)
 {
   return pose_of(soup.points, soup.polygons, options);
 }

@@ -28,7 +28,7 @@ using CP::Point_matrix;
 using shapes::bar;
 using shapes::Polygon_soup;
 using shapes::pose_of;
-using shapes::Pose_result;
+using shapes::Result;
 using shapes::small_bar;
 
 namespace {
@@ -45,12 +45,12 @@ CP::Options largest_component()
   return options;
 }
 
-Point_matrix pose_of_followers(const Polygon_soup& soup, CP::Options options, Point_matrix& pose)
+Point_matrix pose_of_followers(const Polygon_soup& soup, const CP::Options& options,
+                               Point_matrix& pose)
 {
-  CP::Intermediate_results results;
-  options.intermediate_results = &results;
-  pose = pose_of(soup, options).pose;
-  return results.pose_of_followers;
+  const Result result = pose_of(soup, options);
+  pose = result.pose;
+  return result.pose_of_followers;
 }
 
 } // namespace
@@ -110,7 +110,7 @@ TEST(Components, many)
   Polygon_soup soup;
   for(int i = 0; i < 12; ++i)
     soup = shapes::merged(soup, small_bar(), 8. * i);
-  const Pose_result all = pose_of(soup, shapes::each_component());
+  const Result all = pose_of(soup, shapes::each_component());
   EXPECT_TRUE(all.summary.converged());
   for(const int i : {0, 7, 11})
     EXPECT_EQ(all.pose.middleRows(i * small_size, small_size),
@@ -154,7 +154,7 @@ TEST(Components, constraints_belong_to_their_component)
 TEST(Components, common_vertices_are_named)
 {
   const Polygon_soup soup = shapes::pinched_balls();
-  const Pose_result result = pose_of(soup, shapes::each_component());
+  const Result result = pose_of(soup, shapes::each_component());
   ASSERT_EQ(result.summary.warnings.size(), 1u);
   EXPECT_NE(result.summary.warnings[0].find("vertex 8"), std::string::npos);
 }

@@ -44,7 +44,7 @@ Point_matrix pose_of()
 {
   Mesh_type mesh
     = Canonical_pose_test::to_mesh<Mesh_type>(Canonical_pose_test::boundary(bent_bar_soup()));
-  const auto summary = CGAL::canonical_pose_3(mesh, get(CGAL::vertex_point, mesh));
+  const auto summary = CGAL::canonical_pose_3(mesh, get(CGAL::vertex_point, mesh)).summary;
   EXPECT_TRUE(summary.converged());
   return CP::point_matrix(mesh);
 }
@@ -157,7 +157,7 @@ TEST(Concepts, own_point_map_and_removed_elements)
   for(const auto& t : soup.triangles)
     mesh.add_face(vertices[t[0]], vertices[t[1]], vertices[t[2]]);
   mesh.remove_vertex(extra);
-  CGAL::canonical_pose_3(mesh, boost::make_assoc_property_map(output), CP::Options(),
+  CGAL::canonical_pose_3(mesh, boost::make_assoc_property_map(output),
                          CGAL::parameters::vertex_point_map(boost::make_assoc_property_map(input)));
   ASSERT_EQ(output.size(), vertices.size());
   for(std::size_t i = 0; i < vertices.size(); ++i)
@@ -179,12 +179,13 @@ TEST(Concepts, own_complex_and_own_traits)
   }
   indexed.cells = mine.cells = soup.cells;
   std::vector<Kernel::Point_3> pose(soup.points.size());
-  const auto summary = CGAL::canonical_pose_3(indexed, CGAL::make_property_map(pose));
+  const auto summary = CGAL::canonical_pose_3(indexed, CGAL::make_property_map(pose)).summary;
   EXPECT_TRUE(summary.converged());
   EXPECT_EQ(summary.body.kind, "complex");
 
   std::unordered_map<char32_t, My_point> my_pose;
-  CGAL::canonical_pose_3(mine, boost::make_assoc_property_map(my_pose), CP::Options(), My_traits());
+  CGAL::canonical_pose_3(mine, boost::make_assoc_property_map(my_pose),
+                         CGAL::parameters::geom_traits(My_traits()));
   ASSERT_EQ(my_pose.size(), pose.size());
   Point_matrix a(static_cast<Eigen::Index>(pose.size()), 3), b = a;
   for(std::size_t i = 0; i < pose.size(); ++i)

@@ -53,7 +53,7 @@ Canonical_pose_test::Triangle_soup bent_bar()
 Point_matrix pose_of(const Canonical_pose_test::Triangle_soup& soup)
 {
   Mesh mesh = to_mesh<Mesh>(soup);
-  EXPECT_TRUE(CGAL::canonical_pose_3(mesh, mesh.points()).converged());
+  EXPECT_TRUE(CGAL::canonical_pose_3(mesh, mesh.points()).summary.converged());
   return CP::point_matrix(mesh);
 }
 

@@ -188,14 +188,13 @@ TEST(Bad_input, unit_of_length)
 TEST(Bad_input, overflow_is_reported_by_the_summary)
 {
   const Mesh mesh = unit_bar();
-  CP::Intermediate_results results;
-  results.target = CP::point_matrix(mesh) * 1e200;
   CP::Options options;
-  options.given = &results;
+  options.given.target = CP::point_matrix(mesh) * 1e200;
   std::vector<Kernel::Point_3> pose(mesh.num_vertices(), untouched);
-  const auto summary = CGAL::canonical_pose_3(
+  const auto result = CGAL::canonical_pose_3(
     mesh, boost::make_iterator_property_map(pose.begin(), get(boost::vertex_index, mesh)), options);
-  EXPECT_EQ(summary.termination, CP::Registration_summary::NOT_FINITE);
-  EXPECT_FALSE(summary.is_usable());
+  EXPECT_EQ(result.summary.termination, CP::Registration_summary::NOT_FINITE);
+  EXPECT_FALSE(result.is_usable());
+  EXPECT_EQ(result.pose.rows(), 0);
   EXPECT_EQ(pose[0], untouched);
 }

@@ -88,7 +88,7 @@ Point_matrix surface_pose(const Point_matrix& points,
                           const std::vector<CP::internal::Index_triangle>& triangles)
 {
   Mesh mesh = CP::internal::indexed_mesh(points, triangles);
-  const auto summary = CGAL::canonical_pose_3(mesh, mesh.points());
+  const auto summary = CGAL::canonical_pose_3(mesh, mesh.points()).summary;
   EXPECT_TRUE(summary.converged());
   return CP::point_matrix(mesh);
 }
@@ -103,12 +103,12 @@ Point_matrix complex_pose(Complex_case c)
 {
   std::vector<Kernel::Point_3> pose(c.complex.points.size());
   CP::Options options;
-  options.given = &c.results;
+  options.given = c.results;
   options.registration.energy_tolerance = 1e-12;
   options.registration.move_tolerance = 1e-9;
   options.registration.number_of_iterations = 3000;
   EXPECT_TRUE(
-    CGAL::canonical_pose_3(c.complex, CGAL::make_property_map(pose), options).converged());
+    CGAL::canonical_pose_3(c.complex, CGAL::make_property_map(pose), options).summary.converged());
   return Canonical_pose_test::to_matrix(pose);
 }
 
@@ -125,9 +125,10 @@ TEST(Invariance, given_body_and_landmarks)
   input.complex = {to_points(points), soup.cells};
   std::vector<Kernel::Point_3> unused(soup.points.size());
   CP::Options options;
-  options.intermediate_results = &input.results;
-  CGAL::canonical_pose_3(input.complex, CGAL::make_property_map(unused), options);
-  input.results.target.reset();
+  options.return_landmark_fields = true;
+  input.results.landmark_fields
+    = CGAL::canonical_pose_3(input.complex, CGAL::make_property_map(unused), options)
+        .landmark_fields;
   const Point_matrix pose = complex_pose(input);
   const double bound = 1e-6 * radius_of_gyration(pose);
 

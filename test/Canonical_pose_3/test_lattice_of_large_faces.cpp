@@ -8,6 +8,9 @@
 // Author(s) : The Canonical_pose_3 authors
 
 #include <CGAL/Canonical_pose_3/Lattice_body_3.h>
+#include <CGAL/Canonical_pose_3/internal/lattice/Edge_splitter.h>
+#include <CGAL/Canonical_pose_3/internal/lattice/surface_chords.h>
+#include <CGAL/Canonical_pose_3/internal/soup/signed_volume.h>
 
 #include <gtest/gtest.h>
 

@@ -106,17 +106,15 @@ TEST(Literal_mode, one_call)
   for(const auto& p : box.points)
     complex.points.emplace_back(p[0], p[1], p[2]);
   complex.cells = box.cells;
-  CP::Intermediate_results results;
-  results.target = bent_target(box);
   CP::Options options;
+  options.given.target = bent_target(box);
   options.paper_weights = CP::Paper_weights();
   options.registration.number_of_iterations = 10;
   options.registration.energy_tolerance = options.registration.move_tolerance = 0;
-  options.given = &results;
   std::vector<Point_3> pose(box.points.size());
   CGAL::canonical_pose_3(complex, CGAL::make_property_map(pose), options);
 
-  Paper_equations paper(box, *results.target, {});
+  Paper_equations paper(box, *options.given.target, {});
   Point_matrix expected;
   for(int k = 0; k < 10; ++k)
     expected = paper.iterate();

@@ -32,7 +32,9 @@ CP::Registration_summary summary(const Mesh& mesh, const CP::Options& options)
 {
   std::vector<Kernel::Point_3> pose(mesh.num_vertices());
   return CGAL::canonical_pose_3(
-    mesh, boost::make_iterator_property_map(pose.begin(), get(boost::vertex_index, mesh)), options);
+           mesh, boost::make_iterator_property_map(pose.begin(), get(boost::vertex_index, mesh)),
+           options)
+    .summary;
 }
 
 } // namespace

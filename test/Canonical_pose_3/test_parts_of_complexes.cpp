@@ -33,22 +33,15 @@ namespace {
 
 using Point_3 = CGAL::Simple_cartesian<double>::Point_3;
 
-struct Outcome
-{
-  CP::Registration_summary summary;
-  Point_matrix pose;
-};
-
-Outcome pose_of(const Tetrahedral_soup& soup, const CP::Options& options = CP::Options())
+CP::Result pose_of(const Tetrahedral_soup& soup, const CP::Options& options = CP::Options())
 {
   CP::Indexed_tetrahedra_3<Point_3> complex;
   for(const auto& p : soup.points)
     complex.points.emplace_back(p[0], p[1], p[2]);
   complex.cells = soup.cells;
   std::vector<Point_3> pose(soup.points.size());
-  Outcome result;
-  result.summary = CGAL::canonical_pose_3(complex, CGAL::make_property_map(pose), options);
-  result.pose = shapes::to_matrix(pose);
+  const CP::Result result = CGAL::canonical_pose_3(complex, CGAL::make_property_map(pose), options);
+  EXPECT_EQ(shapes::to_matrix(pose), result.pose);
   return result;
 }
 
@@ -101,12 +94,11 @@ Tetrahedral_soup two_bars() { return merged(small_bar(), bar(true), 20.); }
 // it a little softer. The vertices of the cavity have neither distance nor target, and go with the cells.
 TEST(Parts_of_complexes, cavity_belongs_to_its_part)
 {
-  CP::Intermediate_results results;
   CP::Options options;
-  options.intermediate_results = &results;
-  const Outcome full = pose_of(bar(false), options);
+  options.return_landmark_fields = true;
+  const CP::Result full = pose_of(bar(false), options);
   const double stress = full.summary.target.stress;
-  const Outcome hollow = pose_of(bar(true), options);
+  const CP::Result hollow = pose_of(bar(true), options);
   EXPECT_TRUE(hollow.summary.converged());
   EXPECT_EQ(hollow.summary.target.max_geodesic, full.summary.target.max_geodesic);
   EXPECT_EQ(hollow.summary.target.stress, stress);
@@ -119,13 +111,13 @@ TEST(Parts_of_complexes, cavity_belongs_to_its_part)
       << v;
 
   shapes::boundary(bar(true), &origin);
-  ASSERT_EQ(results.target->rows(), Eigen::Index(origin.size()));
+  ASSERT_EQ(hollow.target->rows(), Eigen::Index(origin.size()));
   std::size_t number_inside = 0;
-  for(Eigen::Index i = 0; i < results.target->rows(); ++i)
-    if(!std::isfinite(results.landmark_fields->distances(i, 0)))
+  for(Eigen::Index i = 0; i < hollow.target->rows(); ++i)
+    if(!std::isfinite(hollow.landmark_fields->distances(i, 0)))
     {
       ++number_inside;
-      EXPECT_EQ(results.target->row(i), hollow.pose.row(Eigen::Index(origin[std::size_t(i)])));
+      EXPECT_EQ(hollow.target->row(i), hollow.pose.row(Eigen::Index(origin[std::size_t(i)])));
     }
   EXPECT_EQ(number_inside, 11u * 5 * 5 - 9u * 3 * 3); // the sides of 10 x 4 x 4 cubes
 }
@@ -138,7 +130,7 @@ TEST(Parts_of_complexes, several_are_refused)
 // The same bytes as alone.
 TEST(Parts_of_complexes, each_is_posed_as_if_alone)
 {
-  const Outcome both = pose_of(two_bars(), with(CP::Options::Components::EACH));
+  const CP::Result both = pose_of(two_bars(), with(CP::Options::Components::EACH));
   EXPECT_TRUE(both.summary.converged());
   EXPECT_EQ(both.pose.topRows(small_size), pose_of(small_bar()).pose);
   EXPECT_EQ(both.pose.bottomRows(both.pose.rows() - small_size),
@@ -168,17 +160,15 @@ TEST(Parts_of_complexes, options_belong_to_their_part)
 // The largest part is posed as if alone, the other one is moved without losing its shape; what is returned can be given again.
 TEST(Parts_of_complexes, the_largest_carries_the_others)
 {
-  CP::Intermediate_results results;
   CP::Options options = with(CP::Options::Components::LARGEST);
-  options.intermediate_results = &results;
-  const Outcome first = pose_of(two_bars(), options);
+  options.return_landmark_fields = true;
+  const CP::Result first = pose_of(two_bars(), options);
   EXPECT_EQ(first.pose.bottomRows(first.pose.rows() - small_size),
             pose_of(merged({}, bar(true), 20.)).pose);
   EXPECT_LT(
     shapes::relative_rms(shapes::to_matrix(small_bar().points), first.pose.topRows(small_size)),
     1e-12);
-  results.target.reset();
-  options.given = &results;
+  options.given.landmark_fields = first.landmark_fields;
   EXPECT_EQ(pose_of(two_bars(), options).pose, first.pose);
 }
 
@@ -222,7 +212,7 @@ TEST(Parts_of_complexes, fragments_and_vertices_of_no_cell)
       {{(p[0] + q[0]) / 2 + side, (p[1] + q[1]) / 2 + 0.3, (p[2] + q[2]) / 2 + 0.1 - side}});
   soup.cells.push_back({{n - 2, n - 1, n, n + 1}});
   soup.points.push_back(soup.points[3]);
-  const Outcome outcome = pose_of(soup);
+  const CP::Result outcome = pose_of(soup);
   EXPECT_TRUE(outcome.summary.converged());
   EXPECT_LT(
     (outcome.pose.topRows(small_size) - pose_of(small_bar()).pose).rowwise().norm().maxCoeff(),

@@ -35,23 +35,15 @@ namespace {
 typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 
-struct Outcome
-{
-  Registration_summary summary;
-  Point_matrix pose;
-};
-
-Outcome canonical_pose(const Mesh& mesh, const CP::Options& options = CP::Options())
+CP::Result canonical_pose(const Mesh& mesh, const CP::Options& options = CP::Options())
 {
   std::vector<Kernel::Point_3> points(mesh.number_of_vertices());
-  Outcome result;
-  result.summary = CGAL::canonical_pose_3(
+  const CP::Result result = CGAL::canonical_pose_3(
     mesh, boost::make_iterator_property_map(points.begin(), get(boost::vertex_index, mesh)),
     options);
-  result.pose.resize(static_cast<Eigen::Index>(points.size()), 3);
   for(std::size_t i = 0; i < points.size(); ++i)
     for(int k = 0; k < 3; ++k)
-      result.pose(static_cast<Eigen::Index>(i), k) = points[i][k];
+      EXPECT_EQ(result.pose(static_cast<Eigen::Index>(i), k), points[i][k]);
   return result;
 }
 
@@ -81,7 +73,7 @@ TEST(Pipeline, poses_of_the_figure_end_in_nearly_the_same_pose)
   for(const auto& named : Articulated_figure::named_poses())
   {
     const Mesh mesh = figure().make_mesh<Mesh>(named.angles);
-    const Outcome outcome = canonical_pose(mesh);
+    const CP::Result outcome = canonical_pose(mesh);
     std::cout << named.name << ": " << outcome.summary << '\n';
     EXPECT_TRUE(outcome.summary.converged());
     EXPECT_LE(outcome.summary.median_edge_strain, 0.08);
@@ -114,7 +106,7 @@ TEST(Pipeline, bent_bar_becomes_straight)
 // scale has more than twice the volume; it is the body that has to keep its own.
 TEST(Pipeline, ball_keeps_its_volume)
 {
-  const Outcome outcome = canonical_pose(Canonical_pose_test::icosphere<Mesh>(4, 1.));
+  const CP::Result outcome = canonical_pose(Canonical_pose_test::icosphere<Mesh>(4, 1.));
   EXPECT_TRUE(outcome.summary.converged());
   EXPECT_LT(outcome.summary.target.scale, 1);
   EXPECT_NEAR(outcome.summary.volume_ratio, 1, 0.05);
@@ -124,7 +116,7 @@ TEST(Pipeline, ball_keeps_its_volume)
 TEST(Pipeline, number_of_threads_does_not_matter)
 {
   const Mesh mesh = figure().make_mesh<Mesh>(Articulated_figure::named_poses()[1].angles);
-  const Outcome first = canonical_pose(mesh);
+  const CP::Result first = canonical_pose(mesh);
   Canonical_pose_test::with_each_number_of_threads(
     [&] { EXPECT_EQ(canonical_pose(mesh).pose, first.pose); });
 }
@@ -135,7 +127,7 @@ TEST(Pipeline, number_of_threads_does_not_matter)
 TEST(Pipeline, distances_and_solvers_are_choices)
 {
   const Mesh mesh = Canonical_pose_test::bent_bar<Mesh>(24, 3, 3, 3.);
-  const Outcome reference = canonical_pose(mesh);
+  const CP::Result reference = canonical_pose(mesh);
   CP::Options options;
   options.number_of_landmarks = 30;
   options.geodesics = CP::Options::Geodesics::WAVEFRONT;
@@ -146,7 +138,7 @@ TEST(Pipeline, distances_and_solvers_are_choices)
   EXPECT_LT(Canonical_pose_test::relative_rms(exact, reference.pose), 0.12);
   options = CP::Options();
   options.solver = CP::Options::Solver::EIGEN;
-  const Outcome eigen = canonical_pose(mesh, options);
+  const CP::Result eigen = canonical_pose(mesh, options);
   EXPECT_LT((eigen.pose - reference.pose).norm(), 1e-11 * reference.pose.norm());
   EXPECT_NE(eigen.summary.solver.find("Eigen"), std::string::npos);
 }
@@ -159,16 +151,50 @@ TEST(Pipeline, kernels_are_choices)
   const double length = largest_distance(CP::point_matrix(mesh));
   CP::Options options;
   options.kernel = CP::Options::Kernel::GAUSSIAN;
-  const Outcome gaussian = canonical_pose(mesh, options);
+  const CP::Result gaussian = canonical_pose(mesh, options);
   EXPECT_NEAR(largest_distance(gaussian.pose) - length, 0.62, 0.2);
   EXPECT_EQ(gaussian.summary.target.kernel, "gaussian");
   options.kernel = CP::Options::Kernel::UNCENTERED_GAUSSIAN;
   options.paper_weights.emplace();
-  const Outcome literal = canonical_pose(mesh, options);
+  const CP::Result literal = canonical_pose(mesh, options);
   EXPECT_TRUE(literal.summary.converged());
   EXPECT_NEAR(largest_distance(literal.pose) - length, 1.08, 0.25);
   EXPECT_LT(literal.summary.inverted, 10u);
   EXPECT_EQ(literal.summary.target.kernel, "gaussian-uncentred");
+}
+
+// Named parameters replace options; without options, the defaults.
+TEST(Pipeline, named_parameters)
+{
+  namespace params = CGAL::parameters;
+  const Mesh mesh = figure().make_mesh<Mesh>({});
+  Mesh pose = mesh;
+  CP::Options seeded;
+  seeded.random_seed = 7;
+  const Point_matrix expected = canonical_pose(mesh, seeded).pose;
+  EXPECT_NE(expected, canonical_pose(mesh).pose);
+  EXPECT_EQ(CGAL::canonical_pose_3(mesh, pose.points(), params::random_seed(7)).pose, expected);
+  seeded.random_seed = 8;
+  EXPECT_EQ(CGAL::canonical_pose_3(mesh, pose.points(), seeded, params::random_seed(7)).pose,
+            expected);
+
+  int iterations = 0;
+  const auto visitor = [&](const CP::Registration_progress&) { return ++iterations < 3; };
+  EXPECT_EQ(
+    CGAL::canonical_pose_3(mesh, pose.points(), params::visitor(visitor)).summary.termination,
+    Registration_summary::CANCELED);
+  EXPECT_EQ(iterations, 3);
+
+  CP::Indexed_tetrahedra_3<Kernel::Point_3> bar;
+  const auto soup = Canonical_pose_test::tetrahedral_bent_bar(16, 3, 2, 2.5, {{8., 1.5, 1.}});
+  for(const auto& p : soup.points)
+    bar.points.emplace_back(p[0], p[1], p[2]);
+  bar.cells = soup.cells;
+  std::vector<Kernel::Point_3> points(bar.points.size());
+  const auto map = CGAL::make_property_map(points);
+  seeded.random_seed = 7;
+  EXPECT_EQ(CGAL::canonical_pose_3(bar, map, params::random_seed(7)).pose,
+            CGAL::canonical_pose_3(bar, map, seeded).pose);
 }
 
 // The closer to what is wished, the stiffer; without constraints, both are far from it.
@@ -177,9 +203,9 @@ TEST(Pipeline, handles_and_symmetric_pairs)
   const Mesh mesh = figure().make_mesh<Mesh>(Articulated_figure::named_poses()[1].angles);
   const std::size_t left = figure().landmark(Canonical_pose_examples::Landmark::LEFT_HAND);
   const std::size_t right = figure().landmark(Canonical_pose_examples::Landmark::RIGHT_HAND);
-  CP::Intermediate_results results;
   CP::Options options;
-  options.given = options.intermediate_results = &results;
+  options.return_landmark_fields = true;
+  options.given = canonical_pose(mesh, options);
   const Point_matrix free_pose = canonical_pose(mesh, options).pose;
   const Eigen::RowVector3d place = free_pose.row(left) + Eigen::RowVector3d(0, 0.3, 0);
   double previous = (free_pose.row(left) - place).norm();
@@ -209,16 +235,17 @@ TEST(Pipeline, springs_pull_the_hands_together)
   const Mesh mesh = figure().make_mesh<Mesh>({});
   const std::size_t left = figure().landmark(Canonical_pose_examples::Landmark::LEFT_HAND);
   const std::size_t right = figure().landmark(Canonical_pose_examples::Landmark::RIGHT_HAND);
-  CP::Intermediate_results results;
   CP::Options options;
-  options.given = options.intermediate_results = &results;
+  options.return_landmark_fields = true;
   double previous = 1e9;
   for(const double stiffness : {0., 0.002, 0.1})
   {
     options.springs.clear();
     if(stiffness > 0)
       options.springs.push_back({left, right, 0.05, stiffness});
-    const Point_matrix pose = canonical_pose(mesh, options).pose;
+    const CP::Result result = canonical_pose(mesh, options);
+    options.given = result;
+    const Point_matrix& pose = result.pose;
     const double distance = (pose.row(left) - pose.row(right)).norm();
     std::cout << "stiffness " << stiffness << ": hands at " << distance << '\n';
     EXPECT_LT(distance, 0.8 * previous);

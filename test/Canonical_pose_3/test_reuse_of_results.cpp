@@ -32,15 +32,14 @@ using CP::Point_matrix;
 using shapes::bar;
 using shapes::Polygon_soup;
 using shapes::pose_of;
-using shapes::Pose_result;
+using shapes::Result;
 using shapes::small_bar;
 
 namespace {
 
-Pose_result pose_with_results(const Polygon_soup& soup, CP::Intermediate_results& results,
-                              CP::Options options = CP::Options())
+Result pose_with_fields(const Polygon_soup& soup, CP::Options options = CP::Options())
 {
-  options.intermediate_results = &results;
+  options.return_landmark_fields = true;
   return pose_of(soup, options);
 }
 
@@ -48,25 +47,23 @@ Pose_result pose_with_results(const Polygon_soup& soup, CP::Intermediate_results
 // begins at the shrunk target, and ends within its tolerance.
 void expect_reusable(const Polygon_soup& soup, CP::Options options = CP::Options())
 {
-  CP::Intermediate_results results;
-  const Pose_result first = pose_with_results(soup, results, options);
-  ASSERT_TRUE(results.landmark_fields && results.target);
-  EXPECT_EQ(results.landmark_fields->landmarks.size(), options.number_of_landmarks);
-  EXPECT_EQ(results.target->rows(), Eigen::Index(soup.points.size()));
+  const Result first = pose_with_fields(soup, options);
+  ASSERT_TRUE(first.landmark_fields && first.target);
+  EXPECT_EQ(first.landmark_fields->landmarks.size(), options.number_of_landmarks);
+  EXPECT_EQ(first.target->rows(), Eigen::Index(soup.points.size()));
 
-  const CP::Intermediate_results fields{results.landmark_fields, {}, {}};
-  options.given = &fields;
-  const Pose_result second = pose_of(soup, options);
+  options.given.landmark_fields = first.landmark_fields;
+  const Result second = pose_of(soup, options);
+  EXPECT_FALSE(second.landmark_fields);
   EXPECT_EQ(second.pose, first.pose);
   EXPECT_EQ(second.summary.target.stress, first.summary.target.stress);
 
-  options.given = &results;
-  CP::Intermediate_results again;
-  const Pose_result third = pose_with_results(soup, again, options);
+  options.given = first;
+  const Result third = pose_with_fields(soup, options);
   EXPECT_EQ(third.summary.target.kernel, "given");
   EXPECT_LT(shapes::relative_rms(third.pose, first.pose), 1e-3);
-  EXPECT_EQ(*again.target, *results.target);
-  EXPECT_EQ(again.landmark_fields->distances, results.landmark_fields->distances);
+  EXPECT_EQ(*third.target, *first.target);
+  EXPECT_EQ(third.landmark_fields->distances, first.landmark_fields->distances);
 }
 
 } // namespace
@@ -94,11 +91,10 @@ TEST(Reuse_of_results, each_component)
 {
   const Polygon_soup bars = shapes::merged(small_bar(), bar(), 20.);
   CP::Options options = shapes::each_component();
-  CP::Intermediate_results results;
-  const Pose_result first = pose_with_results(bars, results, options);
-  EXPECT_FALSE(results.landmark_fields);
-  options.given = &results;
-  const Pose_result second = pose_with_results(bars, results, options);
+  const Result first = pose_with_fields(bars, options);
+  EXPECT_FALSE(first.landmark_fields);
+  options.given = first;
+  const Result second = pose_with_fields(bars, options);
   EXPECT_EQ(second.summary.target.kernel, "given");
   EXPECT_LT(shapes::relative_rms(second.pose, first.pose), 1e-3);
 }
@@ -108,39 +104,22 @@ TEST(Reuse_of_results, each_component)
 TEST(Reuse_of_results, vertex_of_two_fans)
 {
   const Polygon_soup soup = shapes::renamed(bar(), 40, 42);
-  CP::Intermediate_results results;
-  const Pose_result first = pose_with_results(soup, results);
+  const Result first = pose_with_fields(soup);
   EXPECT_TRUE(first.summary.warnings.empty());
   CP::Options options;
-  options.given = &results;
-  const Pose_result second = pose_of(soup, options);
+  options.given = first;
+  const Result second = pose_of(soup, options);
   ASSERT_EQ(second.summary.warnings.size(), 1u);
   EXPECT_NE(second.summary.warnings[0].find("is not manifold at vertex"), std::string::npos)
     << second.summary.warnings[0];
   EXPECT_LT(shapes::relative_rms(second.pose, first.pose), 0.02);
 }
 
-// What an earlier call left in the structure has no influence.
-TEST(Reuse_of_results, structure_of_another_mesh)
-{
-  Polygon_soup other = bar();
-  for(auto& p : other.points)
-    p[1] *= 3;
-  CP::Intermediate_results results, fresh;
-  pose_with_results(bar(), results);
-  const Pose_result pose = pose_with_results(other, results);
-  EXPECT_EQ(pose_with_results(other, fresh).pose, pose.pose);
-  EXPECT_EQ(results.landmark_fields->distances, fresh.landmark_fields->distances);
-  EXPECT_EQ(*results.target, *fresh.target);
-}
-
 // The rest pose as target has no energy.
 TEST(Reuse_of_results, own_target)
 {
-  CP::Intermediate_results given;
-  given.target = shapes::to_matrix(bar().points);
   CP::Options options;
-  options.given = &given;
+  options.given.target = shapes::to_matrix(bar().points);
   EXPECT_LT(pose_of(bar(), options).summary.energy, 1e-16);
 }
 
@@ -148,32 +127,31 @@ TEST(Reuse_of_results, own_target)
 TEST(Reuse_of_results, what_does_not_fit_is_named)
 {
   const Polygon_soup soup = shapes::with_isolated_vertices(bar(), 3);
-  CP::Intermediate_results results;
-  pose_with_results(soup, results);
+  const Result result = pose_with_fields(soup);
   const auto expect_refused = [&](const CP::Intermediate_results& given, const char* const text) {
     CP::Options options;
-    options.given = &given;
+    options.given = given;
     EXPECT_THROW_WITH(pose_of(soup, options), std::invalid_argument, text);
   };
-  CP::Intermediate_results given = results;
+  CP::Intermediate_results given = result;
   given.target->conservativeResize(5, 3);
   expect_refused(given, "the given target has 5 rows");
-  given = results;
+  given = result;
   (*given.target)(7, 1) = std::numeric_limits<double>::quiet_NaN();
   expect_refused(given, "the given target of vertex 7 is not finite");
-  given = results;
+  given = result;
   given.landmark_fields->distances.conservativeResize(7, 80);
   expect_refused(given, "the given distances have 7 rows");
   given.landmark_fields = CP::Landmark_fields_3();
   expect_refused(given, "no column");
-  given = results;
+  given = result;
   given.landmark_fields->landmarks[4] = soup.points.size();
   expect_refused(given, "landmark is vertex");
   given.landmark_fields->landmarks[4] = 1;
   expect_refused(given, "landmark vertex 1 is not on the surface");
   given.landmark_fields->landmarks.pop_back();
   expect_refused(given, "79 given landmarks");
-  given = results;
+  given = result;
   given.landmark_fields->distances(9, 2) = -1;
   expect_refused(given, "the given distance of vertex 9 to landmark");
 }

@@ -34,12 +34,12 @@ TEST(Visitor_of_the_one_call, counts_all_iterations)
     EXPECT_EQ(progress.iteration, ++calls);
     return true;
   };
-  const shapes::Pose_result watched = shapes::pose_of(ball, options);
+  const shapes::Result watched = shapes::pose_of(ball, options);
   EXPECT_LT(watched.summary.target.scale, 1);
   EXPECT_EQ(calls, watched.summary.iterations);
   EXPECT_TRUE(shapes::pose_of(ball, CP::Options()).pose == watched.pose);
   options.visitor = [](const CP::Registration_progress&) { return false; };
-  const shapes::Pose_result stopped = shapes::pose_of(ball, options);
+  const shapes::Result stopped = shapes::pose_of(ball, options);
   EXPECT_EQ(stopped.summary.iterations, 1);
   EXPECT_EQ(stopped.summary.target.scale, 1);
   EXPECT_TRUE(stopped.pose.allFinite());
@@ -53,7 +53,7 @@ TEST(Visitor_of_the_one_call, stops_each_component)
   CP::Options options = shapes::each_component();
   options.visitor
     = [](const CP::Registration_progress& progress) { return progress.iteration < 3; };
-  const shapes::Pose_result result = shapes::pose_of(bars, options);
+  const shapes::Result result = shapes::pose_of(bars, options);
   EXPECT_EQ(result.summary.termination, Registration_summary::CANCELED);
   EXPECT_EQ(result.summary.iterations, 6);
   for(const Point_matrix& bar : {Point_matrix(result.pose.topRows(result.pose.rows() / 2)),

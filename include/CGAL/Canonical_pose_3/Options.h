@@ -33,8 +33,8 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief holds what `canonical_pose_3()` computes on the way to the pose: it is returned in
-`Options::intermediate_results`, and can be given to another call by `Options::given`.
+\brief holds what `canonical_pose_3()` computes on the way to the pose: it is part of the `Result`, and can be
+given to another call by `Options::given`.
 
 Rows are the vertices in the order of `vertices(tmesh)`; for a tetrahedral complex those of its boundary, in the
 order of `extract_boundary()`. Vertices that are on no surface of their own (those of no face, of a cavity, or
@@ -43,16 +43,13 @@ components, there are no distances.
 */
 struct Intermediate_results
 {
-  /// landmarks and distances to them. Where several copies of a vertex were needed, since the surface is not
-  /// manifold there, the nearest counts.
+  /// landmarks and distances to them; returned where `Options::return_landmark_fields` requests it. Where several
+  /// copies of a vertex were needed, since the surface is not manifold there, the nearest counts.
   std::optional<Landmark_fields_3> landmark_fields;
 
   /// \f$ n \times 3 \f$, the target in its final position. One that is given is neither aligned nor
   /// reflected.
   std::optional<Point_matrix> target;
-
-  /// \f$ m \times 3 \f$, the pose of `Options::followers`; not used if it is given.
-  Point_matrix pose_of_followers;
 };
 
 /*!
@@ -161,16 +158,15 @@ struct Options
 
   /// \f$ m \times 3 \f$, points near the surface, such as markers or the vertices of a finer version of
   /// it, that are to follow it, each the component that is nearest to it; see `Body_deformer_3`. Their pose is
-  /// `Intermediate_results::pose_of_followers`.
+  /// `Result::pose_of_followers`.
   Point_matrix followers;
 
-  /// if not null: distances and target to use instead of computing them, as far as they are there; for
-  /// instance those of an earlier call for the same input. Distances can be given for a single component only.
-  const Intermediate_results* given = nullptr;
+  /// distances and target to use instead of computing them, as far as they are there. The `Result` of an earlier
+  /// call for the same input can be assigned to it. Distances can be given for a single component only.
+  Intermediate_results given;
 
-  /// if not null: receives what was computed or given, in place of what it holds, unless the summary says that
-  /// there is no pose. It may be what is given.
-  Intermediate_results* intermediate_results = nullptr;
+  /// whether the result is to hold the landmarks and the distances to them.
+  bool return_landmark_fields = false;
 };
 
 } // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION

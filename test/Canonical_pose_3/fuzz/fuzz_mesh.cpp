@@ -81,7 +81,7 @@ void check_pose(const Mutated_soup& soup, const Options& options)
   for(const auto& p : soup.points)
     points.emplace_back(p[0], p[1], p[2]);
   is_accepted([&] {
-    const auto summary = CGAL::canonical_pose_3(points, soup.polygons, pose, options);
+    const auto summary = CGAL::canonical_pose_3(points, soup.polygons, pose, options).summary;
     if(!summary.is_usable())
       return;
     require(!options.registration.injective || summary.inverted == 0 || !summary.warnings.empty(),

@@ -32,7 +32,7 @@ std::string body_of_octahedron()
   options.body = CGAL::Canonical_pose_3::Options::Body::TETGEN;
   try
   {
-    return CGAL::canonical_pose_3(points, faces, pose, options).body.kind;
+    return CGAL::canonical_pose_3(points, faces, pose, options).summary.body.kind;
   }
   catch(const std::exception& error)
   {

@@ -12,6 +12,7 @@
 
 #include <CGAL/Canonical_pose_3/Options.h>
 #include <CGAL/Canonical_pose_3/Registration_summary.h>
+#include <CGAL/Canonical_pose_3/Result.h>
 #include <CGAL/Canonical_pose_3/align_target.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/Options_constraints.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/Posed_component.h>
@@ -83,11 +84,14 @@ public:
     check_unit(points);
     locate_vertices(rows);
     find_rigid_parts(rows, others);
-    make_local_options();
-    distribute(&Options::springs);
-    distribute(&Options::directions);
-    distribute(&Options::handles);
-    distribute(&Options::symmetric_pairs);
+    m_values.resize(components.size());
+    if(options.matching_weights.size() > 0)
+      for(std::size_t c = 0; c < components.size(); ++c)
+        m_values[c].matching_weights = values_at(options.matching_weights, components[c].vertices);
+    distribute(options.springs, &Component_values::springs);
+    distribute(options.directions, &Component_values::directions);
+    distribute(options.handles, &Component_values::handles);
+    distribute(options.symmetric_pairs, &Component_values::symmetric_pairs);
     assign_followers();
   }
 
@@ -101,31 +105,31 @@ public:
     return result;
   }
 
-  // `run(c, options)` brings component c into its pose and returns a `Component_result`.
+  // `run(c, values)` brings component c into its pose and returns the result in its rows.
   template <typename Function>
-  Registration_summary run(const Function& run, Point_matrix& pose)
+  Result run(const Function& run)
   {
     m_pose_of_followers.resize(m_followers.rows(), 3);
     std::optional<Registration_summary> summary;
     for(std::size_t c = m_components.size(); c-- > 0 && (!summary || summary->is_usable());)
     {
-      const Intermediate_results given = m_results.given_to(c);
-      Options options = m_local_options[c];
-      options.given = &given;
-      Component_result one = run(c, std::move(options));
+      m_values[c].given = m_results.given_to(c);
+      Result one = run(c, std::move(m_values[c]));
       summary = summary ? joined(one.summary, *summary) : one.summary;
-      if(one.summary.is_usable())
+      if(one.is_usable())
         take(c, std::move(one));
     }
+    Result result;
     if(summary->is_usable())
-      finish(pose);
+      result = joined_results();
     if(const auto warning = m_results.warning())
       summary->warnings.push_back(*warning);
     if(!m_shared.empty())
       summary->warnings.push_back(
         std::to_string(m_shared.size()) + " vertices belong to several components, vertex "
         + std::to_string(m_shared.front()) + " among them: they go with the largest");
-    return *summary;
+    result.summary = std::move(*summary);
+    return result;
   }
 
 private:
@@ -175,30 +179,12 @@ private:
         m_rigid_parts[part_of[rows.representative(v)]].push_back(v);
   }
 
-  void make_local_options()
-  {
-    Options common = m_options;
-    common.springs.clear();
-    common.directions.clear();
-    common.handles.clear();
-    common.symmetric_pairs.clear();
-    common.followers.resize(0, 3);
-    common.matching_weights.resize(0);
-    common.stiffness.resize(0);
-    common.intermediate_results = nullptr;
-    m_local_options.assign(m_components.size(), common);
-    if(m_options.matching_weights.size() > 0)
-      for(std::size_t c = 0; c < m_components.size(); ++c)
-        m_local_options[c].matching_weights
-          = values_at(m_options.matching_weights, m_components[c].vertices);
-  }
-
   // Gives each element of a constraint to the component of its vertices.
   template <typename Element>
-  void distribute(std::vector<Element> Options::*list)
+  void distribute(const std::vector<Element>& elements,
+                  std::vector<Element> Component_values::*list)
   {
     using Traits = Constraint_element_traits<Element>;
-    const std::vector<Element>& elements = m_options.*list;
     for(std::size_t i = 0; i < elements.size(); ++i)
     {
       const std::string name = Traits::name + (' ' + std::to_string(i));
@@ -220,7 +206,7 @@ private:
         throw std::invalid_argument(name + " names vertices " + std::to_string(vertices.front())
                                     + " and " + std::to_string(vertices.back())
                                     + ", which are at the same position and became one");
-      (m_local_options[m_component_of[vertices.front()]].*list).push_back(local);
+      (m_values[m_component_of[vertices.front()]].*list).push_back(local);
     }
   }
 
@@ -243,7 +229,7 @@ private:
       m_followers_of[nearest[i]].push_back(static_cast<Eigen::Index>(i));
     for(std::size_t c = 0; c < m_components.size(); ++c)
     {
-      Point_matrix& followers = m_local_options[c].followers;
+      Point_matrix& followers = m_values[c].followers;
       followers.resize(static_cast<Eigen::Index>(m_followers_of[c].size()), 3);
       for(Eigen::Index i = 0; i < followers.rows(); ++i)
         followers.row(i) = m_followers.row(m_followers_of[c][static_cast<std::size_t>(i)]);
@@ -281,7 +267,7 @@ private:
     return result;
   }
 
-  void take(const std::size_t c, Component_result result)
+  void take(const std::size_t c, Result result)
   {
     const std::vector<std::size_t>& vertices = m_components[c].vertices;
     for(std::size_t i = 0; i < vertices.size(); ++i)
@@ -289,14 +275,14 @@ private:
         m_pose.add(vertices[i], result.pose.row(static_cast<Eigen::Index>(i)));
     for(std::size_t i = 0; i < m_followers_of[c].size(); ++i)
       m_pose_of_followers.row(m_followers_of[c][i])
-        = result.intermediate_results.pose_of_followers.row(static_cast<Eigen::Index>(i));
-    if(m_options.intermediate_results != nullptr)
-      m_results.take(c, std::move(result.intermediate_results));
+        = result.pose_of_followers.row(static_cast<Eigen::Index>(i));
+    m_results.take(c, std::move(result));
   }
 
-  void finish(Point_matrix& pose) const
+  // In the rows of the input, without the summary.
+  Result joined_results() const
   {
-    pose.resize(m_points.rows(), 3);
+    Point_matrix pose(m_points.rows(), 3);
     for(std::size_t v = 0; v < m_component_of.size(); ++v)
       if(m_component_of[v] != NONE)
         pose.row(static_cast<Eigen::Index>(v))
@@ -306,12 +292,10 @@ private:
         = m_pose_of_followers.row(static_cast<Eigen::Index>(i));
     for(const std::vector<std::size_t>& part : m_rigid_parts)
       move_rigidly(part, pose);
-    if(m_options.intermediate_results != nullptr)
-    {
-      Intermediate_results results = m_results.returned(pose);
-      results.pose_of_followers = m_pose_of_followers.bottomRows(m_options.followers.rows());
-      *m_options.intermediate_results = std::move(results);
-    }
+    Result result{m_results.returned(pose), {}, {}, {}};
+    result.pose = std::move(pose);
+    result.pose_of_followers = m_pose_of_followers.bottomRows(m_options.followers.rows());
+    return result;
   }
 
   // Replaces the pose of some vertices by the rigid motion nearest to it.
@@ -351,7 +335,7 @@ private:
   const Options& m_options;
   std::vector<std::size_t> m_component_of, m_local_of; // of the vertices; NONE: without component
   std::vector<std::size_t> m_shared;                   // vertices of several components
-  std::vector<Options> m_local_options;
+  std::vector<Component_values> m_values;
   std::vector<std::size_t> m_attached; // vertices without component
   std::vector<std::vector<std::size_t>> m_rigid_parts;
   Point_matrix m_followers; // the attached vertices, and those of the user

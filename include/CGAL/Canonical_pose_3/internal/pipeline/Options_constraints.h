@@ -10,7 +10,6 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_OPTIONS_CONSTRAINTS_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_OPTIONS_CONSTRAINTS_H
 
-#include <CGAL/Canonical_pose_3/Options.h>
 #include <CGAL/Canonical_pose_3/internal/registration/Arap_registration.h>
 #include <CGAL/Canonical_pose_3/internal/registration/Registration_constraint_base.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
@@ -28,16 +27,17 @@ namespace internal {
 class Options_constraints
 {
 public:
-  // `number_of_vertices`: that of the body's surface, whose rows the options name.
+  // `Elements`: `Options` or `Component_values`. `number_of_vertices`: of those that they name.
   // Throws `std::invalid_argument` as `Constraint_list_3::insert()`.
-  Options_constraints(const Options& options, const std::size_t number_of_vertices)
+  template <class Elements>
+  Options_constraints(const Elements& elements, const std::size_t number_of_vertices)
     : m_springs(number_of_vertices), m_directions(number_of_vertices),
       m_handles(number_of_vertices), m_symmetric_pairs(number_of_vertices)
   {
-    insert(options.springs, m_springs);
-    insert(options.directions, m_directions);
-    insert(options.handles, m_handles);
-    insert(options.symmetric_pairs, m_symmetric_pairs);
+    insert(elements.springs, m_springs);
+    insert(elements.directions, m_directions);
+    insert(elements.handles, m_handles);
+    insert(elements.symmetric_pairs, m_symmetric_pairs);
   }
 
   // Adds what is not empty.

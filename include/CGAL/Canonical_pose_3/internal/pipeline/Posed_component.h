@@ -11,7 +11,6 @@
 #define CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_POSED_COMPONENT_H
 
 #include <CGAL/Canonical_pose_3/Options.h>
-#include <CGAL/Canonical_pose_3/Registration_summary.h>
 #include <CGAL/Canonical_pose_3/internal/soup/Indexed_mesh.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
@@ -38,12 +37,17 @@ struct Posed_component
   std::vector<std::size_t> vertices;
 };
 
-// What comes out for a component, in its rows.
-struct Component_result
+// What options say of the vertices of one component, in its rows.
+struct Component_values
 {
-  Registration_summary summary;
-  Point_matrix pose;
-  Intermediate_results intermediate_results;
+  Eigen::VectorXd matching_weights;
+  Eigen::VectorXd stiffness; // of the vertices of a surface
+  std::vector<Spring_3> springs;
+  std::vector<Directed_pair_3> directions;
+  std::vector<Handle_3> handles;
+  std::vector<Symmetric_pair_3> symmetric_pairs;
+  Point_matrix followers;
+  Intermediate_results given;
 };
 
 } // namespace internal

@@ -103,7 +103,7 @@ public:
       result.target.emplace(n, 3);
       for(Eigen::Index i = 0; i < n; ++i)
       {
-        result.target->row(i) = m_options.given->target->row(row(i));
+        result.target->row(i) = m_options.given.target->row(row(i));
         if(!result.target->row(i).allFinite())
           throw std::invalid_argument("the given target of "
                                       + name_of_row(static_cast<std::size_t>(row(i)))
@@ -139,17 +139,17 @@ public:
     for(std::size_t i = 0; i < rows.size(); ++i)
       if(m_component_of[m_rows.vertices[rows[i]]] == c)
         m_targets.add(rows[i], results.target->row(static_cast<Eigen::Index>(i)));
-    if(m_components.size() == 1)
+    if(m_components.size() == 1 && m_options.return_landmark_fields)
       m_fields = std::move(results.landmark_fields);
   }
 
-  // Fields and target; what was given as it is. `pose`: of the vertices.
+  // The target, and the fields if requested; what was given as it is. `pose`: of the vertices.
   Intermediate_results returned(const Point_matrix& pose) const
   {
     Intermediate_results results;
-    results.target = has_given_target() ? *m_options.given->target : returned_target(pose);
-    if(has_given_fields())
-      results.landmark_fields = m_options.given->landmark_fields;
+    results.target = has_given_target() ? *m_options.given.target : returned_target(pose);
+    if(has_given_fields() && m_options.return_landmark_fields)
+      results.landmark_fields = m_options.given.landmark_fields;
     else if(m_fields)
       results.landmark_fields = returned_fields();
     return results;
@@ -157,17 +157,14 @@ public:
 
 private:
   std::size_t number_of_rows() const { return m_rows.vertices.size(); }
-  bool has_given_fields() const
-  {
-    return m_options.given != nullptr && m_options.given->landmark_fields;
-  }
-  bool has_given_target() const { return m_options.given != nullptr && m_options.given->target; }
+  bool has_given_fields() const { return m_options.given.landmark_fields.has_value(); }
+  bool has_given_target() const { return m_options.given.target.has_value(); }
 
   void check_given() const
   {
     if(has_given_fields())
     {
-      const Landmark_fields_3& fields = *m_options.given->landmark_fields;
+      const Landmark_fields_3& fields = *m_options.given.landmark_fields;
       if(m_components.size() > 1)
         throw std::invalid_argument("distances can be given for a single component only");
       if(fields.distances.cols() == 0)
@@ -183,7 +180,7 @@ private:
                                       + ", but there are " + std::to_string(number_of_rows()));
     }
     if(has_given_target())
-      check_rows(m_options.given->target->rows(), "the given target has ");
+      check_rows(m_options.given.target->rows(), "the given target has ");
   }
 
   void check_rows(const Eigen::Index rows, const std::string& what) const
@@ -200,7 +197,7 @@ private:
 
   Landmark_fields_3 given_fields(const Posed_component& component) const
   {
-    const Landmark_fields_3& fields = *m_options.given->landmark_fields;
+    const Landmark_fields_3& fields = *m_options.given.landmark_fields;
     std::vector<std::size_t> surface_vertex(number_of_rows(), NONE);
     for(std::size_t i = component.field_rows.size(); i-- > 0;)
       surface_vertex[component.field_rows[i]] = i;

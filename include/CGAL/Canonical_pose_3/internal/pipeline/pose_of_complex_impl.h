@@ -12,14 +12,14 @@
 
 #include <CGAL/Canonical_pose_3/Conforming_body_3.h>
 #include <CGAL/Canonical_pose_3/Options.h>
-#include <CGAL/Canonical_pose_3/Registration_summary.h>
+#include <CGAL/Canonical_pose_3/Result.h>
 #include <CGAL/Canonical_pose_3/diagnose.h>
-#include <CGAL/Canonical_pose_3/internal/pipeline/Body_makers.h>
-#include <CGAL/Canonical_pose_3/internal/pipeline/Canonical_pose_pipeline.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/Complex_parts.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/Component_poses.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/Solver.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/Thread_limit.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/component_body.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/pose_of_component.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/poses.h>
 #include <CGAL/Canonical_pose_3/internal/registration/check_registration.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
@@ -59,10 +59,10 @@ inline Point_matrix rows_of(const Point_matrix& points, const std::vector<std::s
   return result;
 }
 
-// canonical_pose_3() for tetrahedra, which are the body. `pose`: of all points.
-CGAL_CANONICAL_POSE_3_INLINE Registration_summary
-pose_of_complex(const Point_matrix& points, const std::vector<std::array<int, 4>>& cells,
-                const Options& options, Point_matrix& pose)
+// canonical_pose_3() for tetrahedra, which are the body.
+CGAL_CANONICAL_POSE_3_INLINE Result pose_of_complex(const Point_matrix& points,
+                                                    const std::vector<std::array<int, 4>>& cells,
+                                                    const Options& options)
 {
   const Thread_limit limit(options);
   const Solver solver(options);
@@ -73,7 +73,7 @@ pose_of_complex(const Point_matrix& points, const std::vector<std::array<int, 4>
   const Conforming_body_3 body(points, cells, static_cast<std::size_t>(points.rows()));
   const Complex_parts parts(body.points(), body.cells(), body.cell_weights());
   const std::vector<Complex_part> posed_parts = parts_to_pose(parts, options);
-  double seconds_for_body = timer.time();
+  const double seconds_for_body = timer.time();
   const Diagnosis_3 diagnosis = diagnose(parts.boundary_points(), parts.boundary_triangles());
   std::vector<Posed_component> components;
   for(const Complex_part& part : posed_parts)
@@ -85,27 +85,25 @@ pose_of_complex(const Point_matrix& points, const std::vector<std::array<int, 4>
                         others, options);
   const double seconds_for_diagnosis = timer.time() - seconds_for_body;
 
-  Registration_summary summary = poses.run(
-    [&](const std::size_t c, Options local_options) -> Component_result {
-      const Complex_part& part = posed_parts[c];
-      Real_timer body_timer;
-      body_timer.start();
-      const Conforming_body_3 body_of_part(rows_of(points, part.component.vertices),
-                                           parts.local_cells(part), part.component.vertices.size());
-      seconds_for_body += body_timer.time();
+  Result result = poses.run([&](const std::size_t c, const Component_values& values) {
+    const Complex_part& part = posed_parts[c];
+    const auto make_body = [&](const Landmark_fields_3&, const Eigen::VectorXd&) {
+      Eigen::VectorXd stiffness;
       if(options.stiffness.size() > 0)
-        local_options.stiffness = Component_poses::values_at(options.stiffness, part.cells);
-      Canonical_pose_pipeline pipeline(part.component, local_options, solver, Body_makers(),
-                                       diagnosis);
-      Point_matrix pose_of_part;
-      const Registration_summary one
-        = pipeline.run(body_of_part, part.surface_vertices, pose_of_part);
-      return {one, std::move(pose_of_part), std::move(pipeline.results())};
-    },
-    pose);
-  summary.add_seconds("diagnosis", seconds_for_diagnosis);
-  summary.add_seconds("body", seconds_for_body);
-  return summary;
+        stiffness = Component_poses::values_at(options.stiffness, part.cells);
+      return Component_body{"complex",
+                            Conforming_body_3(rows_of(points, part.component.vertices),
+                                              parts.local_cells(part),
+                                              part.component.vertices.size()),
+                            part.surface_vertices,
+                            std::move(stiffness),
+                            {}};
+    };
+    return pose_of_component(part.component, values, options, solver, make_body, diagnosis);
+  });
+  result.summary.add_seconds("diagnosis", seconds_for_diagnosis);
+  result.summary.add_seconds("body", seconds_for_body);
+  return result;
 }
 
 } // namespace internal

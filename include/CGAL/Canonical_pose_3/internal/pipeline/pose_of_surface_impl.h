@@ -11,14 +11,15 @@
 #define CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_POSE_OF_SURFACE_IMPL_H
 
 #include <CGAL/Canonical_pose_3/Options.h>
-#include <CGAL/Canonical_pose_3/Registration_summary.h>
+#include <CGAL/Canonical_pose_3/Result.h>
 #include <CGAL/Canonical_pose_3/diagnose.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/Body_makers.h>
-#include <CGAL/Canonical_pose_3/internal/pipeline/Canonical_pose_pipeline.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/Component_poses.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/Posed_component.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/Solver.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/Thread_limit.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/component_body.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/pose_of_component.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/poses.h>
 #include <CGAL/Canonical_pose_3/internal/registration/check_registration.h>
 #include <CGAL/Canonical_pose_3/internal/support/Disjoint_sets.h>
@@ -102,7 +103,7 @@ public:
       m_bodies(bodies)
   {}
 
-  Registration_summary run(Point_matrix& pose) const
+  Result run() const
   {
     check_options(m_options, static_cast<std::size_t>(m_points.rows()));
     check_factors(m_options.stiffness, m_points.rows(), "stiffness", "vertex", false);
@@ -111,24 +112,25 @@ public:
     const Diagnosis_3 diagnosis = diagnose(m_points, m_polygons);
     const Repaired_surface_3 surface = repair_surface(m_points, m_polygons);
     const std::vector<std::size_t> posed = components_to_pose(surface, diagnosis);
+    if(m_options.body == Options::Body::TETGEN || m_options.body == Options::Body::MESH_3)
+      if(!diagnosis.is_clean())
+        throw std::invalid_argument(diagnosis.first_defect);
     const std::vector<Posed_component> components = components_of_indices(surface, posed);
     Component_poses poses(m_points, rows(surface), components, vertices_of_others(surface, posed),
                           m_options);
     timer.stop();
 
-    Registration_summary summary = poses.run(
-      [&](const std::size_t c, Options options) -> Component_result {
-        if(m_options.stiffness.size() > 0)
-          options.stiffness
-            = Component_poses::values_at(m_options.stiffness, components[c].vertices);
-        Canonical_pose_pipeline pipeline(components[c], options, m_solver, m_bodies, diagnosis);
-        Point_matrix pose_of_component;
-        const Registration_summary one = pipeline.run(pose_of_component);
-        return {one, std::move(pose_of_component), std::move(pipeline.results())};
-      },
-      pose);
-    summary.add_seconds("diagnosis", timer.time());
-    return summary;
+    Result result = poses.run([&](const std::size_t c, Component_values values) {
+      if(m_options.stiffness.size() > 0)
+        values.stiffness = Component_poses::values_at(m_options.stiffness, components[c].vertices);
+      const auto make_body = [&](const Landmark_fields_3& fields, const Eigen::VectorXd& shares) {
+        return body_of_surface(components[c], fields, values.stiffness, m_options, m_bodies,
+                               shares);
+      };
+      return pose_of_component(components[c], values, m_options, m_solver, make_body, diagnosis);
+    });
+    result.summary.add_seconds("diagnosis", timer.time());
+    return result;
   }
 
 private:
@@ -215,12 +217,12 @@ private:
   const Body_makers m_bodies;
 };
 
-CGAL_CANONICAL_POSE_3_INLINE Registration_summary
+CGAL_CANONICAL_POSE_3_INLINE Result
 pose_of_surface(const Point_matrix& points, const std::vector<std::vector<std::size_t>>& polygons,
-                const Options& options, const Body_makers& bodies, Point_matrix& pose)
+                const Options& options, const Body_makers& bodies)
 {
   const Thread_limit limit(options);
-  return Pose_of_surface(points, polygons, options, bodies).run(pose);
+  return Pose_of_surface(points, polygons, options, bodies).run();
 }
 
 } // namespace internal

@@ -11,7 +11,7 @@
 #define CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_POSES_H
 
 #include <CGAL/Canonical_pose_3/Options.h>
-#include <CGAL/Canonical_pose_3/Registration_summary.h>
+#include <CGAL/Canonical_pose_3/Result.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/Body_makers.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
@@ -27,14 +27,12 @@ namespace internal {
 
 // What canonical_pose_3() does with points and indices, whatever they came from.
 
-Registration_summary pose_of_surface(const Point_matrix& points,
-                                     const std::vector<std::vector<std::size_t>>& polygons,
-                                     const Options& options, const Body_makers& bodies,
-                                     Point_matrix& pose);
+Result pose_of_surface(const Point_matrix& points,
+                       const std::vector<std::vector<std::size_t>>& polygons,
+                       const Options& options, const Body_makers& bodies);
 
-Registration_summary pose_of_complex(const Point_matrix& points,
-                                     const std::vector<std::array<int, 4>>& cells,
-                                     const Options& options, Point_matrix& pose);
+Result pose_of_complex(const Point_matrix& points, const std::vector<std::array<int, 4>>& cells,
+                       const Options& options);
 
 } // namespace internal
 } // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION

@@ -1,0 +1,64 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_RESULT_H
+#define CGAL_CANONICAL_POSE_3_RESULT_H
+
+#include <CGAL/Canonical_pose_3/Options.h>
+#include <CGAL/Canonical_pose_3/Registration_summary.h>
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+#include <CGAL/Canonical_pose_3/point_matrix.h>
+
+#include <ostream>
+#include <string>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
+
+/*!
+\ingroup PkgCanonicalPose3Ref
+
+\brief holds what `canonical_pose_3()` returns.
+
+Besides the members below there are those of `Intermediate_results`: the target and, where
+`Options::return_landmark_fields` requests them, the landmarks and the distances to them. Both can be given to another
+call for the same input: `options.given = result`.
+*/
+struct Result : Intermediate_results
+{
+  /// the outcome; iterations, energies and seconds per stage included.
+  Registration_summary summary;
+
+  /// \f$ n \times 3 \f$, the pose of each vertex, in the order of `vertices(tmesh)`, of the points of a soup, or of the
+  /// vertices of a complex. Empty unless `is_usable()`, as are the other members but the summary.
+  Point_matrix pose;
+
+  /// \f$ m \times 3 \f$, the pose of `Options::followers`.
+  Point_matrix pose_of_followers;
+
+  /// returns whether there is a pose.
+  bool is_usable() const { return summary.is_usable(); }
+
+  /// returns the outcome in one line, see `Registration_summary::brief_report()`.
+  std::string brief_report() const { return summary.brief_report(); }
+};
+
+/// \relates Result
+/// writes `Result::brief_report()`.
+inline std::ostream& operator<<(std::ostream& out, const Result& result)
+{
+  return out << result.brief_report();
+}
+
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_RESULT_H

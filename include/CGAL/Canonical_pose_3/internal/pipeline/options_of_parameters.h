@@ -1,0 +1,71 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_OPTIONS_OF_PARAMETERS_H
+#define CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_OPTIONS_OF_PARAMETERS_H
+
+#include <CGAL/Canonical_pose_3/Options.h>
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+
+#include <CGAL/Kernel_traits.h>
+#include <CGAL/Named_function_parameters.h>
+
+#include <iterator>
+#include <type_traits>
+#include <utility>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
+namespace internal {
+
+template <class T, class = void>
+struct Is_range : std::false_type
+{};
+
+template <class T>
+struct Is_range<T, std::void_t<decltype(std::begin(std::declval<T&>()))>> : std::true_type
+{};
+
+// The traits given, or those of the points.
+template <class Point, class NamedParameters>
+auto traits_of_parameters(const NamedParameters& np)
+{
+  using Given = std::decay_t<decltype(parameters::get_parameter(np, internal_np::geom_traits))>;
+  if constexpr(std::is_same<Given, internal_np::Param_not_found>::value)
+    return typename Kernel_traits<Point>::Kernel();
+  else
+    return Given(parameters::get_parameter(np, internal_np::geom_traits));
+}
+
+// The options, where named parameters do not replace them.
+template <class NamedParameters>
+Options options_of_parameters(Options options, const NamedParameters& np)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  options.random_seed
+    = choose_parameter(get_parameter(np, internal_np::random_seed), options.random_seed);
+  options.visitor = choose_parameter(get_parameter(np, internal_np::visitor), options.visitor);
+  return options;
+}
+
+// Without parameters they are not copied: they may hold all distances.
+inline const Options& options_of_parameters(const Options& options,
+                                            const parameters::Default_named_parameters&)
+{
+  return options;
+}
+
+} // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_OPTIONS_OF_PARAMETERS_H
