@@ -29,10 +29,10 @@
 
 namespace Canonical_pose_tool {
 
-typedef CGAL::Exact_predicates_inexact_constructions_kernel::Point_3 Point_3;
-typedef CGAL::Surface_mesh<Point_3> Surface;
-typedef CGAL::Canonical_pose_3::Indexed_tetrahedra_3<Point_3> Tetrahedra;
-typedef CGAL::Canonical_pose_3::Point_matrix Point_matrix;
+using Point_3 = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
+using Surface = CGAL::Surface_mesh<Point_3>;
+using Tetrahedra = CGAL::Canonical_pose_3::Indexed_tetrahedra_3<Point_3>;
+using Point_matrix = CGAL::Canonical_pose_3::Point_matrix;
 
 inline std::vector<Point_3> points_of(const Mesh_file& file)
 {

@@ -24,13 +24,12 @@ namespace Canonical_pose_tool {
 
 namespace {
 
-typedef CGAL::Canonical_pose_3::Options Options;
+using Options = CGAL::Canonical_pose_3::Options;
 
 // What does not go into the options of the library as it is.
 struct Raw_arguments
 {
-  std::string geodesics = "heat", kernel = "classical", components = "refuse", solver = "auto",
-              paper_weights;
+  std::string kernel = "classical", components = "refuse", solver = "auto", paper_weights;
   std::vector<std::string> springs, directions, handles, symmetric_pairs;
 };
 
@@ -143,9 +142,10 @@ void add_report(CLI::App& command, Arguments& arguments)
   command.add_option("--report", arguments.report, "write a report (JSON), too")->check(path());
 }
 
-void add_common(CLI::App& command, Arguments& arguments, Raw_arguments& raw)
+void add_common(CLI::App& command, Arguments& arguments)
 {
-  command.add_option("--geodesics", raw.geodesics, "distances: heat, wavefront, exact")
+  command.add_option("--geodesics", arguments.geodesics, "distances: heat, wavefront, exact")
+    ->check(CLI::IsMember({"heat", "wavefront", "exact"}))
     ->capture_default_str();
   command
     .add_option("--threads", arguments.options.number_of_threads,
@@ -228,6 +228,14 @@ void add_pose(CLI::App& command, Arguments& arguments, Raw_arguments& raw)
     .add_option("--stiffness", arguments.stiffness,
                 "file of factors of the stiffness, one per vertex of a surface, or per tetrahedron")
     ->check(path());
+  command
+    .add_option("--given-target", arguments.given_target,
+                "take this target, as --target writes it, instead of computing one")
+    ->check(path());
+  command
+    .add_option("--given-distances", arguments.given_distances,
+                "take these distances, as geodesics writes them, instead of computing any")
+    ->check(path());
   add_constraints(command, raw);
   command.add_flag("--injective", options.registration.injective,
                    "no inverted cells in the elastic body");
@@ -242,7 +250,7 @@ void add_pose(CLI::App& command, Arguments& arguments, Raw_arguments& raw)
   command.add_option("--seed", options.random_seed, "0, or the seed that draws the first landmark")
     ->check(number(false))
     ->capture_default_str();
-  add_common(command, arguments, raw);
+  add_common(command, arguments);
 }
 
 void add_check(CLI::App& command, Arguments& arguments)
@@ -252,7 +260,7 @@ void add_check(CLI::App& command, Arguments& arguments)
   command.add_flag("--quiet", arguments.quiet, "print nothing but errors");
 }
 
-void add_geodesics(CLI::App& command, Arguments& arguments, Raw_arguments& raw)
+void add_geodesics(CLI::App& command, Arguments& arguments)
 {
   add_input(command, arguments);
   command.add_option("--source", arguments.sources, "number of a vertex, from 0; may be repeated")
@@ -264,21 +272,20 @@ void add_geodesics(CLI::App& command, Arguments& arguments, Raw_arguments& raw)
                 "the distances: a line per vertex, a column per source")
     ->required()
     ->check(path());
-  add_common(command, arguments, raw);
+  add_common(command, arguments);
 }
 
-void refuse_what_is_not_there_yet(const Raw_arguments& raw)
+void add_compare(CLI::App& command, Arguments& arguments)
 {
-  const auto refuse_if = [](const bool condition, const std::string& option) {
-    if(condition)
-      throw std::invalid_argument(option + ": not available yet");
-  };
-  refuse_if(raw.geodesics != "heat" && raw.geodesics != "wavefront" && raw.geodesics != "exact",
-            "--geodesics " + raw.geodesics);
+  command
+    .add_option("POSE", arguments.poses, "two or more meshes whose vertices correspond by number")
+    ->required()
+    ->expected(2, -1);
 }
 
-void take(const Raw_arguments& raw, const std::string& body, Options& options)
+void take(const Raw_arguments& raw, Arguments& arguments)
 {
+  Options& options = arguments.options;
   const std::map<std::string, Options::Body> bodies = {{"auto", Options::Body::AUTOMATIC},
                                                        {"lattice", Options::Body::LATTICE},
                                                        {"tetgen", Options::Body::TETGEN},
@@ -294,13 +301,12 @@ void take(const Raw_arguments& raw, const std::string& body, Options& options)
   const std::map<std::string, Options::Solver> solvers = {{"auto", Options::Solver::AUTOMATIC},
                                                           {"eigen", Options::Solver::EIGEN},
                                                           {"cholmod", Options::Solver::CHOLMOD}};
-  options.body = bodies.at(body);
+  options.body = bodies.at(arguments.body);
   options.components = components.at(raw.components);
   options.kernel = kernels.at(raw.kernel);
   options.solver = solvers.at(raw.solver);
-  if(raw.geodesics != "heat")
-    options.geodesics
-      = raw.geodesics == "exact" ? Options::Geodesics::EXACT : Options::Geodesics::WAVEFRONT;
+  if(arguments.geodesics == "wavefront")
+    options.geodesics = Options::Geodesics::WAVEFRONT;
   if(!raw.paper_weights.empty())
   {
     const std::vector<double> weights = numbers("--paper-weights", raw.paper_weights, 2, 2);
@@ -324,13 +330,16 @@ std::optional<int> parse_command_line(const int argc, char* argv[], Arguments& a
   CLI::App* const check
     = app.add_subcommand("check", "tells what is wrong with a surface, if anything");
   CLI::App* const geodesics = app.add_subcommand("geodesics", "measures distances on a surface");
+  CLI::App* const compare = app.add_subcommand(
+    "compare", "tells how much poses differ, whatever their position and scale");
+  add_compare(*compare, arguments);
   add_pose(*pose, arguments, raw);
   add_check(*check, arguments);
-  add_geodesics(*geodesics, arguments, raw);
+  add_geodesics(*geodesics, arguments);
   try
   {
     app.parse(argc, argv);
-    take(raw, arguments.body, arguments.options);
+    take(raw, arguments);
   }
   catch(const CLI::ParseError& error)
   {
@@ -338,8 +347,8 @@ std::optional<int> parse_command_line(const int argc, char* argv[], Arguments& a
   }
   arguments.command = *check       ? Arguments::Command::CHECK
                       : *geodesics ? Arguments::Command::GEODESICS
+                      : *compare   ? Arguments::Command::COMPARE
                                    : Arguments::Command::POSE;
-  refuse_what_is_not_there_yet(raw);
   return std::nullopt;
 }
 

@@ -22,25 +22,26 @@ namespace Canonical_pose_tool {
 // What the user asks for.
 struct Arguments
 {
-  enum class Command { POSE, CHECK, GEODESICS };
+  enum class Command { POSE, CHECK, GEODESICS, COMPARE };
 
   Command command = Command::POSE;
   std::string input;
   std::string output; // POSE or DISTANCES
-  std::string target; // this one and the next three: empty if not wanted
+  std::string target; // this one and the next five: empty if not requested
   std::string report;
   std::string matching_weights; // files of numbers, this one and the next
   std::string stiffness;
+  std::string given_target;    // file of a mesh
+  std::string given_distances; // file of numbers
   std::string body = "auto";
+  std::string geodesics = "heat";
   std::vector<std::size_t> sources;
+  std::vector<std::string> poses; // of COMPARE
   CGAL::Canonical_pose_3::Options options;
   bool quiet = false;
 };
 
-// Reads the command line. Returns the exit code if there is nothing left to do: 0 after --help, 2
-// for
-// wrong usage.
-// Throws std::invalid_argument for an option whose work is not there yet.
+// Reads the command line. Returns the exit code if there is nothing left to do: 0 after --help, 2 for wrong usage.
 std::optional<int> parse_command_line(int argc, char* argv[], Arguments& arguments);
 
 // Throws std::invalid_argument if the files of `pose` cannot have the formats that their extensions

@@ -71,7 +71,7 @@ fs::path beside(const fs::path& place, const int attempt)
 // Returns a name beside `place` under which `make` made a file; an empty one if it could not. `make`
 // returns a negative number and sets errno then, as open() does. Names in use are passed over, those
 // of links, too.
-template <typename Make>
+template <class Make>
 fs::path make_beside(const fs::path& place, const Make& make)
 {
   const int most_attempts = 1000;

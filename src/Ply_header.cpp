@@ -27,7 +27,7 @@ std::invalid_argument on_line(const Text_cursor& text, const std::string& defect
   return std::invalid_argument("line " + std::to_string(text.line()) + ": " + defect);
 }
 
-template <typename T>
+template <class T>
 Ply_number_type number_type()
 {
   return {sizeof(T), [](const char* bytes) {

@@ -35,9 +35,9 @@ namespace Canonical_pose_tool {
 namespace {
 
 // Numbers that are not finite become null.
-typedef nlohmann::ordered_json Json;
-typedef CGAL::Canonical_pose_3::Diagnosis_3 Diagnosis_3;
-typedef CGAL::Canonical_pose_3::Registration_summary Registration_summary;
+using Json = nlohmann::ordered_json;
+using Diagnosis_3 = CGAL::Canonical_pose_3::Diagnosis_3;
+using Registration_summary = CGAL::Canonical_pose_3::Registration_summary;
 
 Json input_of(const Diagnosis_3& d)
 {

@@ -34,7 +34,7 @@ public:
   double total() const { return seconds(Clock::now() - m_start); }
 
 private:
-  typedef std::chrono::steady_clock Clock;
+  using Clock = std::chrono::steady_clock;
 
   static double seconds(const Clock::duration duration)
   {

@@ -15,9 +15,11 @@
 #include "Output_files.h"
 #include "Progress_line.h"
 #include "Report.h"
-#include "compute_distances.h"
+#include "compare_poses.h"
 #include "compute_pose.h"
+#include "exact_geodesics.h"
 
+#include <CGAL/Canonical_pose_3/geodesic_distances.h>
 #include <CGAL/assertions_behaviour.h>
 
 #include <Eigen/Core>
@@ -53,6 +55,43 @@ Eigen::VectorXd numbers_of(const std::string& path)
   return Eigen::VectorXd::Map(numbers.data(), static_cast<Eigen::Index>(numbers.size()));
 }
 
+// What fields and targets have rows for: vertices of a surface, or of the boundary of a tetrahedral mesh.
+std::size_t number_of_rows(const Mesh_file& input)
+{
+  return (input.is_tetrahedral ? boundary_of(input) : input).points.size();
+}
+
+Point_matrix given_target(const std::string& path, const Mesh_file& input)
+{
+  const Mesh_file target = read_mesh_file(path);
+  const std::size_t n = number_of_rows(input);
+  if(target.points.size() != n)
+    throw std::invalid_argument("'" + path + "' has " + std::to_string(target.points.size())
+                                + " vertices, but a target has " + std::to_string(n));
+  return matrix_of(points_of(target));
+}
+
+CGAL::Canonical_pose_3::Landmark_fields_3 given_fields(const std::string& path,
+                                                       const Mesh_file& input)
+{
+  const std::vector<double> numbers = read_numbers(path);
+  const std::size_t n = number_of_rows(input);
+  if(n == 0 || numbers.size() % n != 0)
+    throw std::invalid_argument("'" + path + "' has " + std::to_string(numbers.size())
+                                + " numbers, which is no multiple of the " + std::to_string(n)
+                                + " vertices");
+  using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  try
+  {
+    return CGAL::Canonical_pose_3::landmark_fields(Rows::Map(
+      numbers.data(), static_cast<Eigen::Index>(n), static_cast<Eigen::Index>(numbers.size() / n)));
+  }
+  catch(const std::invalid_argument& error)
+  {
+    throw std::invalid_argument("'" + path + "': " + error.what());
+  }
+}
+
 // Shows the iterations on a terminal.
 Result compute_watched_pose(const Mesh_file& input, const Arguments& arguments)
 {
@@ -79,6 +118,12 @@ void run_pose(Arguments& arguments)
     check_format_holds(format_of(arguments.target), input);
   arguments.options.matching_weights = numbers_of(arguments.matching_weights);
   arguments.options.stiffness = numbers_of(arguments.stiffness);
+  if(!arguments.given_target.empty())
+    arguments.options.given.target = given_target(arguments.given_target, input);
+  if(!arguments.given_distances.empty())
+    arguments.options.given.landmark_fields = given_fields(arguments.given_distances, input);
+  if(arguments.geodesics == "exact")
+    arguments.options.landmark_fields_function = exact_landmark_fields();
   const double seconds_to_read = clock.lap();
 
   say(arguments, "computing the pose");
@@ -123,12 +168,25 @@ void run_check(const Arguments& arguments)
 void run_geodesics(const Arguments& arguments)
 {
   Output_files files({arguments.output});
-  const auto distances
-    = compute_distances(read_mesh_file(arguments.input), arguments.sources, arguments.options);
+  const Mesh_file input = read_mesh_file(arguments.input);
+  if(input.is_tetrahedral)
+    throw std::invalid_argument("this is a tetrahedral mesh, but a surface is needed");
+  const bool is_exact = arguments.geodesics == "exact";
+  const Eigen::MatrixXd distances = CGAL::Canonical_pose_3::geodesic_distances(
+    matrix_of(points_of(input)), input.faces, arguments.sources, arguments.options,
+    is_exact ? exact_distances : CGAL::Canonical_pose_3::Distances_function());
   files.write(arguments.output, [&](std::ostream& out) {
     out << distances.format(Eigen::IOFormat(17, Eigen::DontAlignCols, " ", "\n", "", "", "", "\n"));
   });
   files.commit();
+}
+
+void run_compare(const Arguments& arguments)
+{
+  std::vector<Point_matrix> poses;
+  for(const std::string& path : arguments.poses)
+    poses.push_back(matrix_of(points_of(read_mesh_file(path))));
+  write_differences(std::cout, arguments.poses, poses);
 }
 
 // The one line that tells why it could not be done.
@@ -155,11 +213,14 @@ int main(int argc, char* argv[])
     Arguments arguments;
     if(const std::optional<int> exit_code = parse_command_line(argc, argv, arguments))
       return *exit_code;
-    subject = arguments.input + ": ";
+    if(!arguments.input.empty())
+      subject = arguments.input + ": ";
     if(arguments.command == Arguments::Command::POSE)
       run_pose(arguments);
     else if(arguments.command == Arguments::Command::CHECK)
       run_check(arguments);
+    else if(arguments.command == Arguments::Command::COMPARE)
+      run_compare(arguments);
     else
       run_geodesics(arguments);
     if(!std::cout.flush())

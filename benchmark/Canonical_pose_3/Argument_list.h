@@ -10,8 +10,6 @@
 #ifndef CGAL_CANONICAL_POSE_3_BENCHMARK_ARGUMENT_LIST_H
 #define CGAL_CANONICAL_POSE_3_BENCHMARK_ARGUMENT_LIST_H
 
-#include <CGAL/Canonical_pose_3/Options.h>
-
 #include <algorithm>
 #include <cstddef>
 #include <stdexcept>
@@ -71,18 +69,6 @@ public:
     if(found == words.end())
       throw std::invalid_argument(name + " does not know " + text);
     return static_cast<std::size_t>(found - words.begin());
-  }
-
-  /// Takes --geodesics, --body and --components.
-  void take(CGAL::Canonical_pose_3::Options& options)
-  {
-    using Options = CGAL::Canonical_pose_3::Options;
-    options.geodesics
-      = static_cast<Options::Geodesics>(take_choice("--geodesics", {"heat", "wavefront", "exact"}));
-    options.body
-      = static_cast<Options::Body>(take_choice("--body", {"auto", "lattice", "tetgen", "mesh"}));
-    options.components = static_cast<Options::Components>(
-      take_choice("--components", {"refuse", "largest", "each"}));
   }
 
   /// Returns the words that were not taken; none may look like an option.

@@ -60,7 +60,7 @@ std::size_t factor_nonzeros(const Body_view& body)
 }
 
 // Calls `use` with the body.
-template <typename Function>
+template <class Function>
 void with_body(const Body_kind kind, const Body_problem& problem, const Function& use)
 {
   namespace CP = CGAL::Canonical_pose_3;

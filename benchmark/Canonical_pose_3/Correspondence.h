@@ -10,10 +10,10 @@
 #ifndef CGAL_CANONICAL_POSE_3_BENCHMARK_CORRESPONDENCE_H
 #define CGAL_CANONICAL_POSE_3_BENCHMARK_CORRESPONDENCE_H
 
-#include "pose_difference.h"
-
 #include "Cgal_types.h" // of the tool
 #include "Mesh_file.h"
+
+#include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <CGAL/Orthogonal_k_neighbor_search.h>
 #include <CGAL/Search_traits_3.h>
@@ -31,6 +31,8 @@
 #include <vector>
 
 namespace Canonical_pose_benchmark {
+
+using CGAL::Canonical_pose_3::Point_matrix;
 
 /// Tells which vertices of the meshes of one class correspond.
 class Correspondence
@@ -114,8 +116,9 @@ private:
       result.push_back(search.begin()->first);
       squared += search.begin()->second;
     }
-    if(!(std::sqrt(squared / static_cast<double>(references.rows()))
-         < 0.05 * radius_of_gyration(points)))
+    const double extent
+      = std::sqrt((points.rowwise() - points.colwise().mean()).rowwise().squaredNorm().mean());
+    if(!(std::sqrt(squared / static_cast<double>(references.rows())) < 0.05 * extent))
       throw std::invalid_argument("the mesh does not lie where its reference lies");
     return result;
   }

@@ -27,7 +27,7 @@ namespace Canonical_pose_benchmark {
 
 /// The registration done literally as the paper prints it (Equations 6 to 13), as a reference: at
 /// every iteration rotations by Eigen's JacobiSVD, one cell after the other, and the matrix alpha L
-/// + (1 + beta) M assembled, analysed, factored and solved with, although it never changes. Only
+/// + (1 + beta) M assembled, analyzed, factored and solved with, although it never changes. Only
 /// the inverse of the rest edges is kept, as the paper says. The sparse solver is the package's
 /// own.
 ///
@@ -154,7 +154,7 @@ private:
     return result;
   }
 
-  template <typename Factor>
+  template <class Factor>
   Point_matrix solve(const Factor& factor, const Point_matrix& right) const
   {
     if(m_unknowns == ONE_PER_VERTEX)

@@ -34,7 +34,7 @@
 #include "Argument_list.h"
 #include "Body_trial.h"
 #include "gluing_shapes.h"
-#include "pose_difference.h"
+#include "mean_difference.h"
 #include "prepare.h"
 #include "setting.h"
 
@@ -109,19 +109,20 @@ private:
     if(!trial.failure.empty())
       std::printf("%s | | | | | | | | | | | |\n", trial.failure.c_str());
     else
-      std::printf("%zu | %zu | %.2f | %.0f | %.3f | %.3f | %.2f | %d | %.6f | %.4f | %zu | %s |\n",
-                  n.vertices, n.cells, 1e-6 * static_cast<double>(n.nonzeros), trial.megabytes,
-                  n.body_seconds, n.factorization_seconds, 1000 * n.iteration_seconds, n.iterations,
-                  n.energy, n.strain, n.inverted,
-                  reference.rows() == 0
-                    ? ""
-                    : std::to_string(pose_difference(trial.pose, reference)).substr(0, 6).c_str());
+      std::printf(
+        "%zu | %zu | %.2f | %.0f | %.3f | %.3f | %.2f | %d | %.6f | %.4f | %zu | %s |\n",
+        n.vertices, n.cells, 1e-6 * static_cast<double>(n.nonzeros), trial.megabytes,
+        n.body_seconds, n.factorization_seconds, 1000 * n.iteration_seconds, n.iterations, n.energy,
+        n.strain, n.inverted,
+        reference.rows() == 0
+          ? ""
+          : std::to_string(CP::pose_difference(trial.pose, reference)).substr(0, 6).c_str());
   }
 
   static void print(const std::string& what, const std::vector<Point_matrix>& poses)
   {
     if(poses.size() > 1)
-      std::printf("| %s | %zu | %.4f |\n", what.c_str(), poses.size(), mean_pose_difference(poses));
+      std::printf("| %s | %zu | %.4f |\n", what.c_str(), poses.size(), mean_difference(poses));
   }
 
   std::vector<Point_matrix> m_inputs, m_targets;
@@ -137,7 +138,7 @@ Point_matrix matrix_of(const Points& points)
 }
 
 // Prints a row of the third table for each body; `measure` tells its last two columns.
-template <typename Function>
+template <class Function>
 void print_gluing(const char* shape, const Body_problem& problem, const Function& measure)
 {
   for(const Body_kind kind : all_bodies)

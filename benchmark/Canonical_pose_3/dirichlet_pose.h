@@ -24,7 +24,7 @@ namespace Canonical_pose_benchmark {
 /// of rotations, sum_i m_i |(Bv)_i - target_i|^2 / L^2 + l^2 sum_t w_t |F_t - I|^2. That is quadratic:
 /// one system.
 /// `ElasticBody`: a model of the concept; `shares`: m, with sum 1.
-template <typename ElasticBody>
+template <class ElasticBody>
 CGAL::Canonical_pose_3::Point_matrix
 dirichlet_pose(const ElasticBody& body, const Eigen::VectorXd& shares,
                const CGAL::Canonical_pose_3::Point_matrix& target, const double length_scale,

@@ -76,7 +76,7 @@ struct Seconds
   double total() const { return set_up + fields; }
 };
 
-template <typename Function>
+template <class Function>
 double median_of(const std::vector<Seconds>& runs, const Function& f)
 {
   std::vector<double> values;
@@ -85,7 +85,7 @@ double median_of(const std::vector<Seconds>& runs, const Function& f)
   return median(values);
 }
 
-template <typename Function>
+template <class Function>
 double seconds(const Function& f)
 {
   CGAL::Real_timer timer;

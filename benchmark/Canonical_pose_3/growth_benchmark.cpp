@@ -57,7 +57,7 @@ using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
 namespace {
 
-typedef std::array<double, 2> Seconds; // of two parts
+using Seconds = std::array<double, 2>; // of two parts
 
 // Medians over the runs.
 struct Measurement

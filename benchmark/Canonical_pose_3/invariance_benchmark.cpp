@@ -11,7 +11,7 @@
 // or the mesh files given, all of one shape.
 //
 // How to read: one line per mesh. `stress` tells how far the target is from the geodesic distances,
-// `energy` what the registration minimises, `inverted` the cells turned inside out, `strain` the
+// `energy` what the registration minimizes, `inverted` the cells turned inside out, `strain` the
 // median of |log(edge length in the pose / in the input)|. The last line holds mean differences
 // over all pairs of meshes: root mean square distance of corresponding vertices after the best
 // rigid motion, without reflection, at unit radius of gyration. The more a pose forgets how the
@@ -30,8 +30,9 @@
 
 #include "Argument_list.h"
 #include "Correspondence.h"
-#include "pose_difference.h"
+#include "mean_difference.h"
 #include "setting.h"
+#include "take_options.h"
 
 #include "compute_pose.h" // of the tool
 
@@ -88,8 +89,8 @@ public:
   void print_differences() const
   {
     std::printf("mean difference of all pairs of %zu meshes: input %.4f, target %.4f, pose %.4f\n",
-                m_inputs.size(), mean_pose_difference(m_inputs), mean_pose_difference(m_targets),
-                mean_pose_difference(m_results));
+                m_inputs.size(), mean_difference(m_inputs), mean_difference(m_targets),
+                mean_difference(m_results));
   }
 
 private:
@@ -134,8 +135,7 @@ int main(int argc, char** argv)
   try
   {
     Argument_list arguments(argc, argv);
-    CP::Options options;
-    arguments.take(options);
+    const CP::Options options = take_options(arguments);
     const auto vertices = static_cast<std::size_t>(arguments.take_number("--vertices", 10000));
     const std::string vertex_lists = arguments.take_text("--vertex-lists");
     const std::string references = arguments.take_text("--reference-directory");

@@ -68,7 +68,7 @@ struct Arguments
   std::vector<std::string> files;
 };
 
-template <typename Function>
+template <class Function>
 double seconds(const Function& f)
 {
   CGAL::Real_timer timer;
@@ -157,7 +157,7 @@ struct Literal
 };
 
 Literal run_literal(const Mesh& mesh, const CP::Intermediate_results& results,
-                    const int wished_iterations)
+                    const int requested_iterations)
 {
   const CP::Conforming_body_3 body = CP::tetgen_body(mesh, mesh.points());
   const Eigen::VectorXd weights = CP::vertex_area_shares(mesh, mesh.points());
@@ -175,10 +175,10 @@ Literal run_literal(const Mesh& mesh, const CP::Intermediate_results& results,
   registrar.set_number_of_iterations(options.number_of_iterations);
   CP::Registration_summary ours = registrar.register_to_target(pose);
   result.iterations = result.iterations_to_converge = ours.iterations;
-  if(wished_iterations > 0)
+  if(requested_iterations > 0)
   {
-    result.iterations = wished_iterations;
-    registrar.set_number_of_iterations(wished_iterations);
+    result.iterations = requested_iterations;
+    registrar.set_number_of_iterations(requested_iterations);
     pose.resize(0, 3);
     ours = registrar.register_to_target(pose);
   }

@@ -36,6 +36,7 @@
 #include "Child_process.h"
 #include "median.h"
 #include "setting.h"
+#include "take_options.h"
 
 #include "compute_pose.h" // of the tool
 
@@ -147,7 +148,7 @@ Arguments parse(const int argc, char** argv)
 {
   Argument_list list(argc, argv);
   Arguments result;
-  list.take(result.options);
+  result.options = take_options(list);
   result.limits.seconds = list.take_number("--time-limit", 120);
   result.limits.megabytes = static_cast<std::size_t>(list.take_number("--memory-limit", 0));
   result.jobs = static_cast<std::size_t>((std::max)(1., list.take_number("--jobs", 1)));
@@ -294,7 +295,7 @@ void write_csv(std::ostream& out, const Result& r)
 }
 
 // Runs all meshes and hands the results over in their order.
-template <typename Function>
+template <class Function>
 void run_all(const Arguments& arguments, const Function& hand_over)
 {
   const std::vector<Path>& files = arguments.files;

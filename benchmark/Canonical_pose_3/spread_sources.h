@@ -16,7 +16,7 @@
 namespace Canonical_pose_benchmark {
 
 /// Vertices of a surface mesh, evenly spread over their numbers; the first is vertex 0.
-template <typename Mesh>
+template <class Mesh>
 std::vector<typename Mesh::Vertex_index> spread_sources(const Mesh& mesh, const std::size_t number)
 {
   std::vector<typename Mesh::Vertex_index> sources;

@@ -15,14 +15,14 @@
 //
 // - The rest shape (arms stretched sideways) is the zero set of a smooth union of capsules and
 //   ellipsoids.
-// - It is meshed once: marching tetrahedra, collapse of short edges down to the wished number of
+// - It is meshed once: marching tetrahedra, collapse of short edges down to the requested number of
 //   vertices, then rounds of edge flips and tangential smoothing. A collapse keeps the topology: it
 //   is the same at every size.
 // - A pose bends it along rods: one through each limb, one through the spine. A rod keeps its
 //   length and spreads the angle of a joint over a stretch around it, so that geodesics hardly
 //   change.
 //
-// Units: metres. Axes: x to the left of the figure, y up, z to the front. The soles are at y = 0.
+// Units: meters. Axes: x to the left of the figure, y up, z to the front. The soles are at y = 0.
 
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/iterator.h>
@@ -193,8 +193,8 @@ inline Vector projected(const Vector& p)
   return p - f / gradient.squaredNorm() * gradient;
 }
 
-/// Relative length of the edges that is wished around `p`: finer where there is detail.
-inline double wished_length(const Vector& p)
+/// Relative length of the edges that is suitable around `p`: finer where there is detail.
+inline double suitable_length(const Vector& p)
 {
   const double face = smoothstep(1.5, 1.6, p.y()) * smoothstep(-0.06, 0.05, p.z());
   const double hand = smoothstep(0.68, 0.76, std::abs(p.x()));
@@ -319,7 +319,7 @@ private:
   }
 };
 
-/// Cost of a collapse: length of the edge relative to the wished one.
+/// Cost of a collapse: length of the edge relative to the suitable one.
 template <class Mesh>
 struct Relative_length_cost
 {
@@ -328,21 +328,21 @@ struct Relative_length_cost
   {
     auto cost = CGAL::Surface_mesh_simplification::Edge_length_cost<Mesh>()(profile, placement);
     const auto& p = profile.p0();
-    const double wished = wished_length(Vector(p.x(), p.y(), p.z()));
+    const double suitable = suitable_length(Vector(p.x(), p.y(), p.z()));
     if(cost)
-      *cost /= wished * wished;
+      *cost /= suitable * suitable;
     return cost;
   }
 };
 
 struct Number_of_edges_reached
 {
-  std::size_t wished;
+  std::size_t requested;
 
   template <class FT, class Profile>
   bool operator()(const FT&, const Profile&, std::size_t, std::size_t current) const
   {
-    return current <= wished;
+    return current <= requested;
   }
 };
 
@@ -443,7 +443,7 @@ public:
   using Points = std::vector<std::array<double, 3>>;
   using Triangles = std::vector<std::array<std::size_t, 3>>;
 
-  /// Has exactly the wished number of vertices, at least 2000 and at most 2 million.
+  /// Has exactly the requested number of vertices, at least 2000 and at most 2 million.
   explicit Articulated_figure(std::size_t number_of_vertices = 10000)
   {
     if(number_of_vertices < 2000 || number_of_vertices > 2000000)
@@ -573,7 +573,7 @@ private:
     }
   }
 
-  /// Moves each vertex to the mean of its neighbours, then back onto the surface.
+  /// Moves each vertex to the mean of its neighbors, then back onto the surface.
   static void smooth(Mesh& mesh)
   {
     for(Mesh::Vertex_index v : mesh.vertices())
@@ -583,7 +583,7 @@ private:
       for(Mesh::Vertex_index w : CGAL::vertices_around_target(v, mesh))
       {
         const Vector p = vector(mesh.point(w));
-        const double weight = (p - vector(mesh.point(v))).norm() / internal::wished_length(p);
+        const double weight = (p - vector(mesh.point(v))).norm() / internal::suitable_length(p);
         mean += weight * p;
         weights += weight;
       }

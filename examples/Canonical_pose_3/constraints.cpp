@@ -40,7 +40,7 @@ Vector3d point(const Mesh& mesh, const std::size_t v)
 }
 
 // Every third vertex of those for which `is_inside(point)` holds.
-template <typename Predicate>
+template <class Predicate>
 std::vector<std::size_t> sample(const Mesh& mesh, const Predicate& is_inside)
 {
   std::vector<std::size_t> result;
@@ -92,7 +92,7 @@ int main(int argc, char* argv[])
     return EXIT_FAILURE;
   options.given = first; // distances and target serve both poses
 
-  // Limbs are straight in the canonical pose; each is wished as it is there, turned about its joint.
+  // Limbs are straight in the canonical pose; each is to be as it is there, turned about its joint.
   for(const Limb& limb : limbs)
   {
     const Vector3d joint = center(canonical, limb.joint);
@@ -101,8 +101,10 @@ int main(int argc, char* argv[])
     for(std::size_t i = 0; i < limb.vertices.size(); ++i)
     {
       const std::size_t p = limb.vertices[i], q = trunk[i % trunk.size()];
-      const Vector3d wished = joint + turn * (point(canonical, p) - joint) - point(canonical, q);
-      options.directions.push_back({p, q, wished.transpose(), 1 / double(limb.vertices.size())});
+      const Vector3d prescribed
+        = joint + turn * (point(canonical, p) - joint) - point(canonical, q);
+      options.directions.push_back(
+        {p, q, prescribed.transpose(), 1 / double(limb.vertices.size())});
     }
   }
   Mesh vitruvian = running;
@@ -116,7 +118,7 @@ int main(int argc, char* argv[])
   {
     const Vector3d way = center(vitruvian, limb.vertices) - center(vitruvian, limb.joint);
     const double cosine = way.normalized().dot(limb.direction.normalized());
-    std::cout << "cosine of the angle to the wished direction: " << cosine << '\n';
+    std::cout << "cosine of the angle to the prescribed direction: " << cosine << '\n';
     points_there = points_there && cosine > 0.9;
   }
   if(argc > 1

@@ -31,7 +31,7 @@ namespace Examples = Canonical_pose_examples;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
-// The vertices of a hand by their distance from its tip. A hand hangs on many springs, as a single
+// The vertices of a hand by their distance from its tip. A hand is held by many springs, as a single
 // vertex would be drawn out of it.
 std::vector<std::size_t> hand(const Mesh& mesh, const std::size_t tip)
 {
@@ -65,7 +65,7 @@ int main(int argc, char* argv[])
     options.given = reused;
     options.return_landmark_fields = true;
     for(std::size_t i = 0; i < n && stiffness > 0; ++i)
-      options.springs.push_back({left[i], right[i], 0.1 /* metres */, stiffness / double(n)});
+      options.springs.push_back({left[i], right[i], 0.1 /* meters */, stiffness / double(n)});
     Mesh pose = mesh;
     reused = CGAL::canonical_pose_3(mesh, pose.points(), options);
     if(!reused.is_usable())

@@ -30,7 +30,7 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
 // The largest change of an edge of the hands, |log(length in the pose / length)|.
-template <typename StiffnessMap, typename PoseMap>
+template <class StiffnessMap, class PoseMap>
 double strain_of_hands(const Mesh& mesh, const StiffnessMap& stiffness, const PoseMap& pose)
 {
   double result = 0;
@@ -56,7 +56,7 @@ int main()
     for(const auto v : mesh.vertices())
       if(CGAL::squared_distance(mesh.point(v),
                                 mesh.point(Mesh::Vertex_index(figure.landmark(hand))))
-         < 0.15 * 0.15 /* metres */)
+         < 0.15 * 0.15 /* meters */)
       {
         weight[v] = 0;
         stiffness[v] = 30;

@@ -74,6 +74,10 @@ target to the input puts it. It follows rigid motions, scaling and relabeling of
     \cgalParamDescription{replaces `Options::random_seed`}
     \cgalParamType{unsigned int}
   \cgalParamNEnd
+  \cgalParamNBegin{sparse_linear_solver}
+    \cgalParamDescription{an instance of a solver whose type replaces `Options::solver`}
+    \cgalParamType{a class model of `SparseLinearAlgebraWithBlockFactorTraits_d`}
+  \cgalParamNEnd
   \cgalParamNBegin{visitor}
     \cgalParamDescription{replaces `Options::visitor`}
     \cgalParamType{a class model of `RegistrationVisitor_3`}
@@ -84,11 +88,11 @@ target to the input puts it. It follows rigid motions, scaling and relabeling of
          `Options::given`.
 
 \throws std::invalid_argument if the surface has no area, a coordinate is not finite, there are
-       several components and the options do not say what to do with them, the body wished needs a
+       several components and the options do not say what to do with them, the requested body needs a
        surface without defect (see `Canonical_pose_3::diagnose()`), or an option is out of its bounds;
        the message names the defect and an element.
-\throws std::runtime_error if the solver or the mesher fails, or the program was built without the body
-       wished.
+\throws std::runtime_error if the solver or the mesher fails, or the program was built without the
+       requested body.
 
 <em>Complexity:</em> with the default distances two factorizations and one solve per landmark of
 sparse matrices of the size of the surface, one factorization of a matrix of the size of the body,
@@ -117,7 +121,8 @@ canonical_pose_3(const TriangleMesh& tmesh, PoseVertexPointMap pose_vertex_point
   const Result result = Canonical_pose_3::internal::pose_of_surface(
     points, Canonical_pose_3::internal::index_polygons(tmesh),
     Canonical_pose_3::internal::options_of_parameters(options, np),
-    Canonical_pose_3::internal::linked_bodies());
+    Canonical_pose_3::internal::linked_bodies(),
+    Canonical_pose_3::internal::factor_makers_of_parameters(np));
   if(result.is_usable())
     put_points(result.pose, tmesh, pose_vertex_point_map, traits);
   return result;
@@ -153,7 +158,7 @@ Canonical_pose_3::Result canonical_pose_3(const TriangleMesh& tmesh,
 \param pose receives the pose of each point, in the order of `points`, unless the result says that
        there is none.
 \param options the knobs of the method.
-\param np `geom_traits`, `random_seed` and `visitor`, as for a mesh
+\param np `geom_traits`, `random_seed`, `sparse_linear_solver` and `visitor`, as for a mesh
 
 \returns as for a mesh.
 
@@ -179,7 +184,8 @@ canonical_pose_3(const PointRange& points, const PolygonRange& polygons, PosePoi
     indices.emplace_back(std::begin(polygon), std::end(polygon));
   const Result result = Canonical_pose_3::internal::pose_of_surface(
     rows, indices, Canonical_pose_3::internal::options_of_parameters(options, np),
-    Canonical_pose_3::internal::linked_bodies());
+    Canonical_pose_3::internal::linked_bodies(),
+    Canonical_pose_3::internal::factor_makers_of_parameters(np));
   if(result.is_usable())
   {
     pose.clear();
@@ -206,7 +212,7 @@ complex are the body.
 \param complex the complex; it is not changed.
 \param pose_vertex_point_map receives the pose, unless the result says that there is none.
 \param options the knobs of the method.
-\param np `geom_traits`, `random_seed` and `visitor`, as for a mesh
+\param np `geom_traits`, `random_seed`, `sparse_linear_solver` and `visitor`, as for a mesh
 
 \returns as for a mesh.
 
@@ -230,7 +236,8 @@ canonical_pose_3(const TetrahedralComplex& complex, PoseVertexPointMap pose_vert
   const auto indexed = Canonical_pose_3::internal::indexed_complex(complex, traits);
   const double seconds_to_index = timer.time();
   Result result = Canonical_pose_3::internal::pose_of_complex(
-    indexed.points, indexed.cells, Canonical_pose_3::internal::options_of_parameters(options, np));
+    indexed.points, indexed.cells, Canonical_pose_3::internal::options_of_parameters(options, np),
+    Canonical_pose_3::internal::factor_makers_of_parameters(np));
   result.summary.add_seconds("body", seconds_to_index);
   if(result.is_usable())
     for(std::size_t i = 0; i < indexed.vertices.size(); ++i)

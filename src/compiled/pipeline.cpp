@@ -7,5 +7,6 @@
 //
 // Author(s) : The Canonical_pose_3 authors
 
+#include <CGAL/Canonical_pose_3/internal/pipeline/geodesic_distances_impl.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/pose_of_complex_impl.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/pose_of_surface_impl.h>

@@ -63,7 +63,7 @@ inline CP::Symmetry_constraint_adaptor_3 symmetry()
   return result;
 }
 
-template <typename Constraint>
+template <class Constraint>
 Eigen::MatrixXd matrix_of(const Constraint& constraint)
 {
   std::vector<Eigen::Triplet<double>> entries;
@@ -73,7 +73,7 @@ Eigen::MatrixXd matrix_of(const Constraint& constraint)
   return matrix;
 }
 
-template <typename Constraint>
+template <class Constraint>
 Point_matrix right_hand_side_of(Constraint& constraint, const Point_matrix& points)
 {
   Point_matrix result = Point_matrix::Zero(number_of_points, 3);

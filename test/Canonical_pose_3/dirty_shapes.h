@@ -137,7 +137,7 @@ inline Polygon_soup moebius_strip(const std::size_t n)
 }
 
 /// The faces in reverse order, and vertex i named n - 1 - i.
-inline Polygon_soup relabelled(const Polygon_soup& soup)
+inline Polygon_soup relabeled(const Polygon_soup& soup)
 {
   Polygon_soup result{{soup.points.rbegin(), soup.points.rend()},
                       {soup.polygons.rbegin(), soup.polygons.rend()}};

@@ -74,8 +74,8 @@ public:
     for(const auto& t : boundary(body, &origin).triangles)
       for(int k = 0; k < 3; ++k)
       {
-        neighbours[origin[t[k]]].insert(origin[t[(k + 1) % 3]]);
-        neighbours[origin[t[k]]].insert(origin[t[(k + 2) % 3]]);
+        neighbors[origin[t[k]]].insert(origin[t[(k + 1) % 3]]);
+        neighbors[origin[t[k]]].insert(origin[t[(k + 2) % 3]]);
       }
   }
 
@@ -119,7 +119,7 @@ private:
     for(const double step : {0.5, -0.53})
     {
       const Eigen::VectorXd before = result;
-      for(const auto& [i, others] : neighbours)
+      for(const auto& [i, others] : neighbors)
         for(const std::size_t j : others)
           result.segment<3>(3 * i)
             += step / double(others.size()) * (before.segment<3>(3 * j) - before.segment<3>(3 * i));
@@ -133,7 +133,7 @@ private:
   Spring s;
   std::vector<Eigen::MatrixXd> G;
   std::vector<double> volume;
-  std::map<std::size_t, std::set<std::size_t>> neighbours;
+  std::map<std::size_t, std::set<std::size_t>> neighbors;
   bool first = true;
 };
 

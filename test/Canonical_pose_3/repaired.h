@@ -82,7 +82,7 @@ inline CGAL::Canonical_pose_3::Repaired_surface_3 repaired(const Polygon_soup& s
   for(std::size_t c = 0; c < result.number_of_components; ++c)
     expect_valid(CGAL::Canonical_pose_3::component_of_surface(result, c), points);
   const CGAL::Canonical_pose_3::Repaired_surface_3 other = CGAL::Canonical_pose_3::repair_surface(
-    to_matrix(relabelled(soup).points), relabelled(soup).polygons);
+    to_matrix(relabeled(soup).points), relabeled(soup).polygons);
   EXPECT_EQ(other.triangles.size(), result.triangles.size());
   EXPECT_EQ(other.origins.size(), result.origins.size());
   EXPECT_EQ(other.caps.size(), result.caps.size());

@@ -120,7 +120,7 @@ Mesh strip(std::size_t nx, std::size_t ny)
 }
 
 /// `p` after the x axis from 0 to `length` was rolled over `angle` radians of a circle: an isometry
-/// of the plane z = 0; z becomes the height above the arc, towards the centre of the circle.
+/// of the plane z = 0; z becomes the height above the arc, towards the center of the circle.
 inline std::array<double, 3> bend(const std::array<double, 3>& p, double length, double angle)
 {
   if(angle == 0.)
@@ -218,7 +218,7 @@ Mesh torus(std::size_t around, std::size_t across, double large, double small)
 }
 
 /// Closed straight tube along x: `rings` circles of `sides` vertices over [0,length], and the
-/// centre of each flat end.
+/// center of each flat end.
 inline Triangle_soup tube_soup(std::size_t rings, std::size_t sides, double length, double radius)
 {
   Triangle_soup soup;

@@ -109,7 +109,7 @@ TEST(Arap, result_is_a_stationary_point_of_the_reported_energy)
     }
 }
 
-// Both steps minimise E over their unknowns, hence it cannot rise; with Tikhonov neither. Random
+// Both steps minimize E over their unknowns, hence it cannot rise; with Tikhonov neither. Random
 // targets, some of them reflected so that cells turn over.
 TEST(Arap, energy_never_rises)
 {
@@ -202,7 +202,7 @@ TEST(Arap, warm_start_and_detail_length)
   }
 }
 
-// A body vertex without target (weight 0) starts and ends where its neighbours carry it: with a
+// A body vertex without target (weight 0) starts and ends where its neighbors carry it: with a
 // rigid target exactly there.
 TEST(Arap, vertices_without_target_follow)
 {

@@ -29,7 +29,7 @@ using CP::Point_matrix;
 
 namespace {
 
-// A model of ElasticBody_3 whose surface hangs inside the cells: B has four entries per row.
+// A model of ElasticBody_3 whose surface lies inside the cells: B has four entries per row.
 class Hanging_body
 {
 public:
@@ -84,7 +84,7 @@ struct Handle
   std::size_t revision = 0;
 };
 
-// A model of MdsKernel: -r^2/2 plus a constant, which centring removes.
+// A model of MdsKernel: -r^2/2 plus a constant, which centering removes.
 struct Shifted_kernel
 {
   double operator()(const double relative_distance) const
@@ -163,7 +163,7 @@ TEST(Archetypes, constraint)
   EXPECT_NEAR((moved.row(0) + shift - handle.position).norm(), 2, 4e-5);
 }
 
-// Centring removes constants: the target is that of classical scaling.
+// Centering removes constants: the target is that of classical scaling.
 TEST(Archetypes, mds_kernel)
 {
   const Point_matrix points = Canonical_pose_test::to_matrix(

@@ -137,7 +137,7 @@ TEST(Biharmonic_distances, scale_and_components)
 // Same order of vertices and faces, same bytes.
 TEST(Biharmonic_distances, polyhedron)
 {
-  typedef CGAL::Polyhedron_3<Kernel> Polyhedron;
+  using Polyhedron = CGAL::Polyhedron_3<Kernel>;
   const Triangle_soup soup = torus_soup(30, 16, 1., 0.4);
   const Mesh mesh = to_mesh<Mesh>(soup);
   const Polyhedron polyhedron = to_mesh<Polyhedron>(soup);

@@ -83,7 +83,7 @@ TEST(Body_deformer, is_exact_for_affine_functions)
   }
 }
 
-// A bar of one row of boxes, each cell of which has corners on every side of its box: a point in a cell hangs on
+// A bar of one row of boxes, each cell of which has corners on every side of its box: a point in a cell is embedded in
 // that cell, so that it follows any motion of the corners with the same coordinates.
 TEST(Body_deformer, points_in_cells_follow_their_corners)
 {

@@ -53,14 +53,14 @@ TEST(Cell_stiffness, runs_inwards)
   const CP::Conforming_body_3 bar = conforming_bar(0.);
   const Eigen::Index n = bar.points().rows(), edge = 13;
   const int step = 7; // no divisor of 2n - 2 * edge: a permutation of the body vertices inside
-  std::vector<int> rows(static_cast<std::size_t>(2 * n)), relabelled(rows.size());
+  std::vector<int> rows(static_cast<std::size_t>(2 * n)), relabeled(rows.size());
   for(Eigen::Index v = 0; v < n; ++v) // first the two edges
     for(int copy = 0; copy < 2; ++copy)
       rows[static_cast<std::size_t>(v + copy * n)]
         = static_cast<int>(v < edge ? v + copy * edge : 2 * edge + (v - edge) + copy * (n - edge));
   const int inner = static_cast<int>(2 * (n - edge)), surface = static_cast<int>(2 * edge);
   for(std::size_t v = 0; v < rows.size(); ++v)
-    relabelled[v] = rows[v] < surface ? rows[v] : surface + (rows[v] - surface) * step % inner;
+    relabeled[v] = rows[v] < surface ? rows[v] : surface + (rows[v] - surface) * step % inner;
   ASSERT_EQ(std::gcd(step, inner), 1);
 
   const auto body = [&](const std::vector<int>& rows_of_copies, const bool is_reversed) {
@@ -92,7 +92,7 @@ TEST(Cell_stiffness, runs_inwards)
   EXPECT_GE(result.tail(half).minCoeff(), 10);
   EXPECT_LE(result.tail(half).maxCoeff(), 20);
   EXPECT_LT(result[0], result[half - 1]); // as the values do, along the bar
-  const VectorXd other = CP::cell_stiffness(body(relabelled, true), shares, values);
+  const VectorXd other = CP::cell_stiffness(body(relabeled, true), shares, values);
   EXPECT_LT((other.reverse() - result).cwiseAbs().maxCoeff(), 1e-12);
 }
 

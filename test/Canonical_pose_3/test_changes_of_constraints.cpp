@@ -26,20 +26,19 @@ using CP::Point_matrix;
 
 namespace {
 
-int factorisations = 0;
+int factorizations = 0;
 
 struct Counting_factor_traits : CP::Default_factor_traits_d
 {
   bool factor(const Matrix& matrix, NT& denominator)
   {
-    ++factorisations;
+    ++factorizations;
     return CP::Default_factor_traits_d::factor(matrix, denominator);
   }
 };
 
-typedef CP::Tetrahedral_arap_registrar_3<CP::Conforming_body_3, CGAL::Default,
-                                         Counting_factor_traits>
-  Registrar;
+using Registrar
+  = CP::Tetrahedral_arap_registrar_3<CP::Conforming_body_3, CGAL::Default, Counting_factor_traits>;
 
 constexpr std::size_t n_bar = 41 * 16;
 
@@ -60,9 +59,9 @@ struct Push
 
 } // namespace
 
-// Adding, changing and removing a few constraints: one factorisation for all, and the poses that new
+// Adding, changing and removing a few constraints: one factorization for all, and the poses that new
 // registrars find.
-TEST(Changes_of_constraints, poses_are_those_of_new_factorisations)
+TEST(Changes_of_constraints, poses_are_those_of_new_factorizations)
 {
   const CP::Conforming_body_3 body = Canonical_pose_test::bar_body(40, 3, 3);
   const Eigen::VectorXd weights = uniform_weights(body.points());
@@ -72,13 +71,13 @@ TEST(Changes_of_constraints, poses_are_those_of_new_factorisations)
   CP::Handle_constraint_adaptor_3 handles(n_bar);
   Registrar kept(body, weights, 8., options);
   kept.set_target(target);
-  factorisations = 0;
+  factorizations = 0;
   kept.add_constraint(springs);
   kept.factor();
   bool has_handles = false;
   int steps = 0;
   const auto expect_same_pose = [&] {
-    const int before = factorisations;
+    const int before = factorizations;
     Registrar fresh(body, weights, 8., options);
     fresh.set_target(target);
     fresh.add_constraint(springs);
@@ -86,7 +85,7 @@ TEST(Changes_of_constraints, poses_are_those_of_new_factorisations)
       fresh.add_constraint(handles);
     Point_matrix pose, expected;
     const CP::Registration_summary summary = kept.register_to_target(pose);
-    EXPECT_EQ(factorisations, before) << steps;
+    EXPECT_EQ(factorizations, before) << steps;
     fresh.register_to_target(expected);
     EXPECT_LT((pose - expected).norm(), 1e-9 * expected.norm()) << steps;
     EXPECT_TRUE(Canonical_pose_test::never_rises(summary.energy_history)) << steps;
@@ -113,23 +112,23 @@ TEST(Changes_of_constraints, poses_are_those_of_new_factorisations)
   EXPECT_EQ(steps, 6);
 }
 
-// Many constraints are put into a new factorisation; they can then be removed one by one.
+// Many constraints are put into a new factorization; they can then be removed one by one.
 TEST(Changes_of_constraints, many_constraints_are_factored)
 {
   const CP::Conforming_body_3 body = Canonical_pose_test::bar_body(40, 3, 3);
   Registrar registrar(body, uniform_weights(body.points()), 8.);
   registrar.set_target(body.points());
-  factorisations = 0;
+  factorizations = 0;
   registrar.factor();
   CP::Handle_constraint_adaptor_3 handles(n_bar);
   for(std::size_t i = 0; i < n_bar; ++i)
     handles.insert({i, body.points().row(Eigen::Index(i)), 0.01});
   registrar.add_constraint(handles);
   registrar.factor();
-  EXPECT_EQ(factorisations, 2);
+  EXPECT_EQ(factorizations, 2);
   handles.erase(5);
   registrar.factor();
-  EXPECT_EQ(factorisations, 2);
+  EXPECT_EQ(factorizations, 2);
   EXPECT_THROW(registrar.remove_constraint(registrar), CGAL::Precondition_exception);
 }
 

@@ -75,7 +75,7 @@ TEST(Components, followers_go_with_the_nearest)
   EXPECT_LT((followers - pose).cwiseAbs().maxCoeff(), 1e-9);
 }
 
-// Vertices of no face hang on the nearest component; a copy of a vertex goes where that goes.
+// Vertices of no face are attached to the nearest component; a copy of a vertex goes where that goes.
 TEST(Components, isolated_vertices_go_with_the_nearest)
 {
   Polygon_soup soup = two_bars();

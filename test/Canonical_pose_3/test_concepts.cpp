@@ -31,8 +31,8 @@ using CP::Point_matrix;
 
 namespace {
 
-typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
-typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
 Canonical_pose_test::Tetrahedral_soup bent_bar_soup()
 {
@@ -63,17 +63,17 @@ private:
 // The least that CanonicalPoseTraits_3 asks for.
 struct My_traits
 {
-  typedef float FT;
-  typedef My_point Point_3;
+  using FT = float;
+  using Point_3 = My_point;
 
   template <int i>
   struct Compute_coordinate
   {
     FT operator()(const Point_3& p) const { return p.m_coordinates[i]; }
   };
-  typedef Compute_coordinate<0> Compute_x_3;
-  typedef Compute_coordinate<1> Compute_y_3;
-  typedef Compute_coordinate<2> Compute_z_3;
+  using Compute_x_3 = Compute_coordinate<0>;
+  using Compute_y_3 = Compute_coordinate<1>;
+  using Compute_z_3 = Compute_coordinate<2>;
   struct Construct_point_3
   {
     Point_3 operator()(const FT x, const FT y, const FT z) const
@@ -101,9 +101,9 @@ struct My_complex
 template <>
 struct CGAL::Canonical_pose_3::Tetrahedral_complex_traits_3<My_complex>
 {
-  typedef char32_t Vertex_descriptor;
-  typedef My_point Point_3;
-  typedef std::array<char32_t, 4> Cell;
+  using Vertex_descriptor = char32_t;
+  using Point_3 = My_point;
+  using Cell = std::array<char32_t, 4>;
 
   static std::vector<char32_t> vertices(const My_complex& complex)
   {

@@ -40,7 +40,7 @@ struct Pair
     weights[0] = weights[4] = 1;
   }
 
-  template <typename Constraint>
+  template <class Constraint>
   Point_matrix pose(Constraint& constraint, CP::Registration_summary& summary) const
   {
     const CP::Conforming_body_3 body(points, {{0, 1, 2, 3}, {4, 5, 6, 7}}, 8);
@@ -71,24 +71,24 @@ CP::Symmetry_constraint_adaptor_3 symmetry_of_bar(const double stiffness)
 
 } // namespace
 
-// For targets P, Q of weight m each and a wished difference d, stationarity gives p - q = (m (P - Q) +
+// For targets P, Q of weight m each and a prescribed difference d, stationarity gives p - q = (m (P - Q) +
 // kappa d) / (m + kappa), and the middle stays where it is.
 TEST(Constrained_registration, direction_in_equilibrium_is_exact)
 {
   const Pair pair;
   const double m = 0.5;
-  const RowVector3d wished(1, 2, 3), rest = pair.points.row(0) - pair.points.row(4);
+  const RowVector3d prescribed(1, 2, 3), rest = pair.points.row(0) - pair.points.row(4);
   for(const double stiffness : {0.1, 1., 1e6})
   {
     CP::Direction_constraint_adaptor_3 directions(8);
-    directions.insert({0, 4, wished, stiffness});
+    directions.insert({0, 4, prescribed, stiffness});
     CP::Registration_summary summary;
     const Point_matrix pose = pair.pose(directions, summary);
-    const RowVector3d expected = (m * rest + stiffness * wished) / (m + stiffness);
+    const RowVector3d expected = (m * rest + stiffness * prescribed) / (m + stiffness);
     EXPECT_LT((pose.row(0) - pose.row(4) - expected).norm(), 1e-8);
     EXPECT_LT((pose.row(0) + pose.row(4) - pair.points.row(0) - pair.points.row(4)).norm(), 1e-8);
-    EXPECT_NEAR(summary.energy_constraints, stiffness / 2 * (expected - wished).squaredNorm() / 25,
-                1e-8);
+    EXPECT_NEAR(summary.energy_constraints,
+                stiffness / 2 * (expected - prescribed).squaredNorm() / 25, 1e-8);
   }
 }
 

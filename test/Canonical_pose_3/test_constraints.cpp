@@ -37,7 +37,7 @@ Point_matrix random_points(CGAL::Random& random, const double size = 1)
 // The concept's promise, from which follows that the energy of a registration never rises: q(y) =
 // tr(y^t C y) - 2 tr(y^t D(x)) + const lies above e(y) everywhere and touches it at x. Hence the
 // gradient of e at x is 2 (C x - D(x)), here compared with central differences.
-template <typename Constraint>
+template <class Constraint>
 void expect_majorised(Constraint constraint)
 {
   CGAL::Random random(7);
@@ -67,7 +67,7 @@ const Eigen::Matrix3d rotation
   = Eigen::AngleAxisd(2., Eigen::Vector3d(1, 2, -1).normalized()).toRotationMatrix().transpose();
 const RowVector3d translation(3, -1, 2);
 
-template <typename Constraint, typename Moved>
+template <class Constraint, class Moved>
 void expect_same_energy_when_moved(const Constraint& constraint, const Moved& moved)
 {
   CGAL::Random random(8);

@@ -105,7 +105,7 @@ TEST(Diagnosis, components_holes_and_intersections)
   EXPECT_EQ(defects(soup), Defects({"holes 2"}));
   EXPECT_EQ(diagnosis(soup).boundary_edges, 6u);
   EXPECT_GT(diagnosis(merged(ball(), ball(), 0.5)).self_intersections, 0u);
-  // where the surface is not manifold, too: a face through the ball, hung up at an edge of it
+  // where the surface is not manifold, too: a face through the ball, attached to an edge of it
   soup = ball_with_fin();
   soup.points[12] = {{3., -3., 0.5}};
   EXPECT_GT(diagnosis(soup).self_intersections, 0u);

@@ -53,7 +53,7 @@ TEST(Diagnosis, counts_do_not_depend_on_labels_and_scale)
   for(const Polygon_soup& soup : {quad_cube(), unsewn(ball()), pinched_balls(), ball_with_fin(),
                                   cubes_with_a_common_edge(), moebius_strip(20)})
   {
-    EXPECT_EQ(defects(soup), defects(relabelled(soup)));
+    EXPECT_EQ(defects(soup), defects(relabeled(soup)));
     for(const double scale : {1e150, 1e-150})
     {
       Polygon_soup scaled = soup;
@@ -66,7 +66,7 @@ TEST(Diagnosis, counts_do_not_depend_on_labels_and_scale)
 
 TEST(Diagnosis, polygon_mesh)
 {
-  typedef CGAL::Simple_cartesian<double>::Point_3 Point;
+  using Point = CGAL::Simple_cartesian<double>::Point_3;
   CGAL::Polyhedron_3<CGAL::Simple_cartesian<double>> cube;
   CGAL::make_hexahedron(Point(0, 0, 0), Point(1, 0, 0), Point(1, 1, 0), Point(0, 1, 0),
                         Point(0, 1, 1), Point(0, 0, 1), Point(1, 0, 1), Point(1, 1, 1), cube);

@@ -35,7 +35,7 @@ using CGAL::Canonical_pose_3::Options;
 
 namespace {
 
-typedef CGAL::Exact_predicates_inexact_constructions_kernel::Point_3 Point_3;
+using Point_3 = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
 
 // The pose is there and finite.
 void expect_pose(const Triangle_soup& soup, const Options& options)

@@ -36,9 +36,9 @@ TEST(Heat_geodesics, absolute_scale_in_the_plane)
 {
   const Triangle_soup soup = plane_grid_soup(50, 50, 3., 3.);
   const Mesh mesh = to_mesh<Mesh>(soup);
-  const std::size_t centre = 25 * 51 + 25;
-  const Eigen::VectorXd d = Heat(mesh).distances(vertex(mesh, centre));
-  const Eigen::VectorXd e = straight_distances(soup.points, centre);
+  const std::size_t center = 25 * 51 + 25;
+  const Eigen::VectorXd d = Heat(mesh).distances(vertex(mesh, center));
+  const Eigen::VectorXd e = straight_distances(soup.points, center);
   EXPECT_LT(mean_relative_error(d, e), HEAT_TOLERANCE);
   EXPECT_NEAR(d.dot(e) / e.squaredNorm(), 1., 0.01);
 }
@@ -57,7 +57,7 @@ TEST(Heat_geodesics, great_circles)
   EXPECT_GE(d.minCoeff(), 0.);
 }
 
-// The lengths are normalised by a power of two: such a scale changes no mantissa. Any other scale
+// The lengths are normalized by a power of two: such a scale changes no mantissa. Any other scale
 // rounds the coordinates, and may flip cocircular edges the other way, which changes nothing
 // either.
 TEST(Heat_geodesics, any_unit)

@@ -38,7 +38,7 @@ public:
   }
 };
 
-template <typename Registrar>
+template <class Registrar>
 Point_matrix pose(const CP::Conforming_body_3& body, const Point_matrix& target)
 {
   Registrar registrar(body, Canonical_pose_test::uniform_weights(body.points()), 8.,

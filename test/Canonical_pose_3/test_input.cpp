@@ -7,6 +7,8 @@
 //
 // Author(s) : The Canonical_pose_3 authors
 
+#include <CGAL/Canonical_pose_3/Exact_geodesics_3.h>
+#include <CGAL/Canonical_pose_3/landmark_fields_function.h>
 #include <CGAL/canonical_pose_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -28,8 +30,8 @@ namespace CP = CGAL::Canonical_pose_3;
 
 namespace {
 
-typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
-typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
 const Kernel::Point_3 untouched(7, 7, 7);
 
@@ -151,7 +153,7 @@ TEST(Bad_input, faces_of_the_input_are_named)
   for(const auto& p : cube.points)
     points.emplace_back(p[0], p[1], p[2]);
   CP::Options options;
-  options.geodesics = CP::Options::Geodesics::EXACT;
+  options.landmark_fields_function = CP::landmark_fields_function<CP::Exact_geodesics_3<Mesh>>();
   EXPECT_THROW_WITH(CGAL::canonical_pose_3(points, cube.polygons, pose, options),
                     std::invalid_argument, "face 6 is degenerate");
 }

@@ -34,9 +34,9 @@ using CP::Point_matrix;
 
 namespace {
 
-typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
-typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
-typedef std::vector<std::size_t> Permutation; // old row of each new one
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using Permutation = std::vector<std::size_t>; // old row of each new one
 
 const Eigen::Matrix3d rotation
   = Eigen::AngleAxisd(2.2, Eigen::Vector3d(1, 3, -2).normalized()).toRotationMatrix();
@@ -114,7 +114,7 @@ Point_matrix complex_pose(Complex_case c)
 
 } // namespace
 
-// With body and distances given, nothing but rounding tells a moved or relabelled complex from the
+// With body and distances given, nothing but rounding tells a moved or relabeled complex from the
 // first one: the minimum is isolated, and moves with the input. It is approached far beyond the
 // default tolerances here.
 TEST(Invariance, given_body_and_landmarks)
@@ -141,9 +141,9 @@ TEST(Invariance, given_body_and_landmarks)
   std::vector<std::size_t> origin;
   Canonical_pose_test::boundary(soup, &origin);
   const Permutation old_row = shuffled(soup.points.size());
-  Complex_case relabelled = input;
-  relabelled.complex = {to_points(permuted(points, old_row)), renamed(soup.cells, old_row)};
-  CP::Landmark_fields_3& fields = *relabelled.results.landmark_fields;
+  Complex_case relabeled = input;
+  relabeled.complex = {to_points(permuted(points, old_row)), renamed(soup.cells, old_row)};
+  CP::Landmark_fields_3& fields = *relabeled.results.landmark_fields;
   Eigen::Index row = 0;
   Permutation new_row(origin.size());
   for(const std::size_t v : old_row)
@@ -157,8 +157,7 @@ TEST(Invariance, given_body_and_landmarks)
   }
   for(std::size_t& landmark : fields.landmarks)
     landmark = new_row[landmark];
-  EXPECT_LT((complex_pose(relabelled) - permuted(pose, old_row)).rowwise().norm().maxCoeff(),
-            bound);
+  EXPECT_LT((complex_pose(relabeled) - permuted(pose, old_row)).rowwise().norm().maxCoeff(), bound);
 }
 
 // From the surface on there are choices (landmarks, tetrahedra) that ties and rounding may change,

@@ -53,7 +53,7 @@ const C3t3& bar()
   return result;
 }
 
-template <typename Complex>
+template <class Complex>
 Tetrahedra indexed(const Complex& complex)
 {
   using Traits = CP::Tetrahedral_complex_traits_3<Complex>;

@@ -60,7 +60,7 @@ double largest_distance_error(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b
 
 } // namespace
 
-// Classical scaling is exact on Euclidean distances: the centred kernel matrix is then the Gram
+// Classical scaling is exact on Euclidean distances: the centered kernel matrix is then the Gram
 // matrix of the landmarks, of rank 3, and interpolation recovers every other point. Nothing but
 // rounding is left. This pins all constants.
 TEST(Landmark_mds, recovers_a_cloud_from_its_distances)

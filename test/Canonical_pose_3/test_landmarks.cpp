@@ -27,21 +27,23 @@
 
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <set>
+#include <stdexcept>
 #include <vector>
 
 namespace CP = CGAL::Canonical_pose_3;
 
 namespace {
 
-typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
-typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
 // A model of GeodesicDistances_3 whose distances are exact: those of points in space.
 struct Straight_distances
 {
-  typedef Mesh Triangle_mesh;
-  typedef Mesh::Vertex_index vertex_descriptor;
+  using Triangle_mesh = Mesh;
+  using vertex_descriptor = Mesh::Vertex_index;
 
   const Mesh& triangle_mesh() const { return mesh; }
   std::size_t index(const vertex_descriptor v) const { return v; }
@@ -85,6 +87,29 @@ TEST(Farthest_point_landmarks, are_farthest_and_cover)
     EXPECT_EQ(nearest[static_cast<Eigen::Index>(fields.landmarks[j])], nearest.maxCoeff());
   }
   EXPECT_EQ(fields.covering_radius, fields.distances.rowwise().minCoeff().maxCoeff());
+}
+
+// Distances alone tell the same landmarks and the same covering radius; points on no surface do not count.
+TEST(Landmark_fields, of_distances)
+{
+  const Mesh mesh = Canonical_pose_test::icosphere<Mesh>(2, 1.);
+  const CP::Landmark_fields_3 expected
+    = CP::farthest_point_landmarks(Straight_distances{mesh}, 9, *vertices(mesh).begin());
+  const CP::Landmark_fields_3 found = CP::landmark_fields(expected.distances);
+  EXPECT_EQ(found.landmarks, expected.landmarks);
+  EXPECT_EQ(found.distances, expected.distances);
+  EXPECT_EQ(found.covering_radius, expected.covering_radius);
+
+  Eigen::MatrixXd distances = expected.distances;
+  distances.row(7).setConstant(std::numeric_limits<double>::infinity());
+  EXPECT_LE(CP::landmark_fields(distances).covering_radius, expected.covering_radius);
+  distances(3, 2) = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW_WITH(CP::landmark_fields(distances), std::invalid_argument, "row 3 and column 2");
+  distances(3, 2) = -1;
+  EXPECT_THROW_WITH(CP::landmark_fields(distances), std::invalid_argument, "row 3 and column 2");
+  distances.col(2).setOnes();
+  EXPECT_THROW_WITH(CP::landmark_fields(distances), std::invalid_argument, "column 2");
+  EXPECT_THROW_WITH(CP::landmark_fields(Eigen::MatrixXd(4, 0)), std::invalid_argument, "no column");
 }
 
 TEST(Farthest_point_landmarks, more_than_there_are_vertices)

@@ -135,7 +135,7 @@ TEST(Lanes, every_version_substitutes)
   const Supernodal_matrix matrix
     = {2,           columns.data(), first_rows.data(),      first_values.data(),
        rows.data(), values.data(),  inverse_diagonal.data()};
-  typedef Eigen::Matrix<double, Eigen::Dynamic, NUMBER_OF_LANES, Eigen::RowMajor> Rows;
+  using Rows = Eigen::Matrix<double, Eigen::Dynamic, NUMBER_OF_LANES, Eigen::RowMajor>;
   Rows b(20, NUMBER_OF_LANES);
   for(Eigen::Index i = 0; i < b.size(); ++i)
     b.data()[i] = uniform(generator);

@@ -88,7 +88,7 @@ shapes::Triangle_soup box(const std::size_t n, const double height)
 } // namespace
 
 // Barycentric coordinates reproduce points: exact but for rounding. They lie between 0 and 1, because
-// each vertex hangs on the tetrahedron that holds it.
+// each vertex is embedded in the tetrahedron that holds it.
 TEST(Lattice_body, surface_at_rest)
 {
   const Prepared torus(shapes::torus_soup(60, 30, 1., 0.4));

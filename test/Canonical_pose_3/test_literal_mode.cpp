@@ -121,7 +121,7 @@ TEST(Literal_mode, one_call)
   EXPECT_LT((to_matrix(pose) - expected).cwiseAbs().maxCoeff(), 1e-6);
 }
 
-// Equation 3 with the affinity of Section 5, not centred. The paper leaves the unit of the
+// Equation 3 with the affinity of Section 5, not centered. The paper leaves the unit of the
 // coordinates open, and signs of eigenvectors are arbitrary.
 TEST(Literal_mode, equation_3)
 {

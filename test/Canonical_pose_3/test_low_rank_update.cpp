@@ -20,7 +20,7 @@
 namespace {
 
 using CGAL::Canonical_pose_3::internal::Updated_factor;
-typedef Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic> Long_matrix;
+using Long_matrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
 
 // A chain that is held weakly: entries of very different size, as those of a registration.
 Eigen::SparseMatrix<double> chain(const int n)
@@ -62,9 +62,9 @@ bool update(Updated_factor& factor, const Eigen::SparseMatrix<double>& u, const 
 } // namespace
 
 // D of any kind, stiff, singular, indefinite, and one that takes away what A0 has: the residual is
-// that of rounding alone, and the solution that of a dense factorisation of the sum with more
+// that of rounding alone, and the solution that of a dense factorization of the sum with more
 // digits (which doubles could not even hold, where 1e6 meets 1e-4).
-TEST(Low_rank_update, solves_as_a_new_factorisation)
+TEST(Low_rank_update, solves_as_a_new_factorization)
 {
   const int n = 60;
   const Eigen::SparseMatrix<double> u = points_of_chain(n);

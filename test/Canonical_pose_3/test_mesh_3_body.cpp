@@ -26,7 +26,7 @@ namespace CP = CGAL::Canonical_pose_3;
 namespace PMP = CGAL::Polygon_mesh_processing;
 using Canonical_pose_test::pi;
 
-typedef CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3> Mesh;
+using Mesh = CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3>;
 
 namespace {
 
@@ -80,7 +80,7 @@ TEST(Mesh_3_body, hangs_the_surface_in_cells)
   }
 }
 
-// A wire thinner than the cells, bent so that its middle is far from the centre of the shape.
+// A wire thinner than the cells, bent so that its middle is far from the center of the shape.
 TEST(Mesh_3_body, keeps_thin_parts)
 {
   const Mesh mesh = Canonical_pose_test::tube<Mesh>(200, 12, 10., 0.1, 1.5 * pi);

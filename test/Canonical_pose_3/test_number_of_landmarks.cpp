@@ -65,7 +65,7 @@ TEST(Number_of_landmarks, of_the_call)
     summary(Canonical_pose_test::icosphere<Mesh>(5, 1.), options), std::invalid_argument,
     "number_of_landmarks is 1000000000, but must be <= 4096 for a surface of 10242 vertices");
   const Mesh bar = Canonical_pose_test::bar<Mesh>(6, 2, 2);
-  for(const auto geodesics : {CP::Options::Geodesics::HEAT, CP::Options::Geodesics::EXACT})
+  for(const auto geodesics : {CP::Options::Geodesics::HEAT, CP::Options::Geodesics::WAVEFRONT})
     for(const std::size_t number :
         {std::size_t(1000000000), (std::numeric_limits<std::size_t>::max)()})
     {

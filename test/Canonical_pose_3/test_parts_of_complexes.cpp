@@ -200,7 +200,7 @@ TEST(Parts_of_complexes, thousands)
   EXPECT_LT(largest_change, 1e-12);
 }
 
-// A cell that hangs on an edge of the bar has no surface of its own worth a pose: it is part of the body. A
+// A cell connected by an edge of the bar has no surface of its own worth a pose: it is part of the body. A
 // vertex of no cell goes with the nearest cell.
 TEST(Parts_of_complexes, fragments_and_vertices_of_no_cell)
 {

@@ -7,6 +7,8 @@
 //
 // Author(s) : The Canonical_pose_3 authors
 
+#include <CGAL/Canonical_pose_3/Exact_geodesics_3.h>
+#include <CGAL/Canonical_pose_3/landmark_fields_function.h>
 #include <CGAL/canonical_pose_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -32,8 +34,8 @@ using CP::Registration_summary;
 
 namespace {
 
-typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
-typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
 CP::Result canonical_pose(const Mesh& mesh, const CP::Options& options = CP::Options())
 {
@@ -132,7 +134,7 @@ TEST(Pipeline, distances_and_solvers_are_choices)
   options.number_of_landmarks = 30;
   options.geodesics = CP::Options::Geodesics::WAVEFRONT;
   const Point_matrix wavefront = canonical_pose(mesh, options).pose;
-  options.geodesics = CP::Options::Geodesics::EXACT;
+  options.landmark_fields_function = CP::landmark_fields_function<CP::Exact_geodesics_3<Mesh>>();
   const Point_matrix exact = canonical_pose(mesh, options).pose;
   EXPECT_LT(Canonical_pose_test::relative_rms(wavefront, exact), 0.01);
   EXPECT_LT(Canonical_pose_test::relative_rms(exact, reference.pose), 0.12);
@@ -197,7 +199,7 @@ TEST(Pipeline, named_parameters)
             CGAL::canonical_pose_3(bar, map, seeded).pose);
 }
 
-// The closer to what is wished, the stiffer; without constraints, both are far from it.
+// The closer to what is prescribed, the stiffer; without constraints, both are far from it.
 TEST(Pipeline, handles_and_symmetric_pairs)
 {
   const Mesh mesh = figure().make_mesh<Mesh>(Articulated_figure::named_poses()[1].angles);

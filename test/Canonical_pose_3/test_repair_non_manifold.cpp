@@ -118,7 +118,7 @@ TEST(Repair, holes_are_capped_without_new_vertices)
   soup.polygons.erase(soup.polygons.begin(), soup.polygons.begin() + 2);
   EXPECT_EQ(repaired(soup).caps.size(), 1 + 2u);
 
-  // The rim of a disk of 300 triangles around its centre, and of a cone; the caps are flat.
+  // The rim of a disk of 300 triangles around its center, and of a cone; the caps are flat.
   soup = {{{{0, 0, 1}}}, {}};
   for(std::size_t i = 0; i < 300; ++i)
   {

@@ -32,8 +32,8 @@ using namespace Canonical_pose_test;
 
 namespace {
 
-typedef CP::internal::Self_intersections::Face_pair Face_pair;
-typedef std::vector<Face_pair> Face_pairs;
+using Face_pair = CP::internal::Self_intersections::Face_pair;
+using Face_pairs = std::vector<Face_pair>;
 
 Face_pairs pairs(const Polygon_soup& soup, const std::size_t maximum)
 {
@@ -50,7 +50,7 @@ Face_pairs all_pairs(const Polygon_soup& soup)
 // The same by CGAL.
 Face_pairs expected_pairs(const Polygon_soup& soup)
 {
-  typedef CP::internal::Indexed_mesh Mesh;
+  using Mesh = CP::internal::Indexed_mesh;
   std::vector<CP::internal::Index_triangle> triangles;
   for(const auto& p : soup.polygons)
     triangles.push_back({p[0], p[1], p[2]});
@@ -70,7 +70,7 @@ Polygon_soup two_balls()
   return merged(ball, ball, 0.5);
 }
 
-// All neighbours lie in a plane.
+// All neighbors lie in a plane.
 Polygon_soup two_sheets()
 {
   const Polygon_soup sheet = to_polygons(plane_grid_soup(100, 100, 1., 1.));
@@ -80,7 +80,7 @@ Polygon_soup two_sheets()
   return merged(sheet, standing, 0.2);
 }
 
-// Neighbours along the fold lie on one another.
+// Neighbors along the fold lie on one another.
 Polygon_soup folded_sheet()
 {
   Polygon_soup sheet = to_polygons(plane_grid_soup(20, 20, 1., 1.));

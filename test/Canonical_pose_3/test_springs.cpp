@@ -25,16 +25,16 @@ using CP::Point_matrix;
 
 namespace {
 
-// Counts how often it gives its matrix: once per factorisation or update of the factor.
+// Counts how often it gives its matrix: once per factorization or update of the factor.
 struct Counting_springs : CP::Spring_constraint_adaptor_3
 {
   using CP::Spring_constraint_adaptor_3::Spring_constraint_adaptor_3;
   void add_to_matrix(std::vector<Eigen::Triplet<double>>& matrix) const
   {
-    ++factorisations;
+    ++factorizations;
     CP::Spring_constraint_adaptor_3::add_to_matrix(matrix);
   }
-  mutable int factorisations = 0;
+  mutable int factorizations = 0;
 };
 
 const std::size_t left = 13 + 39, right = left + 12; // middles of the two ends of the bar, 8 apart
@@ -94,7 +94,7 @@ TEST(Springs, length_in_equilibrium_is_exact)
 }
 
 // The matrix depends on the pairs and their stiffness, not on the rest lengths.
-TEST(Springs, rest_length_needs_no_factorisation)
+TEST(Springs, rest_length_needs_no_factorization)
 {
   const CP::Conforming_body_3 body = Canonical_pose_test::bar_body(12, 2, 2);
   Registrar registrar(body, uniform_weights(body.points()), 8.);
@@ -113,11 +113,11 @@ TEST(Springs, rest_length_needs_no_factorisation)
     EXPECT_GT(distance, length);
     previous = distance;
   }
-  EXPECT_EQ(springs.factorisations, 1);
+  EXPECT_EQ(springs.factorizations, 1);
   springs.insert({0, 50, 1., 1.});
   Point_matrix pose;
   registrar.register_to_target(pose);
-  EXPECT_EQ(springs.factorisations, 2);
+  EXPECT_EQ(springs.factorizations, 2);
 }
 
 // Ends that start at the same point have no direction; the spring must push them apart all the

@@ -25,7 +25,7 @@ using Eigen::VectorXd;
 
 namespace {
 
-// by the centre of the cell
+// by the center of the cell
 bool is_in_left_half(const CP::Conforming_body_3& body, const std::array<int, 4>& cell)
 {
   double x = 0;

@@ -42,7 +42,7 @@ Eigen::Matrix3d rotation(const double angle)
 }
 
 // A sheet of 8 x 6, bent to z = f(x).
-template <typename Function>
+template <class Function>
 Triangle_soup sheet(const Function& f)
 {
   Triangle_soup result = Canonical_pose_test::plane_grid_soup(16, 12, 8, 6);

@@ -48,13 +48,13 @@ using Body = CP::Conforming_body_3;
 using Triangles = std::vector<std::array<std::size_t, 3>>;
 
 // Whether T can be made of an lvalue, constant or not, and the other arguments, but of no rvalue.
-template <typename T, typename Kept, typename... Others>
+template <class T, class Kept, class... Others>
 constexpr bool takes_lvalues_only
   = std::is_constructible_v<T, Kept&, Others...>&& std::is_constructible_v<
       T, const Kept&,
       Others...> && !std::is_constructible_v<T, Kept, Others...> && !std::is_constructible_v<T, const Kept, Others...>;
 
-template <typename Geodesics, typename Own_geodesics, typename... Others>
+template <class Geodesics, class Own_geodesics, class... Others>
 constexpr bool geodesics_take_lvalues_only
   = takes_lvalues_only<Geodesics, Mesh>&& takes_lvalues_only<Own_geodesics, Mesh, Map, Others...>&&
       takes_lvalues_only<
@@ -88,7 +88,7 @@ struct Derived_registrar : Registrar
   using Registrar::Registrar;
 };
 
-template <typename R>
+template <class R>
 constexpr bool registrar_takes_lvalues_only = takes_lvalues_only<R, Body, Eigen::VectorXd, double>&&
   takes_lvalues_only<R, Body, Eigen::VectorXd, double, CP::Registration_options>&&
     takes_lvalues_only<R, Body, Eigen::VectorXd, double, CP::Registration_options, Eigen::VectorXd>;
@@ -96,10 +96,10 @@ constexpr bool registrar_takes_lvalues_only = takes_lvalues_only<R, Body, Eigen:
 static_assert(registrar_takes_lvalues_only<Registrar>);
 static_assert(registrar_takes_lvalues_only<Derived_registrar>);
 
-template <typename Constraint, typename = void>
+template <class Constraint, class = void>
 constexpr bool is_added = false;
 
-template <typename Constraint>
+template <class Constraint>
 constexpr bool is_added<Constraint, std::void_t<decltype(std::declval<Registrar&>().add_constraint(
                                       std::declval<Constraint>()))>> = true;
 

@@ -21,7 +21,7 @@
 namespace CP = CGAL::Canonical_pose_3;
 namespace PMP = CGAL::Polygon_mesh_processing;
 
-typedef CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3> Mesh;
+using Mesh = CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3>;
 
 // TetGen keeps the vertices, and its cells fill the volume of the surface: a polyhedron, hence
 // exactly.

@@ -33,10 +33,10 @@ namespace PMP = CGAL::Polygon_mesh_processing;
 
 namespace {
 
-typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
-typedef Kernel::Point_3 Point;
-typedef CGAL::Surface_mesh<Point> Mesh;
-typedef CP::Indexed_tetrahedra_3<Point> Tetrahedra;
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point = Kernel::Point_3;
+using Mesh = CGAL::Surface_mesh<Point>;
+using Tetrahedra = CP::Indexed_tetrahedra_3<Point>;
 
 Tetrahedra indexed(const Canonical_pose_test::Tetrahedral_soup& soup)
 {
@@ -51,7 +51,7 @@ Tetrahedra indexed(const Canonical_pose_test::Tetrahedral_soup& soup)
 template <class Complex>
 Mesh checked_boundary(const Complex& complex)
 {
-  typedef CP::Tetrahedral_complex_traits_3<Complex> Traits;
+  using Traits = CP::Tetrahedral_complex_traits_3<Complex>;
   Mesh mesh;
   auto origin
     = mesh.add_property_map<Mesh::Vertex_index, typename Traits::Vertex_descriptor>("v:origin")
@@ -116,7 +116,7 @@ TEST(Tetrahedral_complex, mesh_3_complex)
 // is known.
 TEST(Tetrahedral_complex, triangulation_with_subdomains)
 {
-  typedef CGAL::Tetrahedral_remeshing::Remeshing_triangulation_3<Kernel> Remeshing_triangulation;
+  using Remeshing_triangulation = CGAL::Tetrahedral_remeshing::Remeshing_triangulation_3<Kernel>;
   CGAL::Delaunay_triangulation_3<Kernel, Remeshing_triangulation::Triangulation_data_structure> tr;
   for(const auto& p : Canonical_pose_test::tetrahedral_box(4, 4, 4).points)
     tr.insert(Point(p[0], p[1], p[2]));

@@ -37,14 +37,10 @@ foreach(option IN ITEMS "--spring 0,1" "--spring 0,1.5,1" "--direction 0,1,1,0" 
 endforeach()
 expect_exit(2 pose ball.off -o out/a.off --paper-weights 100)
 expect_exit(2 geodesics ball.off -o out/a.txt)
+expect_exit(2 pose ball.off -o out/a.off --geodesics mmp)
 expect_exit(2 geodesics ball.off -o out/a.txt --source -1)
 
 # ---- what cannot be done: exit 1, one line on stderr that says why, and no file ------------------------
-
-foreach(option IN ITEMS "--geodesics mmp")
-  separate_arguments(words UNIX_COMMAND "${option}")
-  expect_refusal("${option}: not available yet" pose ball.off -o out/a.off ${words})
-endforeach()
 
 foreach(input IN LISTS bad_inputs)
   list(POP_FRONT messages message)
@@ -79,7 +75,7 @@ expect_refusal("spring 0 names vertex 99" pose ball.off -o out/a.off --spring 0,
 expect_refusal("direction 0 joins vertex 3 to itself" pose ball.off -o out/a.off --direction 3,3,1,0,0)
 expect_refusal("handle 1 names vertex 99" pose ball.off -o out/a.off --handle 0,1,0,0 --handle 99,1,0,0)
 expect_refusal("symmetric pair 0 has a stiffness that is not positive" pose ball.off -o out/a.off --symmetric 0,1,0)
-expect_refusal("names vertex 99" geodesics ball.off --source 99 -o out/a.txt)
+expect_refusal("a source names vertex 99" geodesics ball.off --source 99 -o out/a.txt)
 expect_refusal("vertex 12 belongs to no face" geodesics isolated.off --source 0 -o out/a.txt)
 expect_refusal("a surface is needed" geodesics ball.mesh --source 0 -o out/a.txt)
 expect_refusal("STL holds triangles only, but face 0 has 4 corners" pose quad.off -o out/a.stl)
@@ -184,6 +180,31 @@ if(SCRIPT AND CMAKE_HOST_SYSTEM_NAME STREQUAL "Linux")
 else()
   message(STATUS "What the tool tells a terminal is not tested: the program script was not found")
 endif()
+
+# What was computed is given: the distances exactly, the target as it was written.
+expect_exit(0 geodesics ball.off --source 0 --source 3 --source 8 -o out/distances.txt)
+expect_exit(0 pose ball.off -o out/a.off --given-distances out/distances.txt --target out/target.off
+  --report out/report.json)
+expect_json(out/report.json 3 target landmarks)
+expect_exit(0 pose ball.off -o out/b.off --given-distances out/distances.txt --given-target out/target.off
+  --report out/report.json)
+expect_json(out/report.json given target kernel)
+expect_exit(0 pose ball.mesh -o out/pose.mesh --target out/target.off)
+expect_exit(0 pose ball.mesh -o out/again.mesh --given-target out/target.off)
+file(WRITE ${WORK}/seven.txt "0 1 2 3 4 5 6")
+expect_refusal("has 12 vertices, but a target has 24" pose two_balls.off -o out/a.off --components each
+  --given-target ball.off)
+expect_refusal("no multiple of the 12 vertices" pose ball.off -o out/a.off --given-distances seven.txt)
+expect_refusal("has no landmark" pose ball.off -o out/a.off --given-distances factors.txt)
+
+# ---- compare -----------------------------------------------------------------------------------------------
+
+expect_exit(0 compare ball.off ball.ply)
+expect_match("${stdout}" "\n0.000000  0.000000   mean of 1 pair\n$")
+expect_exit(0 compare ball.off hole.off ball.stl)
+expect_match("${stdout}" "mean of 3 pairs\n$")
+expect_exit(2 compare ball.off)
+expect_refusal("ball.off, two_balls.off: poses of 12 and 24 points" compare ball.off two_balls.off)
 
 # ---- geodesics ---------------------------------------------------------------------------------------------
 

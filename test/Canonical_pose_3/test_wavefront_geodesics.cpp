@@ -195,7 +195,7 @@ TEST(Wavefront_geodesics, nearly_symmetric)
   EXPECT_LT((between - between.transpose()).cwiseAbs().maxCoeff(), 2e-3 * d.maxCoeff());
 }
 
-// Lengths are normalised by a power of two: such a scale changes no mantissa, any other one only
+// Lengths are normalized by a power of two: such a scale changes no mantissa, any other one only
 // rounds.
 TEST(Wavefront_geodesics, any_unit)
 {
@@ -215,7 +215,7 @@ TEST(Wavefront_geodesics, any_unit)
 
 // Other numbers of vertices and faces may break ties another way, which moves distances within their
 // error; on this shape nothing else.
-TEST(Wavefront_geodesics, relabelled)
+TEST(Wavefront_geodesics, relabeled)
 {
   const Triangle_soup soup = tube_soup(40, 16, 6., 0.4);
   const std::size_t n = soup.points.size();

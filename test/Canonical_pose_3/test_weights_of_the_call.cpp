@@ -34,8 +34,8 @@ using Eigen::VectorXd;
 
 namespace {
 
-typedef CGAL::Simple_cartesian<double> Kernel;
-typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
+using Kernel = CGAL::Simple_cartesian<double>;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
 VectorXd ones(const shapes::Triangle_soup& soup)
 {

@@ -3,12 +3,12 @@
 \cgalConcept
 
 The concept `ElasticBody_3` describes what a registration deforms: tetrahedra at rest, and how a
-surface hangs on them.
+surface is embedded in them.
 
 Each of the \f$ n \f$ surface vertices is a combination of the \f$ N \f$ body vertices, a row of the
 matrix \f$ B \f$ that is called the *embedding* here. When the body vertices move to the rows of
 \f$ v \f$, the surface moves to \f$ Bv \f$. Body and surface may share their vertices (identity
-rows), the body may have further ones inside, or the surface may hang in tetrahedra that know
+rows), the body may have further ones inside, or the surface may be embedded in tetrahedra that know
 nothing of its triangles.
 
 The registrar keeps references to what these functions return: it must stay where it is, and
@@ -17,6 +17,7 @@ unchanged, as long as the registrar lives.
 \cgalHasModel `CGAL::Canonical_pose_3::Lattice_body_3`
 \cgalHasModel `CGAL::Canonical_pose_3::Conforming_body_3`
 \cgalHasModel `CGAL::Canonical_pose_3::Embedded_body_3`
+\cgalHasModel `CGAL::Canonical_pose_3::Elastic_body_3`
 
 \sa `CGAL::Canonical_pose_3::Tetrahedral_arap_registrar_3`
 */
@@ -31,7 +32,7 @@ public:
 
   /// returns the cells, four different rows of `points()` each, in either orientation. No cell is
   /// without volume. Cells need not fit together: they may overlap, and a face may belong to any
-  /// number of them (to two at most where fairing is wanted).
+  /// number of them (to two at most where fairing is requested).
   const std::vector<std::array<int, 4>>& cells() const;
 
   /// returns the weights of the cells, positive numbers with sum 1; usually the shares in the rest

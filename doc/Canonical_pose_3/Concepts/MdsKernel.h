@@ -4,9 +4,9 @@
 
 The concept `MdsKernel` describes how multidimensional scaling turns distances into similarities.
 
-The target builder applies a model to the distances between landmarks, centres the matrix if the
+The target builder applies a model to the distances between landmarks, centers the matrix if the
 model asks for it, and takes the leading eigenvectors. A kernel ought to decrease with the distance,
-and its centred matrix ought to have at least three positive eigenvalues; where there are fewer, the
+and its centered matrix ought to have at least three positive eigenvalues; where there are fewer, the
 target is flat. Its scale is of no importance: the target is brought back to the unit of the
 distances afterwards.
 
@@ -15,6 +15,7 @@ constructor of the builder.
 
 \cgalHasModel `CGAL::Canonical_pose_3::Squared_distance_kernel`
 \cgalHasModel `CGAL::Canonical_pose_3::Gaussian_kernel`
+\cgalHasModel `CGAL::Canonical_pose_3::Mds_kernel`
 
 \sa `CGAL::Canonical_pose_3::Landmark_mds_target_builder_3`
 */
@@ -29,7 +30,7 @@ public:
   /// and 1.
   double operator()(double relative_distance) const;
 
-  /// returns whether the matrix of similarities is to be centred, which makes its rows and columns
+  /// returns whether the matrix of similarities is to be centered, which makes its rows and columns
   /// sum to 0.
   bool is_centered() const;
 

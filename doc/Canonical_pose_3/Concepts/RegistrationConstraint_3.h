@@ -2,7 +2,7 @@
 \ingroup PkgCanonicalPose3Concepts
 \cgalConcept
 
-The concept `RegistrationConstraint_3` describes a further wish on the surface vertices, which the
+The concept `RegistrationConstraint_3` describes a further term in the surface vertices, which the
 registrar weighs against the target and the details.
 
 A constraint has an energy \f$ e(x) \f$ of the \f$ n \times 3 \f$ positions \f$ x \f$ of the surface

@@ -5,7 +5,7 @@
 The concept `TetrahedralComplexTraits_3` describes how to read a tetrahedral complex, whatever data
 structure holds it. All functions are static; nothing is ever written to the complex.
 
-A model is a specialisation of `CGAL::Canonical_pose_3::Tetrahedral_complex_traits_3` for the type
+A model is a specialization of `CGAL::Canonical_pose_3::Tetrahedral_complex_traits_3` for the type
 `Complex` of the complex:
 
 \code{.cpp}
@@ -13,7 +13,7 @@ template <>
 struct CGAL::Canonical_pose_3::Tetrahedral_complex_traits_3<My_complex> { ... };
 \endcode
 
-The class template is specialised already for the complexes of the packages Mesh_3 and
+The class template is specialized already for the complexes of the packages Mesh_3 and
 Tetrahedral_remeshing, for `CGAL::Canonical_pose_3::Indexed_tetrahedra_3`, and for selections of the
 cells of any of these, `CGAL::Canonical_pose_3::Labeled_cells_3`.
 
@@ -28,7 +28,7 @@ public:
   /// \name Types
   /// @{
 
-  /// The vertices: copyable and comparable for equality, with a specialisation of `std::hash`.
+  /// The vertices: copyable and comparable for equality, with a specialization of `std::hash`.
   typedef unspecified_type Vertex_descriptor;
 
   /// The points, of a kernel or of a model of `CanonicalPoseTraits_3`.

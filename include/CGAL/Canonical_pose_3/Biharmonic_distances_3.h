@@ -240,7 +240,7 @@ public:
   /// @}
 
 private:
-  typedef Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> Embedding;
+  using Embedding = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
   // Vertex i goes to (phi_k(i) / lambda_k) over k, component by component.
   void embed(const internal::Delaunay_surface& surface, const Eigen::Index count)

@@ -36,7 +36,7 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 \brief applies the deformation of an elastic body to points near its surface, such as markers, a point
 cloud, or a finer version of the surface.
 
-A point hangs on the cell that contains it, of those around the nearest location of the surface; if
+A point belongs to the cell that contains it, of those around the nearest location of the surface; if
 none does, on the cell that it is nearest to in barycentric coordinates; and of several on the one that carries
 most of that location. So the points follow the part of the body that they lie on, however near another part may
 be, and a point at a vertex of the surface goes where that goes.
@@ -45,7 +45,7 @@ be, and a point at a vertex of the surface goes where that goes.
 
 \sa `Tetrahedral_arap_registrar_3`
 */
-template <typename ElasticBody>
+template <class ElasticBody>
 class Body_deformer_3
 {
 public:
@@ -72,7 +72,7 @@ public:
   /// \endcond
 
   /*!
-  returns the matrix \f$ m \times N \f$ that says how points hang on the body: its product with the
+  returns the matrix \f$ m \times N \f$ that embeds the points in the body: its product with the
   body vertices in the pose is the pose of the points. The entries of a row sum to 1.
 
   \param points \f$ m \times 3 \f$, at rest.

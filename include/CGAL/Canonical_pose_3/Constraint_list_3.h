@@ -33,7 +33,7 @@ be added, changed and removed between two registrations.
 
 \tparam Element `Spring_3`, `Directed_pair_3`, `Handle_3` or `Symmetric_pair_3`
 */
-template <typename Element>
+template <class Element>
 class Constraint_list_3
 {
   using Element_traits = internal::Constraint_element_traits<Element>;

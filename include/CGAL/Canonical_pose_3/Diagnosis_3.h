@@ -83,7 +83,7 @@ struct Diagnosis_3
   std::size_t degenerate_faces = 0;
   /// number of faces with the same vertices as one before them, in whatever order.
   std::size_t duplicate_faces = 0;
-  /// number of pairs of faces that intersect without being neighbours, at most
+  /// number of pairs of faces that intersect without being neighbors, at most
   /// `MAXIMUM_NUMBER_OF_SELF_INTERSECTIONS`. Degenerate and duplicate faces are left out. Empty where
   /// the search was given up: there is no face, or the bounding boxes of far too many faces overlap.
   std::optional<std::size_t> self_intersections;

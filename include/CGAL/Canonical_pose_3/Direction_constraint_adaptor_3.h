@@ -28,13 +28,13 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief is a pair of vertices of the surface with the wished vector from the second to the first.
+\brief is a pair of vertices of the surface with the prescribed vector from the second to the first.
 */
 struct Directed_pair_3
 {
   std::size_t p = 0; ///< row of the first vertex.
   std::size_t q = 0; ///< row of the second vertex, another one.
-  /// wished \f$ p - q \f$, in the unit of the mesh.
+  /// prescribed \f$ p - q \f$, in the unit of the mesh.
   Eigen::RowVector3d vector = Eigen::RowVector3d::Zero();
   double stiffness = 1; ///< \f$ \kappa \f$, without unit. Positive.
 };

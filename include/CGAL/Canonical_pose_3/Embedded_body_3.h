@@ -31,7 +31,7 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief is an elastic body in which a surface hangs by any embedding matrix.
+\brief is an elastic body in which a surface is embedded by any matrix.
 
 \cgalModels `ElasticBody_3`
 

@@ -50,7 +50,7 @@ namespace internal {
 
 // Calls f, which calls CGAL's shortest paths. What their assertions throw, in builds that have any, is
 // their own affair.
-template <typename Function>
+template <class Function>
 void find_shortest_paths(const Function& f)
 {
   try

@@ -24,8 +24,8 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 \brief is the Gaussian affinity \f$ k(g) = \exp(-g^2 / 2\sigma^2) \f$ with \f$ \sigma = L/2 \f$, \f$
 L \f$ being the largest distance \cgalCite{cgal:canonical-s-sdacm-15}, Section 5.
 
-Centred (the default) this is kernel principal component analysis. The affinity as printed in the
-paper is not centred; its first eigenvector is then nearly constant, so that the first coordinate
+Centered (the default) this is kernel principal component analysis. The affinity as printed in the
+paper is not centered; its first eigenvector is then nearly constant, so that the first coordinate
 measures how central a point is and the target curls. That form is kept for reproduction only.
 
 \cgalModels `MdsKernel`
@@ -33,7 +33,7 @@ measures how central a point is and the target curls. That form is kept for repr
 class Gaussian_kernel
 {
 public:
-  /// constructs the kernel; `centered` tells whether its Gram matrix is centred.
+  /// constructs the kernel; `centered` tells whether its Gram matrix is centered.
   explicit Gaussian_kernel(const bool centered = true) : m_centered(centered) {}
 
   /// returns \f$ \exp(-2 r^2) \f$ of the relative distance \f$ r = g/L \f$.
@@ -42,7 +42,7 @@ public:
     return std::exp(-2 * relative_distance * relative_distance);
   }
 
-  /// returns whether the Gram matrix is centred.
+  /// returns whether the Gram matrix is centered.
   bool is_centered() const { return m_centered; }
 
   /// returns `"gaussian"` or `"gaussian-uncentred"`.

@@ -29,12 +29,12 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief is a vertex of the surface with its wished position.
+\brief is a vertex of the surface with its prescribed position.
 */
 struct Handle_3
 {
   std::size_t p = 0; ///< row of the vertex.
-  /// wished position, in the unit of the mesh.
+  /// prescribed position, in the unit of the mesh.
   Eigen::RowVector3d position = Eigen::RowVector3d::Zero();
   double stiffness = 1; ///< \f$ \kappa \f$, without unit. Positive.
 };

@@ -58,7 +58,7 @@ step makes distances worse.)
 
 <em>Boundary.</em> No heat leaves through it (Neumann). The average with the solution that is 0 on
 the boundary, which would cost a third factorization, was no better: on a square of \f$ 100^2 \f$
-cells, over five sources from the centre to a corner, the mean errors are 0.73 percent without and
+cells, over five sources from the center to a corner, the mean errors are 0.73 percent without and
 0.98 percent with the average; on half of an icosphere of 5 levels 0.61 and 0.82 percent. Only on
 very coarse patches (\f$ 20^2 \f$ cells: 2.6 and 1.9 percent) it is the other way round.
 

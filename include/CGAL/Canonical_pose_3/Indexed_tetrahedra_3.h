@@ -30,7 +30,7 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 \sa `Tetrahedral_complex_traits_3`
 \sa `Labeled_cells_3`
 */
-template <typename Point>
+template <class Point>
 struct Indexed_tetrahedra_3
 {
   /// the type of points.

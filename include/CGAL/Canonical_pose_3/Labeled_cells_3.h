@@ -32,13 +32,13 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // The type of the labels of a complex, and whether its traits have any.
-template <typename Complex, typename = void>
+template <class Complex, class = void>
 struct Label_of_complex : std::false_type
 {
   using type = int;
 };
 
-template <typename Complex>
+template <class Complex>
 struct Label_of_complex<Complex, std::void_t<decltype(Tetrahedral_complex_traits_3<Complex>::labels(
                                    std::declval<const Complex&>()))>> : std::true_type
 {
@@ -46,17 +46,17 @@ struct Label_of_complex<Complex, std::void_t<decltype(Tetrahedral_complex_traits
     Tetrahedral_complex_traits_3<Complex>::labels(std::declval<const Complex&>())))>;
 };
 
-template <typename T, typename = void>
+template <class T, class = void>
 struct Is_streamable : std::false_type
 {};
 
-template <typename T>
+template <class T>
 struct Is_streamable<
   T, std::void_t<decltype(std::declval<std::ostream&>() << std::declval<const T&>())>>
   : std::true_type
 {};
 
-template <typename Label>
+template <class Label>
 std::string name_of_label(const Label& label)
 {
   std::ostringstream result;
@@ -81,7 +81,7 @@ Vertex descriptors are those of the complex, so that a property map of its verti
 pose. Where cells or vertices are numbered (in messages, in options given per cell or per vertex, in
 the result of `complex_body()`) the numbers are those in the selection.
 
-\tparam Complex a type for which `Tetrahedral_complex_traits_3` is specialised, with labels: see the
+\tparam Complex a type for which `Tetrahedral_complex_traits_3` is specialized, with labels: see the
         concept `TetrahedralComplexTraits_3`. Usually it is deduced, as in
         `canonical_pose_3(Labeled_cells_3(c3t3, 2), pose_map)`.
 
@@ -89,7 +89,7 @@ the result of `complex_body()`) the numbers are those in the selection.
 \sa `complex_body()`
 \sa `extract_boundary()`
 */
-template <typename Complex>
+template <class Complex>
 class Labeled_cells_3
 {
   using Complex_traits = Tetrahedral_complex_traits_3<Complex>;
@@ -142,14 +142,14 @@ public:
 
   /// selects the cells of several labels.
   /// \tparam LabelRange a range of `Label`
-  template <typename LabelRange,
+  template <class LabelRange,
             std::enable_if_t<!std::is_convertible<const LabelRange&, Label>::value, int> = 0>
   Labeled_cells_3(const Complex& complex, const LabelRange& labels)
     : Labeled_cells_3(complex, std::vector<Label>(std::begin(labels), std::end(labels)))
   {}
 
   /// \cond SKIP_IN_MANUAL
-  template <typename Labels>
+  template <class Labels>
   Labeled_cells_3(const Complex&&, const Labels&) = delete;
   Labeled_cells_3(const Complex&&, std::initializer_list<Label>) = delete;
   /// \endcond
@@ -167,7 +167,7 @@ public:
   const std::vector<Label>& labels() const { return m_labels; }
 
 private:
-  void select_cells(const std::vector<Label>& wanted)
+  void select_cells(const std::vector<Label>& selected)
   {
     const auto& labels = Complex_traits::labels(*m_complex);
     const auto& cells = Complex_traits::cells(*m_complex);
@@ -176,15 +176,15 @@ private:
     if(number_of_labels != number_of_cells)
       throw std::invalid_argument("the complex has " + std::to_string(number_of_labels)
                                   + " labels, but " + std::to_string(number_of_cells) + " cells");
-    if(wanted.empty())
+    if(selected.empty())
       throw std::invalid_argument("there is no label to select cells by");
-    for(const Label& label : wanted)
+    for(const Label& label : selected)
       if(std::find(std::begin(labels), std::end(labels), label) == std::end(labels))
         throw std::invalid_argument("no cell of the complex has " + internal::name_of_label(label));
     auto label = std::begin(labels);
     for(const auto& cell : cells)
     {
-      if(std::find(wanted.begin(), wanted.end(), *label) != wanted.end())
+      if(std::find(selected.begin(), selected.end(), *label) != selected.end())
       {
         m_cells.push_back({vertex(cell[0]), vertex(cell[1]), vertex(cell[2]), vertex(cell[3])});
         m_labels.push_back(*label);
@@ -203,7 +203,7 @@ private:
         m_vertices.push_back(v);
   }
 
-  template <typename Descriptor>
+  template <class Descriptor>
   static Vertex_descriptor vertex(const Descriptor& v)
   {
     return static_cast<Vertex_descriptor>(v);
@@ -217,7 +217,7 @@ private:
 
 /// \cond SKIP_IN_MANUAL
 
-template <typename Complex>
+template <class Complex>
 struct Tetrahedral_complex_traits_3<Labeled_cells_3<Complex>>
 {
   using Vertex_descriptor = typename Tetrahedral_complex_traits_3<Complex>::Vertex_descriptor;

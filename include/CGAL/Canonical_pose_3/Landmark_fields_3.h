@@ -14,7 +14,13 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -46,6 +52,52 @@ struct Landmark_fields_3
   /// the largest distance of a point to its nearest landmark, in the unit of the points.
   double covering_radius = 0;
 };
+
+/*!
+\ingroup PkgCanonicalPose3Ref
+
+\brief returns the landmark fields of distances that were computed elsewhere.
+
+The landmark of a column is the first point of distance 0.
+
+\param distances \f$ n \times l \f$, see `Landmark_fields_3::distances`; infinite in the rows of points that are on no
+       surface.
+
+\throws std::invalid_argument if there is no column, a distance is negative or not a number, or a column has no
+       distance 0; the message names row and column.
+
+<em>Complexity:</em> linear.
+*/
+inline Landmark_fields_3 landmark_fields(Eigen::MatrixXd distances)
+{
+  if(distances.cols() == 0)
+    throw std::invalid_argument("the distances have no column");
+  Landmark_fields_3 fields;
+  Eigen::VectorXd nearest
+    = Eigen::VectorXd::Constant(distances.rows(), (std::numeric_limits<double>::infinity)());
+  for(Eigen::Index j = 0; j < distances.cols(); ++j)
+  {
+    Eigen::Index landmark = distances.rows();
+    for(Eigen::Index i = distances.rows(); i-- > 0;)
+    {
+      if(!(distances(i, j) >= 0))
+        throw std::invalid_argument("the distance in row " + std::to_string(i) + " and column "
+                                    + std::to_string(j) + " is negative or not a number");
+      if(distances(i, j) == 0)
+        landmark = i;
+      nearest[i] = (std::min)(nearest[i], distances(i, j));
+    }
+    if(landmark == distances.rows())
+      throw std::invalid_argument("column " + std::to_string(j)
+                                  + " of the distances has no landmark: none is 0");
+    fields.landmarks.push_back(static_cast<std::size_t>(landmark));
+  }
+  for(Eigen::Index i = 0; i < nearest.size(); ++i)
+    if(std::isfinite(nearest[i]))
+      fields.covering_radius = (std::max)(fields.covering_radius, nearest[i]);
+  fields.distances = std::move(distances);
+  return fields;
+}
 
 } // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3

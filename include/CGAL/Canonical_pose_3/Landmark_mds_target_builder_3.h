@@ -35,10 +35,10 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 \brief embeds points by landmark multidimensional scaling, from their distances to a few of them.
 
-The landmarks are embedded by the leading eigenvectors of their (centred) kernel matrix, all other
+The landmarks are embedded by the leading eigenvectors of their (centered) kernel matrix, all other
 points are interpolated from their distances to the landmarks \cgalCite{cgal:canonical-st-glmnd-02},
 \cgalCite{cgal:canonical-s-sdacm-15} (Equation 3). With \f$ K_{ij} = k(g_{ij}/L) \f$ over the
-landmarks (distances symmetrised, \f$ L \f$ the largest of all), \f$ H \f$ the centring matrix and
+landmarks (distances symmetrized, \f$ L \f$ the largest of all), \f$ H \f$ the centering matrix and
 \f$ HKH = Q \Lambda Q^t \f$ truncated to the \f$ m \f$ largest eigenvalues, point \f$ i \f$ lands at
 \f$ s\,\Lambda^{-1/2} Q^t (k_i - \bar k) \f$, \f$ \bar k \f$ being the mean of the columns of \f$ K
 \f$. The scale \f$ s = \sum d g / \sum d^2 \f$ over the pairs of landmarks (\f$ d \f$ embedded, \f$
@@ -53,7 +53,7 @@ sign that makes the third moment of its entries non-negative. Landmarks that coi
 \sa `farthest_point_landmarks()`
 \sa `align_target()`
 */
-template <typename MdsKernel = Squared_distance_kernel>
+template <class MdsKernel = Squared_distance_kernel>
 class Landmark_mds_target_builder_3
 {
 public:
@@ -108,7 +108,7 @@ public:
   /// distances are 0.
   double stress() const { return m_stress; }
 
-  /// returns the leading eigenvalues of the (centred) kernel matrix of distances divided by the
+  /// returns the leading eigenvalues of the (centered) kernel matrix of distances divided by the
   /// largest one, in decreasing order: six, and one more than dimensions, at least; all of them if
   /// there are at most 300 landmarks.
   const Eigen::VectorXd& eigenvalues() const { return m_eigenvalues; }
@@ -117,7 +117,7 @@ public:
   int number_of_positive_eigenvalues() const { return m_number_of_positive_eigenvalues; }
 
   /// returns `false` if the eigenvalue after the last used one exceeds 0.9 times that one: another
-  /// choice of axes is then about as good, and the pose hangs on details of the distances.
+  /// choice of axes is then about as good, and the pose depends on details of the distances.
   bool is_determined() const
   {
     return m_eigenvalues.size() <= m_dimension

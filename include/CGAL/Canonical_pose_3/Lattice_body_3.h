@@ -39,7 +39,7 @@ by geodesic distances: two pieces in a cube are of the same part if they lie abo
 another on the surface as through the solid.
 
 A cube that the surface passes through weighs as much as is filled of it. A vertex of the surface
-hangs on the tetrahedron that holds it, by barycentric coordinates. The lattice lies along the
+is embedded in the tetrahedron that holds it, by barycentric coordinates. The lattice lies along the
 principal axes of area, so that it follows rigid motions and scaling. The size of the body does not
 depend on the resolution of the surface.
 
@@ -78,7 +78,7 @@ public:
   /// \tparam TriangleMesh a model of `FaceListGraph`
   /// \tparam VertexPointMap a model of `ReadablePropertyMap` with vertex descriptors as keys and
   ///         points of a kernel as values
-  template <typename TriangleMesh, typename VertexPointMap>
+  template <class TriangleMesh, class VertexPointMap>
   Lattice_body_3(const TriangleMesh& tmesh, VertexPointMap vertex_point_map,
                  const Eigen::MatrixXd& distances, const double spacing = 0)
     : Lattice_body_3(point_matrix(tmesh, vertex_point_map), internal::index_triangles(tmesh),

@@ -11,8 +11,10 @@
 #define CGAL_CANONICAL_POSE_3_OPTIONS_H
 
 #include <CGAL/Canonical_pose_3/Direction_constraint_adaptor_3.h>
+#include <CGAL/Canonical_pose_3/Elastic_body_3.h>
 #include <CGAL/Canonical_pose_3/Handle_constraint_adaptor_3.h>
 #include <CGAL/Canonical_pose_3/Landmark_fields_3.h>
+#include <CGAL/Canonical_pose_3/Mds_kernel.h>
 #include <CGAL/Canonical_pose_3/Registration_options.h>
 #include <CGAL/Canonical_pose_3/Registration_progress.h>
 #include <CGAL/Canonical_pose_3/Spring_constraint_adaptor_3.h>
@@ -22,7 +24,9 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -63,16 +67,32 @@ struct Paper_weights
   double beta = 10;   ///< \f$ \beta \f$.
 };
 
+/// \ingroup PkgCanonicalPose3Ref
+/// computes landmarks and the distances to them on a connected surface, an oriented 2-manifold perhaps with boundary.
+/// It is called with its points, triples of rows of these, the number of landmarks (larger, perhaps, than that of the
+/// points), and the first landmark, and returns finite distances with a row per point.
+using Landmark_fields_function = std::function<Landmark_fields_3(
+  const Point_matrix& points, const std::vector<std::array<std::size_t, 3>>& triangles,
+  std::size_t number_of_landmarks, std::size_t first_landmark)>;
+
+/// \ingroup PkgCanonicalPose3Ref
+/// makes a body of a connected surface, an oriented 2-manifold perhaps with boundary, of its points, triples of rows of
+/// these, and distances. The surface vertices of the body are the points.
+using Body_function = std::function<Elastic_body_3(
+  const Point_matrix& points, const std::vector<std::array<std::size_t, 3>>& triangles,
+  const Landmark_fields_3& fields)>;
+
 /*!
 \ingroup PkgCanonicalPose3Ref
 
 \brief holds the knobs of `canonical_pose_3()`.
+
+Distances, kernel and body are chosen by enumerations, or are the user's own: a function or a model of a concept.
 */
 struct Options
 {
-  /// model of `GeodesicDistances_3` to measure with: `Heat_geodesics_3`, `Wavefront_geodesics_3`,
-  /// `Exact_geodesics_3`.
-  enum class Geodesics { HEAT, WAVEFRONT, EXACT };
+  /// model of `GeodesicDistances_3` to measure with: `Heat_geodesics_3`, `Wavefront_geodesics_3`.
+  enum class Geodesics { HEAT, WAVEFRONT };
 
   /// model of `MdsKernel` of the target.
   enum class Kernel { CLASSICAL, GAUSSIAN, UNCENTERED_GAUSSIAN };
@@ -92,6 +112,9 @@ struct Options
   /// the distances.
   Geodesics geodesics = Geodesics::HEAT;
 
+  /// if set, this measures instead, with `Exact_geodesics_3` for instance: see `landmark_fields_function()`.
+  Landmark_fields_function landmark_fields_function;
+
   /// number of landmarks, at least 1. Of those that a surface of \f$ n \f$ vertices can have, \f$ n \f$, at
   /// most 4096, and at most \f$ 2^{29} / n \f$.
   std::size_t number_of_landmarks = 80;
@@ -103,8 +126,14 @@ struct Options
   /// the kernel.
   Kernel kernel = Kernel::CLASSICAL;
 
+  /// if set, a model of `MdsKernel` that takes the place of `kernel`.
+  std::optional<Mds_kernel> mds_kernel;
+
   /// the body of a surface; a complex is its own body.
   Body body = Body::AUTOMATIC;
+
+  /// if set, this makes the body of a surface instead.
+  Body_function make_body;
 
   /// spacing of the lattice as a fraction of \f$ L \f$; 0: chosen from the thickness of the shape.
   double lattice_spacing = 0;
@@ -134,11 +163,11 @@ struct Options
   /// vertices of a constraint belong to one component, which has a pose of its own.
   std::vector<Spring_3> springs;
 
-  /// pairs of vertices with the wished vector between them, named as those of `springs`. Vectors and
+  /// pairs of vertices with the prescribed vector between them, named as those of `springs`. Vectors and
   /// positions are in the frame of the input, where the pose lies (see `align_target()`).
   std::vector<Directed_pair_3> directions;
 
-  /// vertices with their wished positions.
+  /// vertices with their prescribed positions.
   std::vector<Handle_3> handles;
 
   /// pairs of vertices that are to be mirror images of each other in one common plane; the vertices

@@ -48,7 +48,7 @@ struct Registration_summary
   /// what the target of the registration is.
   struct Target
   {
-    std::string kernel;         ///< name of the kernel; `"given"` for a target handed in.
+    std::string kernel;         ///< name of the kernel; `"given"` for a given target.
     std::size_t landmarks = 0;  ///< number of landmarks.
     double covering_radius = 0; ///< largest distance of a vertex to its nearest landmark.
     /// stress over the landmarks, see `Landmark_mds_target_builder_3::stress()`.
@@ -60,16 +60,17 @@ struct Registration_summary
     bool reflected = false;  ///< whether the mirrored target was taken.
   };
 
-  /// what the surface hangs on.
+  /// what the surface is embedded in.
   struct Body
   {
-    std::string kind;         ///< `"lattice"`, `"tetgen"`, `"mesh_3"`, or `"complex"` if handed in.
-    std::size_t vertices = 0; ///< number of body vertices.
+    std::string kind; ///< `"lattice"`, `"tetgen"`, `"mesh_3"`, or `"complex"`, or `"given"` for
+                      ///< that of `Options::make_body`.
+    std::size_t vertices = 0;   ///< number of body vertices.
     std::size_t tetrahedra = 0; ///< number of cells.
   };
 
   /// a stage of the pipeline with the seconds that it took.
-  typedef std::pair<std::string, double> Stage;
+  using Stage = std::pair<std::string, double>;
 
   /// why the iteration stopped.
   Termination termination = NOT_RUN;
@@ -146,7 +147,7 @@ struct Registration_summary
         << inverted << " of " << body.tetrahedra << " cells inverted";
     if(median_edge_strain > 0) // measured
       out << ", median edge strain " << median_edge_strain;
-    if(!target.eigenvalues.empty()) // no target handed in
+    if(!target.eigenvalues.empty()) // no given target
       out << ", stress " << target.stress;
     out << ", " << total_seconds() << " s (" << solver << ')';
     return out.str();

@@ -35,7 +35,7 @@ struct Spring_3
 {
   std::size_t p = 0;      ///< row of the first vertex.
   std::size_t q = 0;      ///< row of the second vertex, another one.
-  double rest_length = 0; ///< wished distance, in the unit of the mesh. Not negative.
+  double rest_length = 0; ///< prescribed distance, in the unit of the mesh. Not negative.
   double stiffness = 1;   ///< \f$ \kappa \f$, without unit. Positive.
 };
 
@@ -107,21 +107,21 @@ public:
   /// \times 3 \f$).
   void add_to_right_hand_side(const Point_matrix& points, Point_matrix& right_hand_side)
   {
-    const auto wished = [&](const std::size_t i, const Eigen::RowVector3d& difference) {
+    const auto prescribed = [&](const std::size_t i, const Eigen::RowVector3d& difference) {
       state(i).direction = direction(difference, state(i).direction);
       return Eigen::RowVector3d(element(i).rest_length * state(i).direction);
     };
-    internal::add_difference_right_hand_side(elements(), wished, points, right_hand_side);
+    internal::add_difference_right_hand_side(elements(), prescribed, points, right_hand_side);
   }
 
   /// returns the energy at `points`, in the squared unit of the mesh.
   double energy(const Point_matrix& points) const
   {
-    const auto wished = [&](const std::size_t i, const Eigen::RowVector3d& difference) {
+    const auto prescribed = [&](const std::size_t i, const Eigen::RowVector3d& difference) {
       return Eigen::RowVector3d(element(i).rest_length
                                 * direction(difference, Eigen::RowVector3d::UnitX()));
     };
-    return internal::difference_energy(elements(), wished, points);
+    return internal::difference_energy(elements(), prescribed, points);
   }
 
   /// @}

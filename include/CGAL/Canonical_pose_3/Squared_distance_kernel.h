@@ -21,7 +21,7 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 \brief is the kernel of classical multidimensional scaling, \f$ k(r) = -r^2/2 \f$.
 
-Centred, it turns Euclidean distances into the Gram matrix of the points that have them, which is
+Centered, it turns Euclidean distances into the Gram matrix of the points that have them, which is
 why a point set of the space is recovered exactly from its distances
 \cgalCite{cgal:canonical-st-glmnd-02}.
 

@@ -32,7 +32,7 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief is a pair of vertices of the surface that are wished to be mirror images of each other.
+\brief is a pair of vertices of the surface that are to be mirror images of each other.
 */
 struct Symmetric_pair_3
 {
@@ -154,7 +154,7 @@ public:
 
 private:
   // Calls f(s, p - S(q), the same as the plane mirrors vectors) for each pair.
-  template <typename Function>
+  template <class Function>
   void for_each_misfit(const Point_matrix& points, const Function& f) const
   {
     if(elements().empty())

@@ -14,7 +14,7 @@
 #include <CGAL/Canonical_pose_3/Registration_progress.h>
 #include <CGAL/Canonical_pose_3/Registration_summary.h>
 #include <CGAL/Canonical_pose_3/internal/body/Body_view.h>
-#include <CGAL/Canonical_pose_3/internal/energy/Rotation_routines.h>
+#include <CGAL/Canonical_pose_3/internal/energy/default_rotation_routines.h>
 #include <CGAL/Canonical_pose_3/internal/linear_algebra/Factor_base.h>
 #include <CGAL/Canonical_pose_3/internal/registration/Arap_registration.h>
 #include <CGAL/Canonical_pose_3/internal/registration/Registration_constraint_base.h>
@@ -36,7 +36,7 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 \brief pulls an elastic body towards a target of its surface while it keeps the details.
 
-It minimises
+It minimizes
 \f[ E(v) = \sum_i m_i |(Bv)_i - \hat v_i|^2 / L^2 + \ell^2 \sum_t w_t \|F_t - R_t\|^2
            + E_{constraints} / L^2 \f]
 by local and global steps in turn \cgalCite{cgal:canonical-sa-asap-07},
@@ -65,8 +65,7 @@ inequalities of `Registration_options`.
 \sa `Handle_constraint_adaptor_3`
 \sa `Symmetry_constraint_adaptor_3`
 */
-template <typename ElasticBody, typename ClosestRotationTraits = Default,
-          typename FactorTraits = Default>
+template <class ElasticBody, class ClosestRotationTraits = Default, class FactorTraits = Default>
 class Tetrahedral_arap_registrar_3
 {
 public:
@@ -108,9 +107,9 @@ public:
 
   /// adds a constraint, not a temporary one, which must outlive the registrar or be removed before it ends. What it asks for
   /// may change between calls of `register_to_target()`. What does not change its matrix costs nothing;
-  /// what does costs a solve per element concerned, or a factorisation if there are more than 32.
+  /// what does costs a solve per element concerned, or a factorization if there are more than 32.
   /// \tparam Constraint a model of `RegistrationConstraint_3`
-  template <typename Constraint>
+  template <class Constraint>
   void add_constraint(Constraint& constraint)
   {
     m_registration->add_constraint(
@@ -118,19 +117,19 @@ public:
   }
 
   /// \cond SKIP_IN_MANUAL
-  template <typename Constraint>
+  template <class Constraint>
   void add_constraint(const Constraint&&) = delete;
   /// \endcond
 
   /// removes a constraint; costs as much as a change of its matrix.
   /// \pre `constraint` was added and not removed since.
-  template <typename Constraint>
+  template <class Constraint>
   void remove_constraint(const Constraint& constraint)
   {
     m_registration->remove_constraint(&constraint);
   }
 
-  /// sets the target \f$ \hat v \f$ (\f$ n \times 3 \f$); no factorisation is needed.
+  /// sets the target \f$ \hat v \f$ (\f$ n \times 3 \f$); no factorization is needed.
   /// \pre The number of rows is that of the surface vertices.
   /// \throws std::invalid_argument if a coordinate is not finite.
   void set_target(const Point_matrix& target) { m_registration->set_target(target); }
@@ -173,7 +172,7 @@ public:
     return m_registration->surface_points(body_points);
   }
 
-  /// changes the cap on the number of iterations; no factorisation is needed. Not negative.
+  /// changes the cap on the number of iterations; no factorization is needed. Not negative.
   void set_number_of_iterations(const int number_of_iterations)
   {
     m_registration->set_number_of_iterations(number_of_iterations);

@@ -34,7 +34,7 @@ struct Make_void
 };
 
 // Vertices of the cells in `cells`, each once, in the order of the triangulation's vertices.
-template <typename Triangulation, typename CellRange>
+template <class Triangulation, class CellRange>
 std::vector<typename Triangulation::Vertex_handle> vertices_of_cells(const Triangulation& tr,
                                                                      const CellRange& cells)
 {
@@ -50,14 +50,14 @@ std::vector<typename Triangulation::Vertex_handle> vertices_of_cells(const Trian
   return result;
 }
 
-template <typename Cell_handle>
+template <class Cell_handle>
 auto handles_of_cell(const Cell_handle c)
 {
   return std::array{c->vertex(0), c->vertex(1), c->vertex(2), c->vertex(3)};
 }
 
 // The handles of the finite cells whose subdomain index is not that of the outside.
-template <typename Triangulation>
+template <class Triangulation>
 std::vector<typename Triangulation::Cell_handle> cells_inside(const Triangulation& tr)
 {
   using Cell_handle = typename Triangulation::Cell_handle;
@@ -69,11 +69,11 @@ std::vector<typename Triangulation::Cell_handle> cells_inside(const Triangulatio
   return result;
 }
 
-template <typename Complex, typename = void>
+template <class Complex, class = void>
 struct Is_triangulation_3 : std::false_type
 {};
 
-template <typename Complex>
+template <class Complex>
 struct Is_triangulation_3<
   Complex, std::void_t<typename Complex::Triangulation_data_structure,
                        typename Complex::Geom_traits::Point_3,
@@ -83,11 +83,11 @@ struct Is_triangulation_3<
 
 // The base of the traits of what is no complex. A triangulation without subdomain index gets all that
 // traits have, so that the compiler has one thing to say.
-template <typename Complex, bool = Is_triangulation_3<Complex>::value>
+template <class Complex, bool = Is_triangulation_3<Complex>::value>
 struct No_complex_traits
 {};
 
-template <typename Triangulation>
+template <class Triangulation>
 struct No_complex_traits<Triangulation, true>
 {
   using Vertex_descriptor = typename Triangulation::Vertex_handle;
@@ -111,9 +111,9 @@ struct No_complex_traits<Triangulation, true>
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief tells how to read a tetrahedral complex; to be specialised for a complex of one's own.
+\brief tells how to read a tetrahedral complex; to be specialized for a complex of one's own.
 
-The package specialises it for
+The package specializes it for
 - `CGAL::Mesh_complex_3_in_triangulation_3` (the result of `CGAL::make_mesh_3()`): its cells in the
   complex,
 - `CGAL::Triangulation_3` and classes derived from it whose cells have a subdomain index (for
@@ -131,17 +131,17 @@ triangulation in place would invalidate it.
 
 \cgalModels `TetrahedralComplexTraits_3`
 */
-template <typename Complex, typename Enable = void>
+template <class Complex, class Enable = void>
 struct Tetrahedral_complex_traits_3;
 
 /// \cond SKIP_IN_MANUAL
 
-template <typename Complex, typename Enable>
+template <class Complex, class Enable>
 struct Tetrahedral_complex_traits_3 : internal::No_complex_traits<Complex>
 {};
 
 // Complexes of Mesh_3.
-template <typename C3t3>
+template <class C3t3>
 struct Tetrahedral_complex_traits_3<
   C3t3, typename internal::Make_void<typename C3t3::Triangulation,
                                      typename C3t3::Cells_in_complex_iterator>::type>
@@ -178,7 +178,7 @@ struct Tetrahedral_complex_traits_3<
 };
 
 // Triangulations whose cells have a subdomain index.
-template <typename Triangulation>
+template <class Triangulation>
 struct Tetrahedral_complex_traits_3<
   Triangulation, typename internal::Make_void<
                    typename Triangulation::Triangulation_data_structure,
@@ -215,7 +215,7 @@ struct Tetrahedral_complex_traits_3<
   }
 };
 
-template <typename Point>
+template <class Point>
 struct Tetrahedral_complex_traits_3<Indexed_tetrahedra_3<Point>>
 {
   using Vertex_descriptor = std::size_t;

@@ -24,10 +24,10 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief moves a target rigidly onto the points it belongs to, if wished after a reflection, and
+\brief moves a target rigidly onto the points it belongs to, after a reflection if requested, and
 returns it.
 
-Translation and rotation minimise \f$ \sum_i m_i |R x_i + t - p_i|^2 \f$
+Translation and rotation minimize \f$ \sum_i m_i |R x_i + t - p_i|^2 \f$
 \cgalCite{cgal:canonical-k-sbrrsv-76}. The target is never scaled: its scale comes from the geodesic
 distances, so that it does not depend on the pose. The signs of the axes of a multidimensional
 scaling are arbitrary; `target_handedness()` tells which reflection to take.
@@ -54,7 +54,7 @@ inline Point_matrix align_target(const Point_matrix& target, const Point_matrix&
     moved.col(2) *= -1;
   const Eigen::Matrix3d covariance
     = (points.rowwise() - point_mean).transpose() * share.asDiagonal() * moved;
-  // Normalised, as the models compare determinants and entries with absolute bounds.
+  // Normalized, as the models compare determinants and entries with absolute bounds.
   const double size = covariance.cwiseAbs().maxCoeff();
   const Eigen::Matrix3d rotation
     = size > 0 ? internal::rotation_by_traits<Deformation_Eigen_closest_rotation_traits_3>(

@@ -32,10 +32,10 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 \brief carries a stiffness that is known on the surface to the cells of an elastic body.
 
-A body vertex takes the mean over the surface vertices that hang on it, weighted by their area shares
-and by their entries in the embedding. Body vertices on which none hangs take the mean over the
-neighbors that have a value already, ring by ring from the surface inwards. A cell takes the mean
-over its four vertices. So no value is below the least or above the largest that is given, and parts
+A body vertex takes the mean over the surface vertices embedded in its cells, weighted by their area
+shares and by their entries in the embedding; one without any takes the mean over the neighbors that
+have a value already, ring by ring from the surface inward. A cell takes the mean over its four
+vertices. So no value is below the least or above the largest that is given, and parts
 of the body that are apart, however near, do not mix.
 
 \tparam ElasticBody a model of `ElasticBody_3`
@@ -53,7 +53,7 @@ of the body that are apart, however near, do not mix.
 
 <em>Complexity:</em> a pass over the cells per ring.
 */
-template <typename ElasticBody>
+template <class ElasticBody>
 Eigen::VectorXd cell_stiffness(const ElasticBody& body, const Eigen::VectorXd& area_shares,
                                const Eigen::VectorXd& stiffness)
 {

@@ -27,7 +27,7 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 \brief makes an elastic body of a tetrahedral complex: vertex \f$ i \f$ of the complex, in the order
 of the traits' range, is vertex \f$ i \f$ of the body, and all are in its embedding.
 
-\tparam Complex a type for which `Tetrahedral_complex_traits_3` is specialised
+\tparam Complex a type for which `Tetrahedral_complex_traits_3` is specialized
 \tparam Traits a model of `CanonicalPoseTraits_3`, by default the kernel of the points
 
 \throws std::invalid_argument see `Conforming_body_3::Conforming_body_3()`; also if a cell names a
@@ -37,8 +37,8 @@ of the traits' range, is vertex \f$ i \f$ of the body, and all are in its embedd
 
 \sa `extract_boundary()`
 */
-template <typename Complex,
-          typename Traits = typename Kernel_traits<internal::Complex_point<Complex>>::Kernel>
+template <class Complex,
+          class Traits = typename Kernel_traits<internal::Complex_point<Complex>>::Kernel>
 Conforming_body_3 complex_body(const Complex& complex, const Traits& traits = Traits())
 {
   auto indexed = internal::indexed_complex(complex, traits);

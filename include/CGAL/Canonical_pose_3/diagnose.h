@@ -67,7 +67,7 @@ Diagnosis_3 diagnose(const Point_matrix& points,
 
 \throws std::invalid_argument if a coordinate is not finite; the message names the vertex.
 */
-template <typename PolygonMesh, typename VertexPointMap>
+template <class PolygonMesh, class VertexPointMap>
 Diagnosis_3 diagnose(const PolygonMesh& mesh, VertexPointMap vertex_point_map)
 {
   return diagnose(point_matrix(mesh, vertex_point_map), internal::index_polygons(mesh));

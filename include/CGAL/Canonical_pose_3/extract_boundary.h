@@ -35,7 +35,7 @@ The boundary consists of the faces of exactly one cell, oriented outwards. Where
 2-manifold (cells that meet in a vertex or in an edge only), vertices are duplicated, hence several
 vertices of the surface may be the same vertex of the complex.
 
-\tparam Complex a type for which `Tetrahedral_complex_traits_3` is specialised
+\tparam Complex a type for which `Tetrahedral_complex_traits_3` is specialized
 \tparam TriangleMesh a model of `MutableFaceGraph` whose points are of the kernel of the complex
 \tparam OriginMap a model of `WritablePropertyMap` with the vertex descriptor of `TriangleMesh` as
        key type and that of the complex as value type
@@ -51,11 +51,11 @@ vertices of the surface may be the same vertex of the complex.
 
 <em>Complexity:</em> \f$ O(m \log m) \f$ for \f$ m \f$ cells.
 */
-template <typename Complex, typename TriangleMesh, typename OriginMap>
+template <class Complex, class TriangleMesh, class OriginMap>
 void extract_boundary(const Complex& complex, TriangleMesh& tmesh, OriginMap origin_map)
 {
-  typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor vertex_descriptor;
-  typedef typename Kernel_traits<internal::Complex_point<Complex>>::Kernel Kernel;
+  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+  using Kernel = typename Kernel_traits<internal::Complex_point<Complex>>::Kernel;
 
   CGAL_precondition(is_empty(tmesh));
   const auto indexed = internal::indexed_complex(complex, Kernel());

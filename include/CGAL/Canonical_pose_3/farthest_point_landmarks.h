@@ -80,7 +80,7 @@ if the mesh has fewer vertices, or if all of its vertices are at distance 0 of t
 \tparam VertexOutputIterator a model of `OutputIterator` that takes vertex descriptors
 
 \param geodesics the distances to sample with.
-\param l the number of landmarks wished.
+\param l the number of landmarks.
 \param first the first landmark, see `extremal_point()`.
 \param out receives the landmarks in the order of their choice.
 
@@ -91,7 +91,7 @@ if the mesh has fewer vertices, or if all of its vertices are at distance 0 of t
 \sa `front_landmarks()`
 \sa `Landmark_mds_target_builder_3`
 */
-template <typename GeodesicDistances, typename VertexOutputIterator = Emptyset_iterator>
+template <class GeodesicDistances, class VertexOutputIterator = Emptyset_iterator>
 Landmark_fields_3
 farthest_point_landmarks(const GeodesicDistances& geodesics, const std::size_t l,
                          const typename GeodesicDistances::vertex_descriptor first,

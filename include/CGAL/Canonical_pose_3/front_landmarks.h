@@ -93,7 +93,7 @@ Otherwise it does the same as `farthest_point_landmarks()`.
 \tparam VertexOutputIterator a model of `OutputIterator` that takes vertex descriptors
 
 \param geodesics the distances.
-\param l the number of landmarks wished.
+\param l the number of landmarks.
 \param first the first landmark, see `extremal_point()`.
 \param out receives the landmarks in the order of their choice.
 
@@ -104,7 +104,7 @@ Otherwise it does the same as `farthest_point_landmarks()`.
 \sa `farthest_point_landmarks()`
 \sa `Landmark_mds_target_builder_3`
 */
-template <typename GeodesicDistances, typename VertexOutputIterator = Emptyset_iterator>
+template <class GeodesicDistances, class VertexOutputIterator = Emptyset_iterator>
 Landmark_fields_3 front_landmarks(const GeodesicDistances& geodesics, const std::size_t l,
                                   const typename GeodesicDistances::vertex_descriptor first,
                                   VertexOutputIterator out = VertexOutputIterator())

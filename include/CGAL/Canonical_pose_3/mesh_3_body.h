@@ -40,7 +40,7 @@ Embedded_body_3 mesh_3_body_of_clean_surface(Point_matrix points,
 \ingroup PkgCanonicalPose3Ref
 
 \brief fills a clean closed surface with tetrahedra of nearly equal size by \cgal's Mesh_3, and
-hangs the surface in them.
+embeds the surface in them.
 
 The number of cells does not depend on the number of faces, and the boundary of the cells is not the
 surface but close to it. A vertex of the surface is a combination of the vertices of the cell that
@@ -88,7 +88,7 @@ inline Embedded_body_3 mesh_3_body(const Point_matrix& points,
 \tparam VertexPointMap a model of `ReadablePropertyMap` with vertex descriptors as keys and points
        of a kernel as values
 */
-template <typename TriangleMesh, typename VertexPointMap>
+template <class TriangleMesh, class VertexPointMap>
 Embedded_body_3 mesh_3_body(const TriangleMesh& tmesh, VertexPointMap vertex_point_map,
                             const double length_scale,
                             const double cell_size = internal::MESH_3_CELL_SIZE)

@@ -39,10 +39,10 @@ the order of its `Tetrahedral_complex_traits_3`; of a complex of Mesh_3, say, ce
 
 <em>Complexity:</em> linear.
 */
-template <typename Range, typename PropertyMap>
+template <class Range, class PropertyMap>
 Eigen::VectorXd property_values(const Range& range, PropertyMap map)
 {
-  typedef typename boost::property_traits<PropertyMap>::key_type Key;
+  using Key = typename boost::property_traits<PropertyMap>::key_type;
   Eigen::VectorXd values(static_cast<Eigen::Index>(std::distance(range.begin(), range.end())));
   Eigen::Index i = 0;
   for(const auto& element : range)

@@ -45,9 +45,9 @@ inline std::vector<std::size_t> first_copies(const Repaired_surface_3& surface)
 
 Polygons become triangles; faces that name fewer than three vertices, and all but one of those that
 name the same vertices, are dropped. Vertices at the same place on the boundary (those of an STL file)
-are sewn; closed surfaces that touch are left apart. Neighbours get the same orientation; where there
+are sewn; closed surfaces that touch are left apart. Neighbors get the same orientation; where there
 is none (a Moebius strip), the surface is cut. Vertices where several fans of faces meet are split. Of
-an edge of more than two faces those become neighbours that belong to the same patch (connected by
+an edge of more than two faces those become neighbors that belong to the same patch (connected by
 edges of two faces), then those of patches without boundary, then the others; so a fin on a
 closed surface becomes a component of its own. Holes get caps, and components are oriented outwards;
 flat sheets stay as they are. Faces without area are kept.

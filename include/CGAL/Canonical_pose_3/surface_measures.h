@@ -68,7 +68,7 @@ inline Eigen::VectorXd vertex_area_shares(const Point_matrix& points,
 \tparam VertexPointMap a model of `ReadablePropertyMap` with vertex descriptors as keys and points
        of a kernel as values
 */
-template <typename TriangleMesh, typename VertexPointMap>
+template <class TriangleMesh, class VertexPointMap>
 Eigen::VectorXd vertex_area_shares(const TriangleMesh& tmesh, VertexPointMap vertex_point_map)
 {
   return vertex_area_shares(point_matrix(tmesh, vertex_point_map),

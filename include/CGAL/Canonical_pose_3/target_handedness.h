@@ -124,7 +124,7 @@ inline double target_handedness(Point_matrix target, Point_matrix points,
 \tparam VertexPointMap a model of `ReadablePropertyMap` with vertex descriptors as keys and points of
         a kernel as values
 */
-template <typename TriangleMesh, typename VertexPointMap>
+template <class TriangleMesh, class VertexPointMap>
 double target_handedness(const Point_matrix& target, const TriangleMesh& tmesh,
                          VertexPointMap vertex_point_map)
 {

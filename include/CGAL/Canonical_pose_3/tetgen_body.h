@@ -123,7 +123,7 @@ AGPL; programs that include this header (target `Canonical_pose_3::tetgen`) are 
 
 \sa `Conforming_body_3`
 */
-template <typename TriangleMesh, typename VertexPointMap>
+template <class TriangleMesh, class VertexPointMap>
 Conforming_body_3 tetgen_body(const TriangleMesh& tmesh, VertexPointMap vertex_point_map)
 {
   const Point_matrix points = point_matrix(tmesh, vertex_point_map);

@@ -170,7 +170,7 @@ private:
 
   static double special_number(Byte_source& bytes)
   {
-    typedef std::numeric_limits<double> Limits;
+    using Limits = std::numeric_limits<double>;
     const std::array<double, 12> numbers
       = {{0., -0., Limits::quiet_NaN(), Limits::infinity(), -Limits::infinity(), Limits::max(),
           Limits::lowest(), Limits::min(), Limits::denorm_min(), 1e150, 1e-150, 1e15}};

@@ -27,7 +27,7 @@ using CGAL::Canonical_pose_3::Options;
 
 namespace {
 
-typedef CGAL::Exact_predicates_inexact_constructions_kernel::Point_3 Point_3;
+using Point_3 = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
 
 template <std::size_t n>
 double one_of(const std::array<double, n>& numbers, Byte_source& bytes)

@@ -28,24 +28,24 @@ namespace internal {
 class Body_view
 {
 public:
-  template <typename ElasticBody>
+  template <class ElasticBody>
   explicit Body_view(const ElasticBody& body)
-    : m_points(body.points()), m_cells(body.cells()), m_cell_weights(body.cell_weights()),
-      m_volume(body.volume()), m_embedding(body.embedding())
+    : m_points(&body.points()), m_cells(&body.cells()), m_cell_weights(&body.cell_weights()),
+      m_volume(body.volume()), m_embedding(&body.embedding())
   {}
 
-  const Point_matrix& points() const { return m_points; }
-  const std::vector<std::array<int, 4>>& cells() const { return m_cells; }
-  const Eigen::VectorXd& cell_weights() const { return m_cell_weights; }
+  const Point_matrix& points() const { return *m_points; }
+  const std::vector<std::array<int, 4>>& cells() const { return *m_cells; }
+  const Eigen::VectorXd& cell_weights() const { return *m_cell_weights; }
   double volume() const { return m_volume; }
-  const Eigen::SparseMatrix<double>& embedding() const { return m_embedding; }
+  const Eigen::SparseMatrix<double>& embedding() const { return *m_embedding; }
 
 private:
-  const Point_matrix& m_points;
-  const std::vector<std::array<int, 4>>& m_cells;
-  const Eigen::VectorXd& m_cell_weights;
+  const Point_matrix* m_points;
+  const std::vector<std::array<int, 4>>* m_cells;
+  const Eigen::VectorXd* m_cell_weights;
   double m_volume;
-  const Eigen::SparseMatrix<double>& m_embedding;
+  const Eigen::SparseMatrix<double>* m_embedding;
 };
 
 } // namespace internal

@@ -30,7 +30,7 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // A complex as numbers: row i is the i-th vertex of the traits' range.
-template <typename Vertex_descriptor>
+template <class Vertex_descriptor>
 struct Indexed_complex
 {
   std::vector<Vertex_descriptor> vertices;
@@ -38,25 +38,25 @@ struct Indexed_complex
   std::vector<std::array<int, 4>> cells;
 };
 
-// Whether `Tetrahedral_complex_traits_3` is specialised for T.
-template <typename T, typename = void>
+// Whether `Tetrahedral_complex_traits_3` is specialized for T.
+template <class T, class = void>
 struct Is_tetrahedral_complex : std::false_type
 {};
 
-template <typename T>
+template <class T>
 struct Is_tetrahedral_complex<
   T, typename Make_void<typename Tetrahedral_complex_traits_3<T>::Vertex_descriptor>::type>
   : std::true_type
 {};
 
-template <typename Complex>
+template <class Complex>
 using Complex_point = typename Tetrahedral_complex_traits_3<Complex>::Point_3;
 
-template <typename Complex, typename Traits>
+template <class Complex, class Traits>
 auto indexed_complex(const Complex& complex, const Traits& traits)
 {
-  typedef Tetrahedral_complex_traits_3<Complex> Complex_traits;
-  typedef typename Complex_traits::Vertex_descriptor Vertex_descriptor;
+  using Complex_traits = Tetrahedral_complex_traits_3<Complex>;
+  using Vertex_descriptor = typename Complex_traits::Vertex_descriptor;
 
   Indexed_complex<Vertex_descriptor> result;
   std::unordered_map<Vertex_descriptor, int> row;

@@ -37,7 +37,7 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// Hangs points in the cells of a complex.
+// Embeds points in the cells of a complex.
 class Mesh_3_embedder
 {
 public:
@@ -82,8 +82,8 @@ public:
   }
 
 private:
-  typedef Mesh_3_complex::Cell_handle Cell_handle;
-  typedef Mesh_3_complex::Vertex_handle Vertex_handle;
+  using Cell_handle = Mesh_3_complex::Cell_handle;
+  using Vertex_handle = Mesh_3_complex::Vertex_handle;
 
   // A point farther from a cell than its height has a coordinate below -1.
   static constexpr double LARGEST_EXCESS = 2;

@@ -50,7 +50,7 @@ public:
   }
 
   // Calls f(begin, end) for each face, with the range of its occurrences, pairs of vertices and number.
-  template <typename Function>
+  template <class Function>
   void for_each_face(const Function& f) const
   {
     for(auto begin = m_faces.begin(); begin != m_faces.end();)

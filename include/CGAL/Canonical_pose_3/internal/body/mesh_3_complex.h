@@ -36,9 +36,9 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-typedef Polyhedral_mesh_domain_3<Indexed_mesh, Indexed_mesh_kernel> Mesh_3_domain;
-typedef Mesh_triangulation_3<Mesh_3_domain, Default, Sequential_tag>::type Mesh_3_triangulation;
-typedef Mesh_complex_3_in_triangulation_3<Mesh_3_triangulation> Mesh_3_complex;
+using Mesh_3_domain = Polyhedral_mesh_domain_3<Indexed_mesh, Indexed_mesh_kernel>;
+using Mesh_3_triangulation = Mesh_triangulation_3<Mesh_3_domain, Default, Sequential_tag>::type;
+using Mesh_3_complex = Mesh_complex_3_in_triangulation_3<Mesh_3_triangulation>;
 
 // Points of the surface that are at least the spacing apart, and nowhere much farther.
 inline std::vector<Indexed_mesh::Point> sample_surface(const Point_matrix& points,
@@ -92,7 +92,7 @@ inline std::vector<Mesh_3_complex::Cell_handle> cells_in_complex(const Mesh_3_co
 // complex.
 inline void keep_largest_part(Mesh_3_complex& complex)
 {
-  typedef std::vector<Mesh_3_complex::Cell_handle> Cells;
+  using Cells = std::vector<Mesh_3_complex::Cell_handle>;
   for(const auto cell : cells_in_complex(complex))
     if(is_flat(complex.triangulation(), cell))
       complex.remove_from_complex(cell);
@@ -129,7 +129,7 @@ inline Mesh_3_complex mesh_3_complex(const Point_matrix& points,
                                      const std::vector<Index_triangle>& triangles,
                                      const double size)
 {
-  typedef Mesh_criteria_3<Mesh_3_triangulation> Criteria;
+  using Criteria = Mesh_criteria_3<Mesh_3_triangulation>;
   const Indexed_mesh mesh = indexed_mesh(points, triangles);
   const Mesh_3_domain domain(mesh);
   const Mesh_3_domain::Index index
@@ -155,7 +155,7 @@ inline Mesh_3_complex mesh_3_complex(const Point_matrix& points,
     keep_largest_part(complex);
   }
   if(complex.number_of_cells_in_complex() == 0)
-    throw std::runtime_error("Mesh_3 found the surface too thin for cells of the size wanted");
+    throw std::runtime_error("Mesh_3 found the surface too thin for cells of the requested size");
   return complex;
 }
 

@@ -12,6 +12,7 @@
 
 #include <CGAL/Canonical_pose_3/internal/energy/Elastic_cell.h>
 #include <CGAL/Canonical_pose_3/internal/energy/Rotation_routines.h>
+#include <CGAL/Canonical_pose_3/internal/energy/default_rotation_routines.h>
 #include <CGAL/Canonical_pose_3/internal/linear_algebra/Column_sums.h>
 #include <CGAL/Canonical_pose_3/internal/support/Buckets.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>

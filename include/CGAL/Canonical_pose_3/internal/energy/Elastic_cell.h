@@ -22,8 +22,8 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-typedef Eigen::Matrix<double, 9, 1> Vector_9;
-typedef Eigen::Matrix<double, 9, 9> Matrix_9;
+using Vector_9 = Eigen::Matrix<double, 9, 1>;
+using Matrix_9 = Eigen::Matrix<double, 9, 9>;
 
 // The derivative of the determinant of f with respect to f.
 inline Eigen::Matrix3d cofactors(const Eigen::Matrix3d& f)

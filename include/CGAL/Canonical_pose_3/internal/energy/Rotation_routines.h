@@ -12,12 +12,9 @@
 
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 
-#include <CGAL/Default.h>
-
 #include <Eigen/Core>
 
 #include <array>
-#include <type_traits>
 
 namespace CGAL {
 namespace Canonical_pose_3 {
@@ -29,11 +26,11 @@ using Pack = Eigen::Array<double, 8, 1>;
 constexpr int pack_size = 8;
 
 // `m[row][column]`; with packs, eight matrices.
-template <typename Real>
+template <class Real>
 using Matrix_3 = std::array<std::array<Real, 3>, 3>;
 
 // Applies a function of one matrix to one of eight.
-template <typename Function>
+template <class Function>
 void for_lane(const Matrix_3<Pack>& f, Matrix_3<Pack>& r, const int lane, const Function& function)
 {
   Eigen::Matrix3d m;
@@ -46,7 +43,7 @@ void for_lane(const Matrix_3<Pack>& f, Matrix_3<Pack>& r, const int lane, const 
 
 // The rotation closest to m by a model of CGAL's `DeformationClosestRotationTraits_3`; some rotation if m is
 // not finite. Those models return V U^t of their argument U S V^t, hence the transposition.
-template <typename ClosestRotationTraits>
+template <class ClosestRotationTraits>
 Eigen::Matrix3d rotation_by_traits(const Eigen::Matrix3d& m)
 {
   if(!m.allFinite())
@@ -65,7 +62,7 @@ Eigen::Matrix3d rotation_by_traits(const Eigen::Matrix3d& m)
   return result;
 }
 
-template <typename ClosestRotationTraits>
+template <class ClosestRotationTraits>
 void rotations_by_traits(const Matrix_3<Pack>& f, Matrix_3<Pack>& r)
 {
   for(int lane = 0; lane < pack_size; ++lane)
@@ -79,26 +76,9 @@ struct Rotation_routines
   void (*eight)(const Matrix_3<Pack>&, Matrix_3<Pack>&);
 };
 
-// In closed form.
-Rotation_routines default_rotation_routines();
-
-// `ClosestRotationTraits`: a model of `DeformationClosestRotationTraits_3`, or `Default`.
-template <typename ClosestRotationTraits>
-Rotation_routines rotation_routines()
-{
-  if constexpr(std::is_same<ClosestRotationTraits, Default>::value)
-    return default_rotation_routines();
-  else
-    return {rotation_by_traits<ClosestRotationTraits>, rotations_by_traits<ClosestRotationTraits>};
-}
-
 } // namespace internal
 } // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
-
-#ifndef CGAL_CANONICAL_POSE_3_COMPILED
-#include <CGAL/Canonical_pose_3/internal/energy/default_rotation_routines_impl.h>
-#endif
 
 #endif // CGAL_CANONICAL_POSE_3_INTERNAL_ENERGY_ROTATION_ROUTINES_H

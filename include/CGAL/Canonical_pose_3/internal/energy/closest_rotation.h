@@ -27,7 +27,7 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // What the closed form below tells besides the rotation.
-template <typename Real>
+template <class Real>
 struct Rotation_root
 {
   Real root;      // the largest trace(R^t F) over the rotations R
@@ -42,7 +42,7 @@ struct Rotation_root
 //        = x^4 - 2 |F|^2 x^2 - 8 det(F) x + |F|^4 - 4 |cof F|^2,
 // and R is its derivative with respect to F. Newton's method comes down to it from above, where p
 // is convex.
-template <typename Real>
+template <class Real>
 Rotation_root<Real> rotation_by_root(const Matrix_3<Real>& f, Matrix_3<Real>& r)
 {
   using std::sqrt;

@@ -12,6 +12,7 @@
 
 #include <CGAL/Canonical_pose_3/internal/energy/Rotation_routines.h>
 #include <CGAL/Canonical_pose_3/internal/energy/closest_rotation.h>
+#include <CGAL/Canonical_pose_3/internal/energy/default_rotation_routines.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 
 namespace CGAL {

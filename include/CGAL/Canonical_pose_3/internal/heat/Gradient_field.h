@@ -41,7 +41,7 @@ struct Unit_descent
   CGAL_CANONICAL_POSE_3_KERNEL static void run(const Face_in_plane* faces, std::size_t size,
                                                const double* u, double* result)
   {
-    typedef typename Vector::Numbers Numbers;
+    using Numbers = typename Vector::Numbers;
     for(const Face_in_plane* face = faces; face != faces + size; ++face)
       for(std::size_t lane = 0; lane < NUMBER_OF_LANES; lane += Vector::SIZE)
       {
@@ -67,8 +67,8 @@ private:
   CGAL_CANONICAL_POSE_3_KERNEL static void normalize(typename Vector::Numbers& x,
                                                      typename Vector::Numbers& y)
   {
-    typedef typename Vector::Numbers Numbers;
-    typedef typename Vector::Bits Bits;
+    using Numbers = typename Vector::Numbers;
+    using Bits = typename Vector::Bits;
     // Far from the source the squares underflow, the numbers do not: a power of two comes first.
     const Numbers size_x = x < 0 ? -x : x, size_y = y < 0 ? -y : y;
     const Numbers largest = size_x < size_y ? size_y : size_x;

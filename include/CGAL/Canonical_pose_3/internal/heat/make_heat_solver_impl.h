@@ -49,7 +49,7 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // Both matrices are block diagonal over the components of the mesh, and each component has a time
-// step of its own, see heat_lengths(). They have the same pattern, which is analysed once, and are
+// step of its own, see heat_lengths(). They have the same pattern, which is analyzed once, and are
 // factored side by side. Sources come eight at a time, one per lane, and such blocks side by side.
 class Intrinsic_heat_solver final : public Heat_solver
 {
@@ -60,7 +60,7 @@ public:
   {
     const Eigen::SparseMatrix<double> laplacian = cotangent_laplacian(triangulation());
     std::vector<double> lengths;
-    in_parallel([&] { check(m_heat->analyze(laplacian), "heat equation cannot be analysed"); },
+    in_parallel([&] { check(m_heat->analyze(laplacian), "heat equation cannot be analyzed"); },
                 [&] { lengths = heat_lengths(triangulation(), components()); });
     m_poisson = m_heat->copy();
     m_places = m_heat->places();

@@ -87,7 +87,7 @@ public:
   }
 
   // Half the energy with the penalty.
-  template <typename Penalty>
+  template <class Penalty>
   double energy(const Point_matrix& points, const Penalty& penalty) const
   {
     const Point_matrix d = points.topRows(free()) - m_start;
@@ -102,7 +102,7 @@ public:
   }
 
   // Its gradient with respect to the free points.
-  template <typename Penalty>
+  template <class Penalty>
   Point_matrix gradient(const Point_matrix& points, const Penalty& penalty) const
   {
     Point_matrix result = m_matrix * (points.topRows(free()) - m_start) + m_gradient;
@@ -133,7 +133,7 @@ private:
 
   // A step of Newton's method; returns by how much the energy went down, nothing if the step could not be
   // computed.
-  template <typename Penalty>
+  template <class Penalty>
   std::optional<double> descend(const Penalty& penalty)
   {
     const double before = energy(m_points, penalty);
@@ -163,7 +163,7 @@ private:
     return 0;
   }
 
-  template <typename Penalty>
+  template <class Penalty>
   Point_matrix newton_step(const Penalty& penalty, const Point_matrix& g) const
   {
     Sparse_factor factor(m_factor_maker);
@@ -174,7 +174,7 @@ private:
   }
 
   // Positive definite; the coordinates of a vertex lie side by side. The rotations count as constant.
-  template <typename Penalty>
+  template <class Penalty>
   Eigen::SparseMatrix<double> hessian(const Penalty& penalty) const
   {
     Eigen::SparseMatrix<double> result(3 * free(), 3 * free());

@@ -128,7 +128,7 @@ private:
   }
 
   // Calls the function for each patch, vertices that the matrix connects, and takes over its points.
-  template <typename Function>
+  template <class Function>
   void for_each_patch(const std::vector<bool>& is_free, const Point_matrix& right_hand_side,
                       Point_matrix& points, const Function& function) const
   {
@@ -178,7 +178,7 @@ private:
 #endif
   }
 
-  template <typename Vertices, typename Cells>
+  template <class Vertices, class Cells>
   Injective_patch make_patch(const Vertices& free_vertices, const Cells& cells,
                              const Point_matrix& right_hand_side, const Point_matrix& points) const
   {

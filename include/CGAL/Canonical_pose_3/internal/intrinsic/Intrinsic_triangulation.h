@@ -36,7 +36,7 @@ namespace internal {
 // A triangulation known by its edge lengths only. Face `f` has the halfedges 3f, 3f+1, 3f+2 in this
 // order; halfedge `h` starts at vertex `origin(h)`, runs along the face's side of length
 // `length(h)`, and `twin(h)` is the other side of its edge, or -1 at the border. It is a
-// Delta-complex: after flips, a vertex may be its own neighbour, two edges may have the same two
+// Delta-complex: after flips, a vertex may be its own neighbor, two edges may have the same two
 // ends, and two sides of one face may be glued to one another. Nothing here excludes that.
 class Intrinsic_triangulation
 {

@@ -62,7 +62,7 @@ inline Eigen::SparseMatrix<double> cotangent_laplacian(const Intrinsic_triangula
       diagonal[triangulation.origin(h)] += weight;
       diagonal[triangulation.target(h)] += weight;
     }
-  typedef std::pair<int, double> Entry; // row and value
+  using Entry = std::pair<int, double>; // row and value
   Buckets<Entry> columns(n, [&](const auto& put) {
     for(std::size_t i = 0; i < n; ++i)
       put(i, Entry(static_cast<int>(i), diagonal[static_cast<Eigen::Index>(i)]));

@@ -22,7 +22,7 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // The corners of the faces around each vertex, that is, the halfedges with this origin. Across them,
-// along `next` and `previous`, lie all of its neighbours, also at the border.
+// along `next` and `previous`, lie all of its neighbors, also at the border.
 inline Buckets<int> vertex_corners(const Intrinsic_triangulation& triangulation)
 {
   return Buckets<int>(triangulation.number_of_vertices(), [&](const auto& put) {

@@ -85,7 +85,7 @@ private:
   static constexpr double SMALLEST_SPACING = 1. / 120, LARGEST_SPACING = 1. / 60;
   static constexpr double LARGEST_NUMBER_OF_SAMPLES = 5e6, LARGEST_NUMBER_OF_PARTS = 1e6;
   static constexpr double LARGEST_NUMBER_OF_CUBES = 2e7; // in the box around the surface
-  static constexpr double WANTED_CUBES = 7000;
+  static constexpr double SUITABLE_NUMBER_OF_CUBES = 7000;
 
   static void check(const Eigen::MatrixXd& distances, const double spacing)
   {
@@ -138,7 +138,7 @@ private:
     bounds.add_middles(splitter.edges(), m_surface);
   }
 
-  // Half of what only a tenth of the chords is shorter than, in bounds, but no more cubes than wanted.
+  // Half of what only a tenth of the chords is shorter than, in bounds, but not too many cubes.
   double suitable_spacing(const std::vector<Chord>& chords,
                           const std::vector<std::array<std::size_t, 3>>& triangles,
                           const std::vector<std::array<std::size_t, 3>>& caps) const
@@ -159,7 +159,7 @@ private:
     for(const auto& t : triangles)
       area += twice_area(m_surface, t) / 2;
     double result = (std::max)((std::min)(thin / 2, LARGEST_SPACING), SMALLEST_SPACING);
-    while(volume / (result * result * result) + area / (result * result) > WANTED_CUBES)
+    while(volume / (result * result * result) + area / (result * result) > SUITABLE_NUMBER_OF_CUBES)
       result *= 1.05;
     return result;
   }

@@ -30,7 +30,7 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // Copies of the cubes of a lattice, one for each part of the solid that passes through a cube, and
-// the nodes that copies of neighbouring cubes share where a part goes from one to the other
+// the nodes that copies of neighboring cubes share where a part goes from one to the other
 // (virtual nodes, Molino et al. 2004). Parts are told apart by geodesics: two pieces are of the same
 // part if they lie about as near to one another on the surface as through the solid.
 class Lattice_copies
@@ -68,7 +68,7 @@ public:
 private:
   // The pieces that stand for a class of them: those with the shortest way to the surface, of these
   // those with the shortest chord.
-  typedef std::vector<Lattice_piece> Samples;
+  using Samples = std::vector<Lattice_piece>;
   static constexpr std::size_t NUMBER_OF_SAMPLES = 4;
 
   struct Cell_classes
@@ -83,7 +83,7 @@ private:
     std::size_t vertex;
     double way;
   };
-  typedef boost::container::static_vector<End, 2> Ends;
+  using Ends = boost::container::static_vector<End, 2>;
 
   // The nearer end of the chord of a piece, or both if they are about as near. There is one at least; of
   // a chord that ends on a cap it is the beginning.
@@ -240,9 +240,9 @@ private:
     }
   }
 
-  // Calls f(a, b) for the copies of two neighbouring cubes that belong together: a face or chord
+  // Calls f(a, b) for the copies of two neighboring cubes that belong together: a face or chord
   // passes through both, or they are near one another.
-  template <typename Function>
+  template <class Function>
   void for_each_bridge(const std::size_t cell, const std::size_t next, const Function& f)
   {
     std::vector<std::pair<std::size_t, std::size_t>> bridges;
@@ -308,7 +308,7 @@ private:
       }
   }
 
-  // Lists the copies that hang together with the surface. A chord of which a part was forgotten may
+  // Lists the copies that are connected with the surface. A chord of which a part was forgotten may
   // leave others.
   void hold(Disjoint_sets& corners)
   {

@@ -69,7 +69,7 @@ public:
     return static_cast<std::size_t>(piece - m_pieces.values().data());
   }
 
-  // distance of the numbers of two cubes that are neighbours along an axis
+  // distance of the numbers of two cubes that are neighbors along an axis
   int stride(const int axis) const
   {
     return axis == 0 ? m_cells[1] * m_cells[2] : axis == 1 ? m_cells[2] : 1;
@@ -97,7 +97,7 @@ public:
   const Eigen::Vector3d& low() const { return m_low; }
 
 private:
-  typedef std::vector<std::vector<Lattice_piece>> Blocks;
+  using Blocks = std::vector<std::vector<Lattice_piece>>;
 
   static constexpr double SAMPLES_PER_SPACING = 1.5;
 
@@ -146,9 +146,9 @@ private:
     });
   }
 
-  // Calls visit(cell, begin, end) for the cubes from a to b, each a neighbour of the one before;
+  // Calls visit(cell, begin, end) for the cubes from a to b, each a neighbor of the one before;
   // begin and end, from 0 to 1, tell the part of the way that lies in it.
-  template <typename Function>
+  template <class Function>
   void walk(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Function& visit) const
   {
     std::array<int, 3> cell = cell_coordinates(a);
@@ -223,7 +223,7 @@ private:
 
   // Where there are short chords, those that are far longer run along a limb and tell little of it.
   // They are forgotten.
-  template <typename Iterator>
+  template <class Iterator>
   Iterator without_long_chords(const Iterator first, const Iterator last) const
   {
     float shortest = std::numeric_limits<float>::max();

@@ -53,7 +53,7 @@ public:
 
   // Calls visit(hit) in the order of distance for the hits beyond distance 0, except those on
   // `own_face`, until it returns false. `direction` has length 1, `origin` lies among the triangles.
-  template <typename Visitor>
+  template <class Visitor>
   void trace(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction,
              const std::size_t own_face, const Visitor& visit) const
   {

@@ -51,7 +51,7 @@ struct Surface_sample
 };
 
 // The points of a face, a row and a column of them at least every `step`.
-template <typename Function>
+template <class Function>
 void for_each_sample(const Row_points& points, const Index_triangle& t, const double step,
                      const Function& f)
 {
@@ -106,8 +106,8 @@ inline std::vector<Surface_sample> sample_surface(const Row_points& points,
                                                   const std::vector<Index_triangle>& triangles,
                                                   const double side)
 {
-  typedef std::array<int, 4> Cube;                         // and direction
-  typedef std::pair<double, Surface_sample> Ranked_sample; // by the distance from the middle
+  using Cube = std::array<int, 4>;                         // and direction
+  using Ranked_sample = std::pair<double, Surface_sample>; // by the distance from the middle
   std::unordered_map<Cube, Ranked_sample, boost::hash<Cube>> nearest;
   for(std::size_t f = 0; f < triangles.size(); ++f)
   {
@@ -143,7 +143,7 @@ inline std::vector<Surface_sample> sample_surface(const Row_points& points,
 class Exit_search
 {
 public:
-  typedef Surface_rays::Hit Hit;
+  using Hit = Surface_rays::Hit;
 
   Exit_search(const Surface_rays& rays, const Geodesic_bounds& bounds,
               const std::vector<Index_triangle>& triangles)

@@ -40,7 +40,7 @@ public:
 // Makes a solver without a matrix.
 using Factor_maker = std::unique_ptr<Factor_base> (*)();
 
-template <typename FactorTraits>
+template <class FactorTraits>
 class Factor_model final : public Factor_base
 {
 public:
@@ -65,7 +65,7 @@ private:
 // That of `Default_factor_traits_d`.
 std::unique_ptr<Factor_base> make_default_factor();
 
-template <typename FactorTraits>
+template <class FactorTraits>
 std::unique_ptr<Factor_base> make_factor()
 {
   if constexpr(std::is_same<FactorTraits, Default>::value)

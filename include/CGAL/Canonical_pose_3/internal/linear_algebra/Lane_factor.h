@@ -39,7 +39,7 @@ template <class FactorTraits>
 class Lane_factor
 {
 public:
-  // Analyses the pattern, for this object and for copies made before factoring; returns false if
+  // Analyzes the pattern, for this object and for copies made before factoring; returns false if
   // memory runs out.
   bool analyze(const Eigen::SparseMatrix<double>& matrix)
   {
@@ -99,7 +99,7 @@ public:
 using Lane_factor_maker = std::unique_ptr<Lane_factor_base> (*)();
 
 // `Factor`: `Lane_factor`, or a class with the same functions.
-template <typename Factor>
+template <class Factor>
 class Lane_factor_model final : public Lane_factor_base
 {
 public:
@@ -129,7 +129,7 @@ private:
 // That of `Default_factor_traits_d`; with CHOLMOD, a `Supernodal_factor`.
 std::unique_ptr<Lane_factor_base> make_default_lane_factor();
 
-template <typename FactorTraits>
+template <class FactorTraits>
 std::unique_ptr<Lane_factor_base> make_lane_factor()
 {
   if constexpr(std::is_same<FactorTraits, Default>::value

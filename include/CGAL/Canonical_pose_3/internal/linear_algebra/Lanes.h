@@ -47,8 +47,8 @@ using Lane_rows = std::vector<double>;
 // are unsigned integers of the same size. Addresses need not be multiples of the size.
 struct Vector_of_1
 {
-  typedef double Numbers;
-  typedef unsigned long long Bits;
+  using Numbers = double;
+  using Bits = unsigned long long;
   static constexpr std::size_t SIZE = 1, ROWS = 4;
 };
 #if defined(__GNUC__)
@@ -72,9 +72,9 @@ struct Vector_of_8
   CGAL_CANONICAL_POSE_3_VECTOR(unsigned long long, 64) Bits;
   static constexpr std::size_t SIZE = 8, ROWS = 8;
 };
-typedef Vector_of_2 Portable_vector;
+using Portable_vector = Vector_of_2;
 #else
-typedef Vector_of_1 Portable_vector;
+using Portable_vector = Vector_of_1;
 #endif
 
 #ifdef CGAL_CANONICAL_POSE_3_HAS_X86_KERNELS

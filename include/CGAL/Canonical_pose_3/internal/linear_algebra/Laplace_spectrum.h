@@ -56,7 +56,7 @@ private:
   class Shifted_inverse
   {
   public:
-    typedef double Scalar;
+    using Scalar = double;
 
     Shifted_inverse(const Eigen::SparseMatrix<double>& laplacian, const Eigen::VectorXd& mass,
                     const Eigen::VectorXd& roots, const double shift,

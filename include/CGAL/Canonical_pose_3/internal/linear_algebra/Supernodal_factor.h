@@ -35,7 +35,7 @@ namespace internal {
 class Supernodal_factor
 {
 public:
-  // Analyses the pattern; returns false if memory runs out. A copy made afterwards shares the
+  // Analyzes the pattern; returns false if memory runs out. A copy made afterwards shares the
   // analysis, and may be given another matrix with this pattern.
   bool analyze(const Eigen::SparseMatrix<double>& matrix)
   {

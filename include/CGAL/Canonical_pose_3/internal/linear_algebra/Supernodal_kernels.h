@@ -86,7 +86,7 @@ private:
   template <class Vector>
   CGAL_CANONICAL_POSE_3_KERNEL static void solve_triangle(const Supernode& node, double* own)
   {
-    typedef typename Vector::Numbers Numbers;
+    using Numbers = typename Vector::Numbers;
     constexpr std::size_t parts = NUMBER_OF_LANES / Vector::SIZE;
     for(std::size_t j = 0; j < node.columns; ++j)
     {
@@ -107,7 +107,7 @@ private:
   CGAL_CANONICAL_POSE_3_KERNEL static void update(const Supernode& node, std::size_t i,
                                                   const double* own, double* x)
   {
-    typedef typename Vector::Numbers Numbers;
+    using Numbers = typename Vector::Numbers;
     constexpr std::size_t parts = NUMBER_OF_LANES / Vector::SIZE;
     for(std::size_t p = 0; p < parts; ++p)
     {
@@ -157,7 +157,7 @@ private:
   CGAL_CANONICAL_POSE_3_KERNEL static void gather(const Supernode& node, std::size_t j, double* own,
                                                   const double* x)
   {
-    typedef typename Vector::Numbers Numbers;
+    using Numbers = typename Vector::Numbers;
     constexpr std::size_t parts = NUMBER_OF_LANES / Vector::SIZE;
     for(std::size_t p = 0; p < parts; ++p)
     {
@@ -180,7 +180,7 @@ private:
   template <class Vector>
   CGAL_CANONICAL_POSE_3_KERNEL static void solve_triangle(const Supernode& node, double* own)
   {
-    typedef typename Vector::Numbers Numbers;
+    using Numbers = typename Vector::Numbers;
     constexpr std::size_t parts = NUMBER_OF_LANES / Vector::SIZE;
     for(std::size_t j = node.columns; j-- > 0;)
     {

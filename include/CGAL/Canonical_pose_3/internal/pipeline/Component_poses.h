@@ -106,7 +106,7 @@ public:
   }
 
   // `run(c, values)` brings component c into its pose and returns the result in its rows.
-  template <typename Function>
+  template <class Function>
   Result run(const Function& run)
   {
     m_pose_of_followers.resize(m_followers.rows(), 3);
@@ -180,7 +180,7 @@ private:
   }
 
   // Gives each element of a constraint to the component of its vertices.
-  template <typename Element>
+  template <class Element>
   void distribute(const std::vector<Element>& elements,
                   std::vector<Element> Component_values::*list)
   {

@@ -56,7 +56,7 @@ public:
   }
 
 private:
-  template <typename Elements, typename Adaptor>
+  template <class Elements, class Adaptor>
   static void insert(const Elements& elements, Adaptor& adaptor)
   {
     for(const auto& element : elements)

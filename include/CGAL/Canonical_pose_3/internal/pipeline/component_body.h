@@ -10,15 +10,16 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_COMPONENT_BODY_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_COMPONENT_BODY_H
 
-#include <CGAL/Canonical_pose_3/Embedded_body_3.h>
+#include <CGAL/Canonical_pose_3/Elastic_body_3.h>
 #include <CGAL/Canonical_pose_3/Landmark_fields_3.h>
 #include <CGAL/Canonical_pose_3/Lattice_body_3.h>
 #include <CGAL/Canonical_pose_3/Options.h>
 #include <CGAL/Canonical_pose_3/cell_stiffness.h>
-#include <CGAL/Canonical_pose_3/internal/body/Body_view.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/Body_makers.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/Posed_component.h>
+#include <CGAL/Canonical_pose_3/internal/soup/Indexed_mesh.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+#include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <Eigen/Core>
 
@@ -27,7 +28,6 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
 namespace CGAL {
@@ -39,23 +39,21 @@ namespace internal {
 struct Component_body
 {
   std::string kind;
-  std::variant<Lattice_body_3, Embedded_body_3> body;
+  Elastic_body_3 body;
   std::vector<std::size_t>
     origins;                 // the surface vertex of the body that each vertex of the component is
   Eigen::VectorXd stiffness; // of the cells, or nothing
   std::vector<std::string> warnings;
-
-  Body_view view() const
-  {
-    return std::visit([](const auto& b) { return Body_view(b); }, body);
-  }
 };
 
-inline Lattice_body_3 lattice_of(const Posed_component& component, const Landmark_fields_3& fields,
-                                 const Options& options)
+// What a function of the user returned; throws `std::invalid_argument` unless its surface is that of the component.
+inline Elastic_body_3 checked_body(Elastic_body_3 body, const Eigen::Index n)
 {
-  return Lattice_body_3(component.points, component.triangles, fields.distances,
-                        options.lattice_spacing, component.caps);
+  if(body.embedding().rows() != n)
+    throw std::invalid_argument("the function of the body returned one with "
+                                + std::to_string(body.embedding().rows())
+                                + " surface vertices for a surface of " + std::to_string(n));
+  return body;
 }
 
 // The body of a surface that the options request. `stiffness`: of the vertices, or nothing; `shares`: theirs in the area.
@@ -64,47 +62,46 @@ inline Component_body body_of_surface(const Posed_component& component,
                                       const Eigen::VectorXd& stiffness, const Options& options,
                                       const Body_makers& bodies, const Eigen::VectorXd& shares)
 {
-  std::vector<std::size_t> origins(static_cast<std::size_t>(component.points.rows()));
+  const Point_matrix& points = component.points;
+  const std::vector<Index_triangle>& triangles = component.triangles;
+  std::vector<std::size_t> origins(static_cast<std::size_t>(points.rows()));
   std::iota(origins.begin(), origins.end(), std::size_t(0));
-  Component_body result = [&]() -> Component_body {
-    if(options.body == Options::Body::MESH_3)
+  const auto in_body
+    = [&](const char* kind, Elastic_body_3 body, std::vector<std::string> warnings = {}) {
+        Eigen::VectorXd of_cells;
+        if(stiffness.size() > 0)
+          of_cells = cell_stiffness(body, shares, stiffness);
+        return Component_body{kind, std::move(body), std::move(origins), std::move(of_cells),
+                              std::move(warnings)};
+      };
+  if(options.make_body)
+    return in_body("given",
+                   checked_body(options.make_body(points, triangles, fields), points.rows()));
+  if(options.body == Options::Body::MESH_3)
+  {
+    if(bodies.mesh_3 == nullptr)
+      throw std::runtime_error("the program was built without bodies of Mesh_3");
+    return in_body("mesh_3", bodies.mesh_3(points, triangles, fields.distances.maxCoeff(),
+                                           options.lattice_spacing));
+  }
+  std::vector<std::string> warnings;
+  if(options.body == Options::Body::TETGEN)
+  {
+    if(bodies.tetgen == nullptr)
+      throw std::runtime_error("the program was built without TetGen");
+    try
     {
-      if(bodies.mesh_3 == nullptr)
-        throw std::runtime_error("the program was built without bodies of Mesh_3");
-      return {"mesh_3",
-              bodies.mesh_3(component.points, component.triangles, fields.distances.maxCoeff(),
-                            options.lattice_spacing),
-              std::move(origins),
-              {},
-              {}};
+      return in_body("tetgen", bodies.tetgen(points, triangles));
     }
-    std::vector<std::string> warnings;
-    if(options.body == Options::Body::TETGEN)
+    catch(const std::runtime_error& error)
     {
-      if(bodies.tetgen == nullptr)
-        throw std::runtime_error("the program was built without TetGen");
-      try
-      {
-        return {"tetgen",
-                bodies.tetgen(component.points, component.triangles),
-                std::move(origins),
-                {},
-                {}};
-      }
-      catch(const std::runtime_error& error)
-      {
-        warnings.push_back(error.what() + std::string("; the lattice took its place"));
-      }
+      warnings.push_back(error.what() + std::string("; the lattice took its place"));
     }
-    return {"lattice",
-            lattice_of(component, fields, options),
-            std::move(origins),
-            {},
-            std::move(warnings)};
-  }();
-  if(stiffness.size() > 0)
-    result.stiffness = cell_stiffness(result.view(), shares, stiffness);
-  return result;
+  }
+  return in_body(
+    "lattice",
+    Lattice_body_3(points, triangles, fields.distances, options.lattice_spacing, component.caps),
+    std::move(warnings));
 }
 
 } // namespace internal

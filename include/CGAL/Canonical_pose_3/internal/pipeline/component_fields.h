@@ -10,7 +10,6 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_COMPONENT_FIELDS_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_COMPONENT_FIELDS_H
 
-#include <CGAL/Canonical_pose_3/Exact_geodesics_3.h>
 #include <CGAL/Canonical_pose_3/Heat_geodesics_3.h>
 #include <CGAL/Canonical_pose_3/Landmark_fields_3.h>
 #include <CGAL/Canonical_pose_3/Options.h>
@@ -26,12 +25,35 @@
 
 #include <CGAL/Random.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <utility>
 
 namespace CGAL {
 namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
+
+// What a function of the user returned; throws `std::invalid_argument` unless it is of use.
+inline Landmark_fields_3 checked_fields(Landmark_fields_3 fields, const std::size_t n)
+{
+  const Eigen::MatrixXd& distances = fields.distances;
+  if(distances.cols() == 0 || distances.rows() != static_cast<Eigen::Index>(n))
+    throw std::invalid_argument(
+      "the function of the landmark fields returned " + std::to_string(distances.rows()) + " x "
+      + std::to_string(distances.cols()) + " distances on " + std::to_string(n) + " points");
+  if(!distances.allFinite() || !(distances.array() >= 0).all())
+    throw std::invalid_argument(
+      "the function of the landmark fields returned a distance that is negative or not finite");
+  if(fields.landmarks.size() != static_cast<std::size_t>(distances.cols())
+     || std::any_of(fields.landmarks.begin(), fields.landmarks.end(),
+                    [n](const std::size_t landmark) { return landmark >= n; }))
+    throw std::invalid_argument(
+      "the function of the landmark fields returned other landmarks than one point per column");
+  return fields;
+}
 
 // Landmarks on a component, and the distances to them.
 inline Landmark_fields_3 component_fields(const Posed_component& component, const Options& options,
@@ -39,27 +61,26 @@ inline Landmark_fields_3 component_fields(const Posed_component& component, cons
 {
   const std::size_t n = static_cast<std::size_t>(component.points.rows());
   check_number_of_landmarks(options.number_of_landmarks, n);
-  const Indexed_mesh mesh = indexed_mesh(component.points, component.triangles);
   std::size_t first = extremal_point(component.points, component.triangles);
   if(options.random_seed != 0)
     first = static_cast<std::size_t>(
       Random(options.random_seed).get_int(0, static_cast<int>(component.points.rows())));
+  if(options.landmark_fields_function)
+    return checked_fields(with_faces_of_input(component.faces,
+                                              [&] {
+                                                return options.landmark_fields_function(
+                                                  component.points, component.triangles,
+                                                  options.number_of_landmarks, first);
+                                              }),
+                          n);
+  const Indexed_mesh mesh = indexed_mesh(component.points, component.triangles);
   const Indexed_mesh::Vertex_index vertex(static_cast<Indexed_mesh::size_type>(first));
-  switch(options.geodesics)
-  {
-  case Options::Geodesics::EXACT: // they take longer than all the rest, and a batch saves nothing
-    return with_faces_of_input(component.faces, [&] {
-      return farthest_point_landmarks(Exact_geodesics_3<Indexed_mesh>(mesh),
-                                      options.number_of_landmarks, vertex);
-    });
-  case Options::Geodesics::WAVEFRONT:
+  if(options.geodesics == Options::Geodesics::WAVEFRONT)
     return front_landmarks(Wavefront_geodesics_3<Indexed_mesh>(mesh), options.number_of_landmarks,
                            vertex);
-  default:
-    return front_landmarks(
-      Heat_geodesics_3<Indexed_mesh>(mesh, get(vertex_point, mesh), {}, lane_factor_maker),
-      options.number_of_landmarks, vertex);
-  }
+  return front_landmarks(
+    Heat_geodesics_3<Indexed_mesh>(mesh, get(vertex_point, mesh), {}, lane_factor_maker),
+    options.number_of_landmarks, vertex);
 }
 
 } // namespace internal

@@ -13,6 +13,7 @@
 #include <CGAL/Canonical_pose_3/Gaussian_kernel.h>
 #include <CGAL/Canonical_pose_3/Landmark_fields_3.h>
 #include <CGAL/Canonical_pose_3/Landmark_mds_target_builder_3.h>
+#include <CGAL/Canonical_pose_3/Mds_kernel.h>
 #include <CGAL/Canonical_pose_3/Options.h>
 #include <CGAL/Canonical_pose_3/Registration_summary.h>
 #include <CGAL/Canonical_pose_3/Squared_distance_kernel.h>
@@ -44,11 +45,25 @@ struct Component_target
   std::vector<std::string> warnings;
 };
 
-// The target by multidimensional scaling, neither aligned nor reflected.
-template <class Kernel>
-Component_target embedded_target(const Landmark_fields_3& fields, const Kernel& kernel)
+inline Mds_kernel kernel_of(const Options& options)
 {
-  Landmark_mds_target_builder_3<Kernel> builder(kernel);
+  if(options.mds_kernel)
+    return *options.mds_kernel;
+  switch(options.kernel)
+  {
+  case Options::Kernel::GAUSSIAN:
+    return Gaussian_kernel();
+  case Options::Kernel::UNCENTERED_GAUSSIAN:
+    return Gaussian_kernel(false);
+  default:
+    return Squared_distance_kernel();
+  }
+}
+
+// The target by multidimensional scaling, neither aligned nor reflected.
+inline Component_target embedded_target(const Landmark_fields_3& fields, const Mds_kernel& kernel)
+{
+  Landmark_mds_target_builder_3<Mds_kernel> builder(kernel);
   builder.build(fields);
   Component_target target;
   target.points = builder.targets();
@@ -65,27 +80,12 @@ Component_target embedded_target(const Landmark_fields_3& fields, const Kernel& 
   return target;
 }
 
-inline Component_target embedded_target(const Landmark_fields_3& fields,
-                                        const Options::Kernel kernel)
-{
-  switch(kernel)
-  {
-  case Options::Kernel::GAUSSIAN:
-    return embedded_target(fields, Gaussian_kernel());
-  case Options::Kernel::UNCENTERED_GAUSSIAN:
-    return embedded_target(fields, Gaussian_kernel(false));
-  default:
-    return embedded_target(fields, Squared_distance_kernel());
-  }
-}
-
 // The target of a component, aligned with it and of its handedness, unless it is given. `shares`: of its vertices in
 // the area.
 inline Component_target component_target(const Posed_component& component,
                                          const Landmark_fields_3& fields,
                                          const std::optional<Point_matrix>& given,
-                                         const Options::Kernel kernel,
-                                         const Eigen::VectorXd& shares)
+                                         const Options& options, const Eigen::VectorXd& shares)
 {
   Component_target target;
   if(given)
@@ -96,7 +96,7 @@ inline Component_target component_target(const Posed_component& component,
   }
   else
   {
-    target = embedded_target(fields, kernel);
+    target = embedded_target(fields, kernel_of(options));
     std::vector<Index_triangle> closed = component.triangles;
     closed.insert(closed.end(), component.caps.begin(), component.caps.end());
     target.summary.reflected

@@ -11,6 +11,7 @@
 #define CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_OPTIONS_OF_PARAMETERS_H
 
 #include <CGAL/Canonical_pose_3/Options.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/Factor_makers.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 
 #include <CGAL/Kernel_traits.h>
@@ -42,6 +43,18 @@ auto traits_of_parameters(const NamedParameters& np)
     return typename Kernel_traits<Point>::Kernel();
   else
     return Given(parameters::get_parameter(np, internal_np::geom_traits));
+}
+
+// The solver given, or none.
+template <class NamedParameters>
+Factor_makers factor_makers_of_parameters(const NamedParameters& np)
+{
+  using Given
+    = std::decay_t<decltype(parameters::get_parameter(np, internal_np::sparse_linear_solver))>;
+  if constexpr(std::is_same<Given, internal_np::Param_not_found>::value)
+    return {};
+  else
+    return {make_factor<Given>, make_lane_factor<Given>};
 }
 
 // The options, where named parameters do not replace them.

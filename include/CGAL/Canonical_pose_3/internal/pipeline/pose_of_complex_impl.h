@@ -16,6 +16,7 @@
 #include <CGAL/Canonical_pose_3/diagnose.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/Complex_parts.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/Component_poses.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/Factor_makers.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/Solver.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/Thread_limit.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/component_body.h>
@@ -62,10 +63,11 @@ inline Point_matrix rows_of(const Point_matrix& points, const std::vector<std::s
 // canonical_pose_3() for tetrahedra, which are the body.
 CGAL_CANONICAL_POSE_3_INLINE Result pose_of_complex(const Point_matrix& points,
                                                     const std::vector<std::array<int, 4>>& cells,
-                                                    const Options& options)
+                                                    const Options& options,
+                                                    const Factor_makers& given_solver)
 {
   const Thread_limit limit(options);
-  const Solver solver(options);
+  const Solver solver(options, given_solver);
   check_options(options, static_cast<std::size_t>(points.rows()));
   checked_stiffness(options.stiffness, cells.size());
   Real_timer timer;

@@ -19,7 +19,7 @@
 #include <CGAL/Canonical_pose_3/Registration_summary.h>
 #include <CGAL/Canonical_pose_3/Result.h>
 #include <CGAL/Canonical_pose_3/internal/body/Body_view.h>
-#include <CGAL/Canonical_pose_3/internal/energy/Rotation_routines.h>
+#include <CGAL/Canonical_pose_3/internal/energy/default_rotation_routines.h>
 #include <CGAL/Canonical_pose_3/internal/linear_algebra/Factor_base.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/Options_constraints.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/Posed_component.h>
@@ -168,7 +168,7 @@ inline Result registered(const Posed_component& component, const Component_value
                          Component_target target, const Component_body& component_body,
                          const Eigen::VectorXd& shares, Registration_summary summary)
 {
-  const Body_view body = component_body.view();
+  const Body_view body(component_body.body);
   const Body_rows rows(component_body.origins, body.embedding().rows());
   const Eigen::VectorXd weights = body_weights(rows, shares, options, values);
   if(const auto row
@@ -252,7 +252,7 @@ Result pose_of_component(const Posed_component& component, const Component_value
   const Landmark_fields_3& fields
     = computed_fields ? *computed_fields : *values.given.landmark_fields;
   Component_target target = timed(summary, "target", [&] {
-    return component_target(component, fields, values.given.target, options.kernel, shares);
+    return component_target(component, fields, values.given.target, options, shares);
   });
   const Component_body body = timed(summary, "body", [&] { return make_body(fields, shares); });
   summary.body.kind = body.kind;

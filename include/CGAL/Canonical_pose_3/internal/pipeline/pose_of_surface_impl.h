@@ -15,6 +15,7 @@
 #include <CGAL/Canonical_pose_3/diagnose.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/Body_makers.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/Component_poses.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/Factor_makers.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/Posed_component.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/Solver.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/Thread_limit.h>
@@ -98,8 +99,8 @@ class Pose_of_surface
 {
 public:
   Pose_of_surface(const Point_matrix& points, const std::vector<std::vector<std::size_t>>& polygons,
-                  const Options& options, const Body_makers& bodies)
-    : m_points(points), m_polygons(polygons), m_options(options), m_solver(options),
+                  const Options& options, const Body_makers& bodies, const Factor_makers& solver)
+    : m_points(points), m_polygons(polygons), m_options(options), m_solver(options, solver),
       m_bodies(bodies)
   {}
 
@@ -112,7 +113,8 @@ public:
     const Diagnosis_3 diagnosis = diagnose(m_points, m_polygons);
     const Repaired_surface_3 surface = repair_surface(m_points, m_polygons);
     const std::vector<std::size_t> posed = components_to_pose(surface, diagnosis);
-    if(m_options.body == Options::Body::TETGEN || m_options.body == Options::Body::MESH_3)
+    if(!m_options.make_body
+       && (m_options.body == Options::Body::TETGEN || m_options.body == Options::Body::MESH_3))
       if(!diagnosis.is_clean())
         throw std::invalid_argument(diagnosis.first_defect);
     const std::vector<Posed_component> components = components_of_indices(surface, posed);
@@ -134,7 +136,7 @@ public:
   }
 
 private:
-  // Components that hang together at vertices where the surface was split count as one if all but the
+  // Components that are connected at vertices where the surface was split count as one if all but the
   // largest are fragments; these get no pose of their own.
   static constexpr double SHARE_OF_FRAGMENTS = 0.05;
 
@@ -219,10 +221,10 @@ private:
 
 CGAL_CANONICAL_POSE_3_INLINE Result
 pose_of_surface(const Point_matrix& points, const std::vector<std::vector<std::size_t>>& polygons,
-                const Options& options, const Body_makers& bodies)
+                const Options& options, const Body_makers& bodies, const Factor_makers& solver)
 {
   const Thread_limit limit(options);
-  return Pose_of_surface(points, polygons, options, bodies).run();
+  return Pose_of_surface(points, polygons, options, bodies, solver).run();
 }
 
 } // namespace internal

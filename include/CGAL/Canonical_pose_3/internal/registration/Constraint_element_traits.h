@@ -23,26 +23,26 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// What `Constraint_list_3` and the one call have to know of the elements of a constraint; specialised
+// What `Constraint_list_3` and the one call have to know of the elements of a constraint; specialized
 // beside each of them, with
 //   const char* name             what it is called in messages,
 //   pointers_to_vertices(e)      an array of pointers to the vertices that it names,
 //   std::string defect(e)        which of its own numbers is out of bounds; empty if none is,
 // and, if the list is to remember something about each element from one iteration to the next,
 //   State                        what that is, as it is at first if default-constructed.
-template <typename Element>
+template <class Element>
 struct Constraint_element_traits;
 
 struct No_constraint_state
 {};
 
-template <typename Traits, typename = void>
+template <class Traits, class = void>
 struct Constraint_element_state
 {
   using type = No_constraint_state;
 };
 
-template <typename Traits>
+template <class Traits>
 struct Constraint_element_state<Traits, std::void_t<typename Traits::State>>
 {
   using type = typename Traits::State;
@@ -51,7 +51,7 @@ struct Constraint_element_state<Traits, std::void_t<typename Traits::State>>
 // The base of those for elements of two vertices p and q.
 struct Vertex_pair_traits
 {
-  template <typename Element>
+  template <class Element>
   static std::array<std::size_t*, 2> pointers_to_vertices(Element& e)
   {
     return {{&e.p, &e.q}};
@@ -59,13 +59,13 @@ struct Vertex_pair_traits
 };
 
 // The defect of an element whose vertices must differ.
-template <typename Element>
+template <class Element>
 std::string coincidence_of_vertices(const Element& e)
 {
   return e.p == e.q ? "joins vertex " + std::to_string(e.p) + " to itself" : std::string();
 }
 
-template <typename Element>
+template <class Element>
 auto vertices_of(Element e)
 {
   const auto pointers = Constraint_element_traits<Element>::pointers_to_vertices(e);

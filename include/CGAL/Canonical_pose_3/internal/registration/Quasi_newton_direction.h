@@ -36,7 +36,7 @@ public:
   void forget() { m_used = 0; }
 
   // Tells that the gradient changed by `change` along `step`.
-  template <typename Step, typename Change>
+  template <class Step, class Change>
   void remember(const Step& step, const Change& change)
   {
     const double curvature = step.cwiseProduct(change).sum();
@@ -52,7 +52,7 @@ public:
 
   // Replaces the gradient, given in `direction`, by the direction to step against; `solve(x)` solves
   // for x in place.
-  template <typename Solve>
+  template <class Solve>
   void apply(Eigen::MatrixXd& direction, const Solve& solve) const
   {
     std::vector<double> weights(m_used);

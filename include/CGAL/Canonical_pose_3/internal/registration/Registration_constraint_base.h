@@ -36,7 +36,7 @@ public:
   virtual bool is_model_of(const void* constraint) const = 0;
 };
 
-template <typename Constraint>
+template <class Constraint>
 class Registration_constraint_model : public Registration_constraint_base
 {
 public:

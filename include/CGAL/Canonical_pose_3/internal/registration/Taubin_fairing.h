@@ -24,7 +24,7 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// Fairing of the boundary of a body (Taubin 1995): v <- v + step * (mean of the neighbours - v),
+// Fairing of the boundary of a body (Taubin 1995): v <- v + step * (mean of the neighbors - v),
 // with the steps lambda > 0 and mu < 0 in turn, so that the shape does not shrink. Vertices inside
 // stay.
 class Taubin_fairing
@@ -64,7 +64,7 @@ public:
   }
 
 private:
-  typedef Eigen::SparseMatrix<double, Eigen::RowMajor> Row_major;
+  using Row_major = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
   Row_major m_umbrella;
 };

@@ -66,7 +66,7 @@ inline const Eigen::VectorXd& checked_stiffness(const Eigen::VectorXd& stiffness
 
 // Tells for each vertex of the body whether its component carries a surface vertex of positive weight. The
 // matrix of the registration is positive definite if and only if each does.
-template <typename ElasticBody>
+template <class ElasticBody>
 std::vector<bool> held_vertices(const ElasticBody& body, const Eigen::VectorXd& weights)
 {
   const std::size_t n = static_cast<std::size_t>(body.points().rows());
@@ -87,7 +87,7 @@ std::vector<bool> held_vertices(const ElasticBody& body, const Eigen::VectorXd& 
 }
 
 // A surface vertex that a component of the body carries although none there has a positive weight.
-template <typename ElasticBody>
+template <class ElasticBody>
 std::optional<std::size_t> surface_vertex_of_loose_component(const ElasticBody& body,
                                                              const Eigen::VectorXd& weights)
 {
@@ -100,7 +100,7 @@ std::optional<std::size_t> surface_vertex_of_loose_component(const ElasticBody& 
   return std::nullopt;
 }
 
-template <typename ElasticBody>
+template <class ElasticBody>
 void check_that_components_are_held(const ElasticBody& body, const Eigen::VectorXd& weights)
 {
   const std::vector<bool> is_held = held_vertices(body, weights);
@@ -112,7 +112,7 @@ void check_that_components_are_held(const ElasticBody& body, const Eigen::Vector
 }
 
 // Returns the weights with sum 1.
-template <typename ElasticBody>
+template <class ElasticBody>
 Eigen::VectorXd checked_matching_weights(const ElasticBody& body, const Eigen::VectorXd& weights)
 {
   CGAL_precondition(weights.size() == body.embedding().rows());

@@ -25,9 +25,9 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // The terms of constraints with the energy sum_s kappa_s/2 |b_s^t x - d_s|^2, where b_s^t x is x_p - x_q
-// for elements of two vertices and x_p for those of one, and `wished(i, b_i^t x)` is d_i.
+// for elements of two vertices and x_p for those of one, and `prescribed(i, b_i^t x)` is d_i.
 
-template <typename Element>
+template <class Element>
 Eigen::RowVector3d difference(const Element& element, const Point_matrix& points)
 {
   const auto vertices = vertices_of(element);
@@ -37,8 +37,8 @@ Eigen::RowVector3d difference(const Element& element, const Point_matrix& points
   return result;
 }
 
-// What is wished, where it is a member of the elements.
-template <typename Element>
+// What is prescribed, where it is a member of the elements.
+template <class Element>
 auto given(const std::vector<Element>& elements, Eigen::RowVector3d Element::*member)
 {
   return [&elements, member](const std::size_t i, const Eigen::RowVector3d&) {
@@ -47,7 +47,7 @@ auto given(const std::vector<Element>& elements, Eigen::RowVector3d Element::*me
 }
 
 // Appends the entries of 1/2 sum_s kappa_s b_s b_s^t.
-template <typename Element>
+template <class Element>
 void add_difference_matrix(const std::vector<Element>& elements,
                            std::vector<Eigen::Triplet<double>>& matrix)
 {
@@ -59,14 +59,15 @@ void add_difference_matrix(const std::vector<Element>& elements,
 }
 
 // Adds 1/2 sum_s kappa_s b_s d_s^t.
-template <typename Element, typename Wished>
-void add_difference_right_hand_side(const std::vector<Element>& elements, const Wished& wished,
-                                    const Point_matrix& points, Point_matrix& right_hand_side)
+template <class Element, class Prescribed>
+void add_difference_right_hand_side(const std::vector<Element>& elements,
+                                    const Prescribed& prescribed, const Point_matrix& points,
+                                    Point_matrix& right_hand_side)
 {
   for(std::size_t i = 0; i < elements.size(); ++i)
   {
     Eigen::RowVector3d term
-      = elements[i].stiffness / 2 * wished(i, difference(elements[i], points));
+      = elements[i].stiffness / 2 * prescribed(i, difference(elements[i], points));
     for(const std::size_t v : vertices_of(elements[i]))
     {
       right_hand_side.row(static_cast<Eigen::Index>(v)) += term;
@@ -75,15 +76,15 @@ void add_difference_right_hand_side(const std::vector<Element>& elements, const 
   }
 }
 
-template <typename Element, typename Wished>
-double difference_energy(const std::vector<Element>& elements, const Wished& wished,
+template <class Element, class Prescribed>
+double difference_energy(const std::vector<Element>& elements, const Prescribed& prescribed,
                          const Point_matrix& points)
 {
   double sum = 0;
   for(std::size_t i = 0; i < elements.size(); ++i)
   {
     const Eigen::RowVector3d d = difference(elements[i], points);
-    sum += elements[i].stiffness / 2 * (d - wished(i, d)).squaredNorm();
+    sum += elements[i].stiffness / 2 * (d - prescribed(i, d)).squaredNorm();
   }
   return sum;
 }

@@ -32,9 +32,9 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// Finds the cell that has most of the body vertices on which the corners of a triangle hang, among those
-// around the vertex on which the first corner hangs most.
-template <typename ElasticBody>
+// Finds the cell that has most of the body vertices in which the corners of a triangle are embedded, among those
+// around the vertex with the largest share in the first corner.
+template <class ElasticBody>
 class Cell_of_triangle
 {
 public:
@@ -77,8 +77,8 @@ public:
   }
 
 private:
-  typedef Eigen::SparseMatrix<double, Eigen::RowMajor> Embedding;
-  typedef Embedding::InnerIterator Entry;
+  using Embedding = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+  using Entry = Embedding::InnerIterator;
 
   const std::vector<std::array<int, 4>>& m_cells;
   Embedding m_embedding;
@@ -87,7 +87,7 @@ private:
 
 // Number of surface faces whose normal turned by more than 90 degrees against the rotation of their
 // cell.
-template <typename ElasticBody>
+template <class ElasticBody>
 std::size_t flipped_faces(const ElasticBody& body, const std::vector<Index_triangle>& triangles,
                           const Point_matrix& rest, const Point_matrix& pose,
                           const Point_matrix& body_pose)

@@ -145,11 +145,11 @@ public:
   }
 
 private:
-  // Beyond this rank a factorisation is cheaper than the solves for an update and the products with it
+  // Beyond this rank a factorization is cheaper than the solves for an update and the products with it
   // in the iterations of one registration (measured on the armadillo in a body of TetGen).
   static constexpr std::size_t MOST_RANK_OF_AN_UPDATE = 32;
 
-  template <typename Function>
+  template <class Function>
   static void timed(Registration_summary& summary, const char* stage, const Function& f)
   {
     Real_timer timer;
@@ -197,7 +197,7 @@ private:
   }
 
   // Updates the factor for the difference between the constraints that it was made with and the
-  // present ones. Returns false if a new factorisation is cheaper or more accurate.
+  // present ones. Returns false if a new factorization is cheaper or more accurate.
   bool update_factor()
   {
     const Eigen::SparseMatrix<double> change = m_constraint_matrix - m_factored_constraint_matrix;

@@ -36,7 +36,7 @@ namespace internal {
 class Component_orienter
 {
 public:
-  // `points`: normalised, rows of `surface.origins`. `twins`: as Manifold_builder::twins().
+  // `points`: normalized, rows of `surface.origins`. `twins`: as Manifold_builder::twins().
   Component_orienter(const Point_matrix& points, const std::vector<std::size_t>& twins,
                      Repaired_surface_3& surface)
     : m_points(points), m_twins(twins), m_surface(surface)
@@ -63,7 +63,7 @@ private:
   {
     std::vector<std::size_t>& component = m_surface.component_of_triangle;
     component.assign(m_surface.triangles.size(), NONE);
-    typedef std::tuple<double, std::size_t, std::size_t> Rank; // -area, smallest vertex, component
+    using Rank = std::tuple<double, std::size_t, std::size_t>; // -area, smallest vertex, component
     std::vector<Rank> ranks;
     std::vector<std::size_t> triangles;
     for(std::size_t seed = 0; seed < component.size(); ++seed)
@@ -127,13 +127,13 @@ private:
   void orient_outwards()
   {
     const std::size_t n = m_surface.number_of_components;
-    std::vector<std::size_t> centre(n, NONE);
+    std::vector<std::size_t> center(n, NONE);
     std::vector<double> volume(n, 0); // six times the volume
     const auto add = [&](const std::vector<Index_triangle>& triangles,
                          const std::vector<std::size_t>& component) {
       for(std::size_t t = 0; t < triangles.size(); ++t)
       {
-        std::size_t& c = centre[component[t]];
+        std::size_t& c = center[component[t]];
         if(c == NONE)
           c = triangles[t][0];
         const Eigen::Vector3d o = point(c);

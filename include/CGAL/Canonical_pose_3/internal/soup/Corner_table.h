@@ -28,7 +28,7 @@ namespace internal {
 class Corner_table
 {
 public:
-  template <typename Polygons>
+  template <class Polygons>
   Corner_table(const std::size_t number_of_vertices, const Polygons& polygons)
     : m_number_of_vertices(number_of_vertices)
   {
@@ -58,10 +58,10 @@ public:
 
   // Calls f(sides) once for each edge, with a vector of its sides in their order; edges come by
   // their smaller vertex, then by their larger. Sides from a vertex to itself are left out.
-  template <typename Function>
+  template <class Function>
   void for_each_edge(const Function& f) const
   {
-    typedef std::pair<std::size_t, std::size_t> End_and_side; // the larger end
+    using End_and_side = std::pair<std::size_t, std::size_t>; // the larger end
     Buckets<End_and_side> sides_of_smaller_ends(m_number_of_vertices, [&](const auto& put) {
       for(std::size_t c = 0; c < m_vertex.size(); ++c)
         if(m_vertex[c] != target(c))

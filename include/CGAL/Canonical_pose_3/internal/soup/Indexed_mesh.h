@@ -32,9 +32,9 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // The mesh on which everything inside runs, whatever the user's is: vertex i is row i.
-typedef Exact_predicates_inexact_constructions_kernel Indexed_mesh_kernel;
-typedef Surface_mesh<Indexed_mesh_kernel::Point_3> Indexed_mesh;
-typedef std::array<std::size_t, 3> Index_triangle;
+using Indexed_mesh_kernel = Exact_predicates_inexact_constructions_kernel;
+using Indexed_mesh = Surface_mesh<Indexed_mesh_kernel::Point_3>;
+using Index_triangle = std::array<std::size_t, 3>;
 
 // A number per vertex, for descriptors that can be hashed.
 template <class Vertex>
@@ -88,7 +88,7 @@ std::vector<std::vector<std::size_t>> index_polygons(const FaceGraph& mesh)
 }
 
 // The same for a mesh of triangles; throws std::invalid_argument if it is none.
-template <typename FaceGraph>
+template <class FaceGraph>
 std::vector<Index_triangle> index_triangles(const FaceGraph& tmesh)
 {
   std::vector<Index_triangle> triangles;
@@ -106,7 +106,7 @@ std::vector<Index_triangle> index_triangles(const FaceGraph& tmesh)
 inline Indexed_mesh indexed_mesh(const Point_matrix& points,
                                  const std::vector<Index_triangle>& triangles)
 {
-  typedef Indexed_mesh::Vertex_index Vertex_index;
+  using Vertex_index = Indexed_mesh::Vertex_index;
   Indexed_mesh mesh;
   mesh.reserve(Indexed_mesh::size_type(points.rows()),
                Indexed_mesh::size_type(3 * triangles.size() / 2 + 1),

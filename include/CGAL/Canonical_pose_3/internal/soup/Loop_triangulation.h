@@ -60,7 +60,7 @@ private:
   void cut_ears(std::vector<Index_triangle>& triangles)
   {
     const std::size_t n = m_loop.size();
-    typedef std::tuple<double, std::size_t, std::size_t, std::size_t> Ear; // diagonal, corners
+    using Ear = std::tuple<double, std::size_t, std::size_t, std::size_t>; // diagonal, corners
     std::priority_queue<Ear, std::vector<Ear>, std::greater<Ear>> ears;
     std::vector<std::size_t> previous(n), next(n);
     const auto push = [&](const std::size_t i) {

@@ -36,7 +36,7 @@ class Manifold_builder
 public:
   static constexpr std::size_t NONE = Side_pairing::NONE;
 
-  // `points`: normalised.
+  // `points`: normalized.
   Manifold_builder(const Point_matrix& points, Triangle_soup soup)
     : m_points(points), m_soup(std::move(soup))
   {}

@@ -40,7 +40,7 @@ namespace internal {
 class Self_intersections
 {
 public:
-  typedef std::pair<std::size_t, std::size_t> Face_pair;
+  using Face_pair = std::pair<std::size_t, std::size_t>;
 
   // Degenerate triangles must have been left out.
   Self_intersections(const Point_matrix& points, const Triangle_soup& soup) : m_soup(soup)
@@ -82,10 +82,9 @@ public:
   }
 
 private:
-  typedef Indexed_mesh_kernel Kernel;
-  typedef Box_intersection_d::Box_with_info_d<double, 3, std::size_t,
-                                              Box_intersection_d::ID_FROM_BOX_ADDRESS>
-    Box;
+  using Kernel = Indexed_mesh_kernel;
+  using Box = Box_intersection_d::Box_with_info_d<double, 3, std::size_t,
+                                                  Box_intersection_d::ID_FROM_BOX_ADDRESS>;
   struct Enough
   {};
   static constexpr std::size_t BOXES_PER_BLOCK = 16384, OVERLAPS_AT_A_TIME = 1024;
@@ -122,7 +121,7 @@ private:
 
   // Returns whether the search came to its end before there were enough pairs or overlaps. That
   // does not depend on the order.
-  template <typename Function>
+  template <class Function>
   bool search_all(const Function& search)
   {
     m_number_of_pairs = m_number_of_overlaps = 0;
@@ -192,7 +191,7 @@ private:
     }
   }
 
-  // Most neighbours lie nearly in one plane, where exact tests take long. True is certain, by far
+  // Most neighbors lie nearly in one plane, where exact tests take long. True is certain, by far
   // more than rounding; false says nothing.
   static bool are_surely_apart(const Kernel::Triangle_3& a, const Kernel::Triangle_3& b,
                                const std::array<int, 3>& i, const std::array<int, 3>& j,

@@ -101,7 +101,7 @@ private:
   void find_patches()
   {
     m_patch.assign(m_triangles.size(), NONE);
-    std::vector<std::size_t> patch; // its triangles, those before `done` with their neighbours
+    std::vector<std::size_t> patch; // its triangles, those before `done` with their neighbors
     for(std::size_t seed = 0; seed < m_triangles.size(); ++seed)
     {
       if(m_patch[seed] != NONE)

@@ -36,7 +36,7 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // The examinations of diagnose(), one function each, the worst defect first.
-template <typename Polygons>
+template <class Polygons>
 class Soup_diagnosis
 {
 public:
@@ -70,7 +70,7 @@ public:
   }
 
 private:
-  typedef std::vector<std::size_t> Sides;
+  using Sides = std::vector<std::size_t>;
   static constexpr std::size_t MAXIMUM_NUMBER_OF_EXAMPLES = 5;
 
   struct Finding
@@ -218,7 +218,7 @@ private:
                  "vertex " + m_isolated.first() + " belongs to no face");
   }
 
-  // Faces that were cut apart, those of an STL file, are neighbours here.
+  // Faces that were cut apart, those of an STL file, are neighbors here.
   void find_self_intersections()
   {
     if(m_polygons.empty())
@@ -334,7 +334,7 @@ private:
       add_defect("polygons", "face", found, "face " + found.first() + " is not a triangle");
   }
 
-  Point_matrix m_points; // normalised
+  Point_matrix m_points; // normalized
   const Polygons& m_polygons;
   const Corner_table m_corners;
   Disjoint_sets m_components; // of vertices

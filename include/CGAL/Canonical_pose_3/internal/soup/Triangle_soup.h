@@ -33,7 +33,7 @@ namespace internal {
 
 // Throws std::invalid_argument if a coordinate is not finite or a polygon names a row that does not
 // exist.
-template <typename Polygons>
+template <class Polygons>
 void check_soup(const Point_matrix& points, const Polygons& polygons)
 {
   check_finite(points);
@@ -52,7 +52,7 @@ struct Triangle_soup
   std::vector<std::size_t> face_of_triangle;
 
   // Keeps the triangles for which f(index) holds.
-  template <typename Function>
+  template <class Function>
   void keep_if(const Function& f)
   {
     std::size_t kept = 0;
@@ -84,7 +84,7 @@ inline bool is_degenerate(const Point_matrix& points, const Index_triangle& t)
 
 // Cuts polygons into triangles over the same vertices. Corners that repeat the one before are left
 // out, and so are triangles that name a vertex twice.
-template <typename Polygons>
+template <class Polygons>
 Triangle_soup triangle_soup(const Point_matrix& points, const Polygons& polygons)
 {
   Triangle_soup result;
@@ -108,7 +108,7 @@ Triangle_soup triangle_soup(const Point_matrix& points, const Polygons& polygons
 }
 
 // Tells for each face whether one before it has the same vertices, in whatever order.
-template <typename Polygons>
+template <class Polygons>
 std::vector<bool> is_duplicate_face(const std::size_t number_of_vertices, const Polygons& polygons)
 {
   const Buckets<std::size_t> faces_of_smallest_vertices(number_of_vertices, [&](const auto& put) {
@@ -118,7 +118,7 @@ std::vector<bool> is_duplicate_face(const std::size_t number_of_vertices, const 
   });
 
   std::vector<bool> result(polygons.size(), false);
-  typedef std::decay_t<decltype(polygons[0])> Polygon;
+  using Polygon = std::decay_t<decltype(polygons[0])>;
   std::vector<std::pair<Polygon, std::size_t>> bucket;
   for(std::size_t v = 0; v < number_of_vertices; ++v)
   {
@@ -141,7 +141,7 @@ std::vector<bool> is_duplicate_face(const std::size_t number_of_vertices, const 
 inline std::vector<std::size_t>
 places_of_boundary(const Point_matrix& points, const std::vector<std::size_t>& boundary_vertices)
 {
-  typedef std::pair<std::array<double, 3>, std::size_t> Placed_vertex;
+  using Placed_vertex = std::pair<std::array<double, 3>, std::size_t>;
   std::vector<Placed_vertex> placed;
   for(const std::size_t v : boundary_vertices)
   {

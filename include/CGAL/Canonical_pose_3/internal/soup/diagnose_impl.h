@@ -26,7 +26,7 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-template <typename Polygons>
+template <class Polygons>
 Diagnosis_3 diagnose_soup(const Point_matrix& points, const Polygons& polygons)
 {
   check_soup(points, polygons);

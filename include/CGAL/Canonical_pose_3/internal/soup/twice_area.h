@@ -24,7 +24,7 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // Twice the area of a triangle.
-template <typename Points>
+template <class Points>
 double twice_area(const Points& points, const std::array<std::size_t, 3>& t)
 {
   const auto corner = [&](const std::size_t k) -> Eigen::Vector3d {

@@ -24,7 +24,7 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // Values bucket by bucket in one piece of memory, in each bucket in the order in which they came.
-template <typename Value>
+template <class Value>
 class Buckets
 {
 public:
@@ -32,7 +32,7 @@ public:
 
   // `for_each_value(put)` calls put(bucket, value) for all values, and the same again when it is
   // called for the second time.
-  template <typename Function>
+  template <class Function>
   Buckets(const std::size_t number_of_buckets, const Function& for_each_value)
     : m_begin(number_of_buckets + 1, 0)
   {

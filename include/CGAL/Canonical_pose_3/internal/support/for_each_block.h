@@ -35,7 +35,7 @@ inline std::size_t number_of_blocks(const std::size_t n, const std::size_t size 
   return (n + size - 1) / size;
 }
 
-template <typename Function>
+template <class Function>
 void for_each_block(const std::size_t n, const Function& f, const std::size_t size = block_size)
 {
   const auto call

@@ -1,0 +1,40 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_BENCHMARK_TAKE_OPTIONS_H
+#define CGAL_CANONICAL_POSE_3_BENCHMARK_TAKE_OPTIONS_H
+
+#include <CGAL/Canonical_pose_3/Options.h>
+
+#include "Argument_list.h"
+
+#include "exact_geodesics.h" // of the tool
+
+namespace Canonical_pose_benchmark {
+
+/// Takes --geodesics, --body and --components.
+inline CGAL::Canonical_pose_3::Options take_options(Argument_list& list)
+{
+  using Options = CGAL::Canonical_pose_3::Options;
+  Options options;
+  const std::size_t geodesics = list.take_choice("--geodesics", {"heat", "wavefront", "exact"});
+  if(geodesics == 1)
+    options.geodesics = Options::Geodesics::WAVEFRONT;
+  else if(geodesics == 2)
+    options.landmark_fields_function = Canonical_pose_tool::exact_landmark_fields();
+  options.body
+    = static_cast<Options::Body>(list.take_choice("--body", {"auto", "lattice", "tetgen", "mesh"}));
+  options.components = static_cast<Options::Components>(
+    list.take_choice("--components", {"refuse", "largest", "each"}));
+  return options;
+}
+
+} // namespace Canonical_pose_benchmark
+
+#endif // CGAL_CANONICAL_POSE_3_BENCHMARK_TAKE_OPTIONS_H

@@ -1,0 +1,65 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_MDS_KERNEL_H
+#define CGAL_CANONICAL_POSE_3_MDS_KERNEL_H
+
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+
+#include <functional>
+#include <string>
+#include <type_traits>
+#include <utility>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
+
+/*!
+\ingroup PkgCanonicalPose3Ref
+
+\brief holds a kernel of any type, so that it can be chosen at run time.
+
+\cgalModels `MdsKernel`
+
+\sa `Options::mds_kernel`
+*/
+class Mds_kernel
+{
+public:
+  /// takes a kernel.
+  /// \tparam Kernel a model of `MdsKernel`
+  template <class Kernel, std::enable_if_t<!std::is_same<Kernel, Mds_kernel>::value, int> = 0>
+  Mds_kernel(Kernel kernel)
+    : m_is_centered(kernel.is_centered()), m_name(kernel.name()), m_similarity(std::move(kernel))
+  {}
+
+  /// returns the similarity of two points of the relative distance \f$ r = g/L \f$.
+  double operator()(const double relative_distance) const
+  {
+    return m_similarity(relative_distance);
+  }
+
+  /// returns whether the matrix of similarities is to be centered.
+  bool is_centered() const { return m_is_centered; }
+
+  /// returns the name of the kernel.
+  const char* name() const { return m_name.c_str(); }
+
+private:
+  bool m_is_centered;
+  std::string m_name;
+  std::function<double(double)> m_similarity;
+};
+
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_MDS_KERNEL_H

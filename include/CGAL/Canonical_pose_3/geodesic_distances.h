@@ -1,0 +1,67 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_GEODESIC_DISTANCES_H
+#define CGAL_CANONICAL_POSE_3_GEODESIC_DISTANCES_H
+
+#include <CGAL/Canonical_pose_3/Options.h>
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+#include <CGAL/Canonical_pose_3/point_matrix.h>
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
+
+/// \ingroup PkgCanonicalPose3Ref
+/// measures distances on an oriented 2-manifold, perhaps with boundary and of several components: of its points, triples of
+/// rows of these, and rows that are sources. Returns a row per point and a column per source.
+using Distances_function = std::function<Eigen::MatrixXd(
+  const Point_matrix& points, const std::vector<std::array<std::size_t, 3>>& triangles,
+  const std::vector<std::size_t>& sources)>;
+
+/*!
+\ingroup PkgCanonicalPose3Ref
+
+\brief measures distances on a polygon soup, repaired as for the one call.
+
+\param points \f$ n \times 3 \f$, positions.
+\param polygons sequences of rows of `points`.
+\param sources rows of `points`.
+\param options `geodesics`, `solver` and `number_of_threads` are used.
+\param function if set, this measures instead.
+
+\returns an \f$ n \times s \f$ matrix: a row per point, a column per source; infinite where there is no way. Where a
+         vertex was split, its distance is that of its first copy.
+
+\throws std::invalid_argument if a source is not a row, a point belongs to no face, or see `repair_surface()`.
+
+\sa `Heat_geodesics_3`
+*/
+Eigen::MatrixXd geodesic_distances(const Point_matrix& points,
+                                   const std::vector<std::vector<std::size_t>>& polygons,
+                                   const std::vector<std::size_t>& sources,
+                                   const Options& options = Options(),
+                                   const Distances_function& function = Distances_function());
+
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#ifndef CGAL_CANONICAL_POSE_3_COMPILED
+#include <CGAL/Canonical_pose_3/internal/pipeline/geodesic_distances_impl.h>
+#endif
+
+#endif // CGAL_CANONICAL_POSE_3_GEODESIC_DISTANCES_H

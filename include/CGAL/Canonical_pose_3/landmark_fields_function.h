@@ -1,0 +1,57 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_LANDMARK_FIELDS_FUNCTION_H
+#define CGAL_CANONICAL_POSE_3_LANDMARK_FIELDS_FUNCTION_H
+
+#include <CGAL/Canonical_pose_3/Landmark_fields_3.h>
+#include <CGAL/Canonical_pose_3/Options.h>
+#include <CGAL/Canonical_pose_3/farthest_point_landmarks.h>
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+#include <CGAL/Canonical_pose_3/make_triangle_mesh.h>
+#include <CGAL/Canonical_pose_3/point_matrix.h>
+
+#include <array>
+#include <cstddef>
+#include <iterator>
+#include <vector>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
+
+/*!
+\ingroup PkgCanonicalPose3Ref
+
+\brief returns a function for `Options::landmark_fields_function` that measures distances by a model of
+`GeodesicDistances_3`.
+
+\tparam GeodesicDistances a model of `GeodesicDistances_3` that is constructed from a mesh; its `Triangle_mesh` is a model
+       of `MutableFaceGraph` with an internal point property map
+
+\sa `farthest_point_landmarks()`
+*/
+template <class GeodesicDistances>
+Landmark_fields_function landmark_fields_function()
+{
+  return [](const Point_matrix& points, const std::vector<std::array<std::size_t, 3>>& triangles,
+            const std::size_t number_of_landmarks, const std::size_t first) {
+    const auto mesh
+      = make_triangle_mesh<typename GeodesicDistances::Triangle_mesh>(points, triangles);
+    return farthest_point_landmarks(
+      GeodesicDistances(mesh), number_of_landmarks,
+      *std::next(vertices(mesh).begin(), static_cast<std::ptrdiff_t>(first)));
+  };
+}
+
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_LANDMARK_FIELDS_FUNCTION_H

@@ -1,0 +1,110 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_POSE_DIFFERENCE_H
+#define CGAL_CANONICAL_POSE_3_POSE_DIFFERENCE_H
+
+#include <CGAL/Canonical_pose_3/align_target.h>
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+#include <CGAL/Canonical_pose_3/point_matrix.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
+namespace internal {
+
+// The points in such a unit that the root mean square distance to their centroid is 1.
+inline Point_matrix in_unit_of_gyration(Point_matrix points)
+{
+  for(Eigen::Index i = 0; i < points.rows(); ++i)
+    if(!points.row(i).allFinite())
+      throw std::invalid_argument("point " + std::to_string(i)
+                                  + " has a coordinate that is not finite");
+  normalize(points); // so that squares neither vanish nor overflow
+  points.rowwise() -= points.colwise().mean().eval();
+  const double radius = std::sqrt(points.rowwise().squaredNorm().mean());
+  if(!(radius > 0))
+    throw std::invalid_argument("all points are at the same position");
+  return points / radius;
+}
+
+} // namespace internal
+
+/*!
+\ingroup PkgCanonicalPose3Ref
+
+\brief returns how much two poses of corresponding points differ, whatever their position, orientation and
+scale.
+
+It is the root mean square distance of corresponding points after the best rigid motion
+\cgalCite{cgal:canonical-k-sbrrsv-76}; both poses are first scaled to a radius of gyration (root mean square
+distance to the centroid) of 1. Hence 0 is congruent, and \f$ \sqrt 2 \f$ the largest value.
+
+\param a \f$ n \times 3 \f$, one pose.
+\param b \f$ n \times 3 \f$, the other one.
+\param may_be_reflected whether a mirror image counts as the same pose: the lesser difference of `a` and of its
+       mirror image is returned.
+
+\throws std::invalid_argument if the numbers of points differ or are 0, a coordinate is not finite, or all points of a
+       pose are at the same position.
+
+<em>Complexity:</em> linear.
+
+\sa `mean_pose_difference()`
+*/
+inline double pose_difference(const Point_matrix& a, const Point_matrix& b,
+                              const bool may_be_reflected = false)
+{
+  if(a.rows() != b.rows() || a.rows() == 0)
+    throw std::invalid_argument("poses of " + std::to_string(a.rows()) + " and "
+                                + std::to_string(b.rows()) + " points cannot be compared");
+  const Point_matrix unit_a = internal::in_unit_of_gyration(a),
+                     unit_b = internal::in_unit_of_gyration(b);
+  const Eigen::VectorXd weights = Eigen::VectorXd::Ones(a.rows());
+  const auto difference = [&](const bool mirrored) {
+    return std::sqrt(
+      (align_target(unit_a, unit_b, weights, mirrored) - unit_b).rowwise().squaredNorm().mean());
+  };
+  return may_be_reflected ? (std::min)(difference(false), difference(true)) : difference(false);
+}
+
+/*!
+\ingroup PkgCanonicalPose3Ref
+
+\brief returns the mean of `pose_difference()` over all pairs of poses.
+
+\param poses at least two matrices of as many rows.
+\param may_be_reflected see `pose_difference()`; of each pair by itself.
+
+\throws std::invalid_argument as `pose_difference()`, and if there are fewer than two poses.
+*/
+inline double mean_pose_difference(const std::vector<Point_matrix>& poses,
+                                   const bool may_be_reflected = false)
+{
+  if(poses.size() < 2)
+    throw std::invalid_argument("it takes two poses to compare");
+  double sum = 0;
+  for(std::size_t i = 0; i < poses.size(); ++i)
+    for(std::size_t j = 0; j < i; ++j)
+      sum += pose_difference(poses[i], poses[j], may_be_reflected);
+  return sum / (static_cast<double>(poses.size()) * static_cast<double>(poses.size() - 1) / 2);
+}
+
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_POSE_DIFFERENCE_H

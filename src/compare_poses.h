@@ -1,0 +1,63 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_TOOL_COMPARE_POSES_H
+#define CGAL_CANONICAL_POSE_3_TOOL_COMPARE_POSES_H
+
+#include <CGAL/Canonical_pose_3/point_matrix.h>
+#include <CGAL/Canonical_pose_3/pose_difference.h>
+
+#include <cstddef>
+#include <ostream>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace Canonical_pose_tool {
+
+using CGAL::Canonical_pose_3::Point_matrix;
+
+// Writes the difference of each pair of poses, and their mean: proper, and with reflection.
+// Throws std::invalid_argument that names the files if two of them cannot be compared.
+inline void write_differences(std::ostream& out, const std::vector<std::string>& names,
+                              const std::vector<Point_matrix>& poses)
+{
+  std::ostringstream text;
+  text.precision(6);
+  text << std::fixed << "proper    reflected\n";
+  double sums[2] = {};
+  std::size_t number = 0;
+  for(std::size_t i = 0; i < poses.size(); ++i)
+    for(std::size_t j = i + 1; j < poses.size(); ++j, ++number)
+    {
+      double differences[2];
+      for(const bool may_be_reflected : {false, true})
+        try
+        {
+          differences[may_be_reflected]
+            = CGAL::Canonical_pose_3::pose_difference(poses[i], poses[j], may_be_reflected);
+        }
+        catch(const std::invalid_argument& error)
+        {
+          throw std::invalid_argument(names[i] + ", " + names[j] + ": " + error.what());
+        }
+      sums[0] += differences[0];
+      sums[1] += differences[1];
+      text << differences[0] << "  " << differences[1] << "   " << names[i] << ' ' << names[j]
+           << '\n';
+    }
+  text << sums[0] / double(number) << "  " << sums[1] / double(number) << "   mean of " << number
+       << (number == 1 ? " pair\n" : " pairs\n");
+  out << text.str();
+}
+
+} // namespace Canonical_pose_tool
+
+#endif // CGAL_CANONICAL_POSE_3_TOOL_COMPARE_POSES_H

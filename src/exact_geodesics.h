@@ -1,0 +1,33 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_TOOL_EXACT_GEODESICS_H
+#define CGAL_CANONICAL_POSE_3_TOOL_EXACT_GEODESICS_H
+
+#include <CGAL/Canonical_pose_3/Options.h>
+#include <CGAL/Canonical_pose_3/point_matrix.h>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+// What takes long to compile: exact distances.
+
+namespace Canonical_pose_tool {
+
+CGAL::Canonical_pose_3::Landmark_fields_function exact_landmark_fields();
+
+// See CGAL::Canonical_pose_3::Distances_function.
+Eigen::MatrixXd exact_distances(const CGAL::Canonical_pose_3::Point_matrix& points,
+                                const std::vector<std::array<std::size_t, 3>>& triangles,
+                                const std::vector<std::size_t>& sources);
+
+} // namespace Canonical_pose_tool
+
+#endif // CGAL_CANONICAL_POSE_3_TOOL_EXACT_GEODESICS_H

@@ -1,0 +1,210 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#include <CGAL/Canonical_pose_3/Eigen_factor_traits_d.h>
+#include <CGAL/Canonical_pose_3/Gaussian_kernel.h>
+#include <CGAL/Canonical_pose_3/Lattice_body_3.h>
+#include <CGAL/Canonical_pose_3/Wavefront_geodesics_3.h>
+#include <CGAL/Canonical_pose_3/front_landmarks.h>
+#include <CGAL/Canonical_pose_3/geodesic_distances.h>
+#include <CGAL/Canonical_pose_3/landmark_fields_function.h>
+#include <CGAL/Canonical_pose_3/make_triangle_mesh.h>
+#include <CGAL/canonical_pose_3.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <gtest/gtest.h>
+
+#include "bent_bars.h"
+#include "matchers.h"
+#include "shapes.h"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <stdexcept>
+#include <vector>
+
+namespace CP = CGAL::Canonical_pose_3;
+namespace shapes = Canonical_pose_test;
+using CP::Point_matrix;
+using Triangles = std::vector<std::array<std::size_t, 3>>;
+
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+
+Point_matrix pose(const CP::Options& options)
+{
+  return shapes::pose_of(shapes::bent_bar(), options).pose;
+}
+
+CP::Landmark_fields_3 wavefront_fields(const Point_matrix& points, const Triangles& triangles,
+                                       const std::size_t number, const std::size_t first)
+{
+  const Mesh mesh = CP::make_triangle_mesh<Mesh>(points, triangles);
+  return CP::front_landmarks(CP::Wavefront_geodesics_3<Mesh>(mesh), number,
+                             Mesh::Vertex_index(Mesh::size_type(first)));
+}
+
+CP::Elastic_body_3 fine_lattice(const Point_matrix& points, const Triangles& triangles,
+                                const CP::Landmark_fields_3& fields)
+{
+  return CP::Lattice_body_3(points, triangles, fields.distances, 0.04);
+}
+
+} // namespace
+
+// What the options name, given as a part of one's own, gives the same bytes.
+TEST(Own_parts, are_used_as_those_named)
+{
+  CP::Options named, own;
+  named.geodesics = CP::Options::Geodesics::WAVEFRONT;
+  named.random_seed = 3;
+  named.number_of_landmarks = 20;
+  own = named;
+  own.geodesics = CP::Options::Geodesics::HEAT;
+  own.landmark_fields_function = wavefront_fields;
+  EXPECT_EQ(pose(own), pose(named));
+
+  named = own = CP::Options();
+  named.kernel = CP::Options::Kernel::GAUSSIAN;
+  own.mds_kernel = CP::Gaussian_kernel();
+  EXPECT_EQ(pose(own), pose(named));
+
+  named = own = CP::Options();
+  named.lattice_spacing = 0.04;
+  own.make_body = fine_lattice;
+  EXPECT_EQ(pose(own), pose(named));
+  const CP::Result result = shapes::pose_of(shapes::bent_bar(), own);
+  EXPECT_EQ(result.summary.body.kind, "given");
+
+  named = own = CP::Options();
+  named.solver = CP::Options::Solver::EIGEN;
+  const auto soup = shapes::bent_bar();
+  std::vector<Kernel::Point_3> points, output;
+  for(const auto& p : soup.points)
+    points.emplace_back(p[0], p[1], p[2]);
+  const CP::Result by_eigen
+    = CGAL::canonical_pose_3(points, soup.triangles, output, own,
+                             CGAL::parameters::sparse_linear_solver(CP::Eigen_factor_traits_d()));
+  EXPECT_EQ(by_eigen.pose, pose(named));
+  EXPECT_EQ(by_eigen.summary.solver, shapes::pose_of(soup, named).summary.solver);
+}
+
+// Parts get the surface as it was repaired, one component at a time.
+TEST(Own_parts, of_components)
+{
+  CP::Options options = shapes::each_component();
+  std::vector<Eigen::Index> sizes;
+  options.landmark_fields_function = [&](const Point_matrix& points, const Triangles& triangles,
+                                         const std::size_t number, const std::size_t first) {
+    sizes.push_back(points.rows());
+    return wavefront_fields(points, triangles, number, first);
+  };
+  const auto bars = shapes::unsewn(shapes::merged(shapes::small_bar(), shapes::bar(), 20.));
+  EXPECT_TRUE(shapes::pose_of(bars, options).is_usable());
+  EXPECT_EQ(sizes, (std::vector<Eigen::Index>{Eigen::Index(shapes::small_bar().points.size()),
+                                              Eigen::Index(shapes::bar().points.size())}));
+}
+
+// What is of no use is refused.
+TEST(Own_parts, bad_ones_are_named)
+{
+  const auto expect_refused = [](const CP::Options& options, const char* const text) {
+    EXPECT_THROW_WITH(pose(options), std::invalid_argument, text);
+  };
+  CP::Landmark_fields_3 fields;
+  CP::Options options;
+  options.landmark_fields_function
+    = [&](const Point_matrix&, const Triangles&, std::size_t, std::size_t) { return fields; };
+  expect_refused(options, "returned 0 x 0 distances");
+  const Eigen::Index n = Eigen::Index(shapes::bent_bar().points.size());
+  fields.distances.setOnes(n, 2);
+  expect_refused(options, "one point per column");
+  fields.landmarks = {0, std::size_t(n)};
+  expect_refused(options, "one point per column");
+  fields.distances(3, 1) = std::numeric_limits<double>::infinity();
+  expect_refused(options, "not finite");
+
+  options = CP::Options();
+  options.make_body = [&](const Point_matrix& points, const Triangles& triangles,
+                          const CP::Landmark_fields_3& landmark_fields) {
+    const Point_matrix doubled = (Point_matrix(2 * points.rows(), 3) << points, points).finished();
+    Triangles both = triangles;
+    for(auto t : triangles)
+    {
+      for(std::size_t& v : t)
+        v += std::size_t(points.rows());
+      both.push_back(t);
+    }
+    return CP::Lattice_body_3(doubled, both, landmark_fields.distances.replicate(2, 1).eval(),
+                              0.04);
+  };
+  expect_refused(options, "surface vertices for a surface of");
+}
+
+// Vertices of the input, whatever is sewn; the way to another component is infinite. A function of one's own is called
+// with the repaired surface.
+TEST(Own_parts, distances_on_a_soup)
+{
+  const auto bars = shapes::unsewn(shapes::merged(shapes::small_bar(), shapes::bar(), 20.));
+  const Point_matrix points = shapes::to_matrix(bars.points);
+  const Eigen::MatrixXd d = CP::geodesic_distances(points, bars.polygons, {0});
+  std::size_t infinite = 0, zero = 0;
+  for(Eigen::Index i = 0; i < points.rows(); ++i)
+  {
+    const bool is_here = (points.row(i) - points.row(0)).norm() < 15;
+    EXPECT_EQ(std::isfinite(d(i, 0)), is_here);
+    infinite += is_here ? 0 : 1;
+    zero += d(i, 0) == 0 ? 1 : 0;
+    if(is_here)
+      EXPECT_GE(d(i, 0), 0.9 * (points.row(i) - points.row(0)).norm());
+  }
+  EXPECT_GT(infinite, 0u);
+  EXPECT_GT(zero, 1u); // the corners of all faces around the source
+  const auto ones = [](const Point_matrix& p, const Triangles&, const std::vector<std::size_t>& s) {
+    return Eigen::MatrixXd::Ones(p.rows(), Eigen::Index(s.size())).eval();
+  };
+  EXPECT_EQ(CP::geodesic_distances(points, bars.polygons, {3, 5}, {}, ones),
+            Eigen::MatrixXd::Ones(points.rows(), 2));
+  EXPECT_THROW_WITH(CP::geodesic_distances(points, bars.polygons, {bars.points.size()}),
+                    std::invalid_argument, "a source names vertex");
+}
+
+// A mesh of points and triangles has them in their order, whatever the data structure.
+template <class Triangle_mesh>
+void expect_made()
+{
+  const auto soup = shapes::bent_bar();
+  const Point_matrix points = shapes::to_matrix(soup.points);
+  const auto mesh = CP::make_triangle_mesh<Triangle_mesh>(points, soup.triangles);
+  EXPECT_EQ(CP::point_matrix(mesh), points);
+  EXPECT_EQ(CP::internal::index_triangles(mesh).size(), soup.triangles.size());
+  EXPECT_TRUE(CGAL::is_closed(mesh));
+  Triangles bad = soup.triangles;
+  bad[7][1] = soup.points.size();
+  EXPECT_THROW_WITH(CP::make_triangle_mesh<Triangle_mesh>(points, bad), std::invalid_argument,
+                    "triangle 7 names vertex");
+  bad = soup.triangles;
+  bad.push_back(bad[7]);
+  EXPECT_THROW_WITH(CP::make_triangle_mesh<Triangle_mesh>(points, bad), std::invalid_argument,
+                    "does not fit");
+}
+
+TEST(Own_parts, meshes_are_made)
+{
+  expect_made<Mesh>();
+  expect_made<CGAL::Polyhedron_3<CGAL::Simple_cartesian<double>>>();
+}
