@@ -7,6 +7,7 @@
 //
 // Author(s) : The Canonical_pose_3 authors
 
+#include <CGAL/Canonical_pose_3/internal/target/chirality.h>
 #include <CGAL/Canonical_pose_3/target_handedness.h>
 
 #include <gtest/gtest.h>

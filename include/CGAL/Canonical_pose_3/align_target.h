@@ -10,12 +10,10 @@
 #ifndef CGAL_CANONICAL_POSE_3_ALIGN_TARGET_H
 #define CGAL_CANONICAL_POSE_3_ALIGN_TARGET_H
 
-#include <CGAL/Canonical_pose_3/internal/energy/closest_rotation.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
-#include <CGAL/Deformation_Eigen_closest_rotation_traits_3.h>
-#include <CGAL/assertions.h>
+#include <Eigen/Core>
 
 namespace CGAL {
 namespace Canonical_pose_3 {
@@ -41,32 +39,15 @@ scaling are arbitrary; `target_handedness()` tells which reflection to take.
 
 <em>Complexity:</em> linear.
 */
-inline Point_matrix align_target(const Point_matrix& target, const Point_matrix& points,
-                                 const Eigen::VectorXd& weights, const bool mirrored = false)
-{
-  CGAL_precondition(target.rows() == points.rows() && weights.size() == points.rows());
-  CGAL_precondition(weights.sum() > 0);
-  const Eigen::VectorXd share = weights / weights.sum();
-  const Eigen::RowVector3d target_mean = share.transpose() * target;
-  const Eigen::RowVector3d point_mean = share.transpose() * points;
-  Point_matrix moved = target.rowwise() - target_mean;
-  if(mirrored)
-    moved.col(2) *= -1;
-  const Eigen::Matrix3d covariance
-    = (points.rowwise() - point_mean).transpose() * share.asDiagonal() * moved;
-  // Normalized, as the models compare determinants and entries with absolute bounds.
-  const double size = covariance.cwiseAbs().maxCoeff();
-  const Eigen::Matrix3d rotation
-    = size > 0 ? internal::rotation_by_traits<Deformation_Eigen_closest_rotation_traits_3>(
-        covariance / size)
-               : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
-  moved = moved * rotation.transpose();
-  moved.rowwise() += point_mean;
-  return moved;
-}
+Point_matrix align_target(const Point_matrix& target, const Point_matrix& points,
+                          const Eigen::VectorXd& weights, bool mirrored = false);
 
 } // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
+
+#ifndef CGAL_CANONICAL_POSE_3_COMPILED
+#include <CGAL/Canonical_pose_3/internal/target/align_target_impl.h>
+#endif
 
 #endif // CGAL_CANONICAL_POSE_3_ALIGN_TARGET_H

@@ -11,54 +11,19 @@
 #define CGAL_CANONICAL_POSE_3_TARGET_HANDEDNESS_H
 
 #include <CGAL/Canonical_pose_3/internal/soup/Indexed_mesh.h>
-#include <CGAL/Canonical_pose_3/internal/soup/signed_volume.h>
-#include <CGAL/Canonical_pose_3/internal/support/Principal_axes.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 #include <CGAL/Canonical_pose_3/surface_measures.h>
 
-#include <CGAL/assertions.h>
+#include <Eigen/Core>
 
-#include <Eigen/Dense>
-
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <vector>
 
 namespace CGAL {
 namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
-namespace internal {
-
-// sum m x y z along the principal axes, the longest first, taken as a right-handed frame, by the
-// product of the standard deviations; 0 for flat points. Reversing two axes does not change it,
-// reversing one or three changes the sign.
-inline double chirality(const Point_matrix& points, const Eigen::VectorXd& weights)
-{
-  const Principal_axes frame(points, weights);
-  if(!(frame.variances[2] > 1e-10 * frame.variances[0]))
-    return 0;
-  const Point_matrix along_axes = (points.rowwise() - frame.centroid) * frame.axes;
-  const double moment = along_axes.rowwise().prod().dot(weights) / weights.sum();
-  return frame.axes.determinant() * moment / frame.variances.cwiseSqrt().prod();
-}
-
-// Whether the triangles enclose so little that the sign of their volume is chance: what rounding the
-// coordinates can change it by, or what noise in single precision does to a flat sheet.
-// `six_volumes`: `signed_volume()` of the same.
-inline bool is_volume_negligible(const double six_volumes, const Point_matrix& points,
-                                 const std::vector<std::array<std::size_t, 3>>& triangles)
-{
-  double area = 0;
-  for(const auto& t : triangles)
-    area += twice_area(points, t) / 2;
-  const double rounding = 1e-15 * points.cwiseAbs().maxCoeff();
-  return !(std::abs(six_volumes) / 6 > area * (std::max)(1e-6 * std::sqrt(area), rounding));
-}
-
-} // namespace internal
 
 /*!
 \ingroup PkgCanonicalPose3Ref
@@ -98,21 +63,9 @@ Target and input may be in any unit, the same for both.
 
 \sa `align_target()`
 */
-inline double target_handedness(Point_matrix target, Point_matrix points,
-                                const std::vector<std::array<std::size_t, 3>>& triangles,
-                                const Eigen::VectorXd& weights)
-{
-  CGAL_precondition(target.rows() == points.rows() && weights.size() == points.rows());
-  CGAL_precondition(weights.sum() > 0);
-  CGAL_precondition(target.allFinite() && points.allFinite());
-  const int exponent = internal::normalize(target) - internal::normalize(points);
-  const double volume = internal::signed_volume(points, triangles);
-  const double volume_ratio
-    = internal::is_volume_negligible(volume, points, triangles)
-        ? 0
-        : std::ldexp(internal::signed_volume(target, triangles) / volume, 3 * exponent);
-  return (std::isfinite(volume_ratio) ? volume_ratio : 0) + internal::chirality(target, weights);
-}
+double target_handedness(Point_matrix target, Point_matrix points,
+                         const std::vector<std::array<std::size_t, 3>>& triangles,
+                         const Eigen::VectorXd& weights);
 
 /*!
 \ingroup PkgCanonicalPose3Ref
@@ -136,5 +89,9 @@ double target_handedness(const Point_matrix& target, const TriangleMesh& tmesh,
 } // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
+
+#ifndef CGAL_CANONICAL_POSE_3_COMPILED
+#include <CGAL/Canonical_pose_3/internal/target/target_handedness_impl.h>
+#endif
 
 #endif // CGAL_CANONICAL_POSE_3_TARGET_HANDEDNESS_H

@@ -11,6 +11,7 @@
 #define CGAL_CANONICAL_POSE_3_INTERNAL_ENERGY_ROTATION_ROUTINES_H
 
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+#include <CGAL/Canonical_pose_3/internal/support/rotation_by_traits.h>
 
 #include <Eigen/Core>
 
@@ -39,27 +40,6 @@ void for_lane(const Matrix_3<Pack>& f, Matrix_3<Pack>& r, const int lane, const 
   m = function(m);
   for(int k = 0; k < 9; ++k)
     r[k / 3][k % 3][lane] = m(k / 3, k % 3);
-}
-
-// The rotation closest to m by a model of CGAL's `DeformationClosestRotationTraits_3`; some rotation if m is
-// not finite. Those models return V U^t of their argument U S V^t, hence the transposition.
-template <class ClosestRotationTraits>
-Eigen::Matrix3d rotation_by_traits(const Eigen::Matrix3d& m)
-{
-  if(!m.allFinite())
-    return Eigen::Matrix3d::Identity();
-  ClosestRotationTraits traits;
-  typename ClosestRotationTraits::Matrix argument = traits.zero_matrix();
-  typename ClosestRotationTraits::Matrix rotation = traits.zero_matrix();
-  for(int i = 0; i < 3; ++i)
-    for(int j = 0; j < 3; ++j)
-      argument(i, j) = m(j, i);
-  traits.compute_close_rotation(argument, rotation);
-  Eigen::Matrix3d result;
-  for(int i = 0; i < 3; ++i)
-    for(int j = 0; j < 3; ++j)
-      result(i, j) = rotation(i, j);
-  return result;
 }
 
 template <class ClosestRotationTraits>

@@ -1,0 +1,57 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_INTERNAL_TARGET_ALIGN_TARGET_IMPL_H
+#define CGAL_CANONICAL_POSE_3_INTERNAL_TARGET_ALIGN_TARGET_IMPL_H
+
+#include <CGAL/Canonical_pose_3/align_target.h>
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+#include <CGAL/Canonical_pose_3/internal/support/rotation_by_traits.h>
+#include <CGAL/Canonical_pose_3/point_matrix.h>
+
+#include <CGAL/Deformation_Eigen_closest_rotation_traits_3.h>
+#include <CGAL/assertions.h>
+
+#include <Eigen/Dense>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
+
+CGAL_CANONICAL_POSE_3_INLINE Point_matrix align_target(const Point_matrix& target,
+                                                       const Point_matrix& points,
+                                                       const Eigen::VectorXd& weights,
+                                                       const bool mirrored)
+{
+  CGAL_precondition(target.rows() == points.rows() && weights.size() == points.rows());
+  CGAL_precondition(weights.sum() > 0);
+  const Eigen::VectorXd share = weights / weights.sum();
+  const Eigen::RowVector3d target_mean = share.transpose() * target;
+  const Eigen::RowVector3d point_mean = share.transpose() * points;
+  Point_matrix moved = target.rowwise() - target_mean;
+  if(mirrored)
+    moved.col(2) *= -1;
+  const Eigen::Matrix3d covariance
+    = (points.rowwise() - point_mean).transpose() * share.asDiagonal() * moved;
+  // Normalized, as the models compare determinants and entries with absolute bounds.
+  const double size = covariance.cwiseAbs().maxCoeff();
+  const Eigen::Matrix3d rotation
+    = size > 0 ? internal::rotation_by_traits<Deformation_Eigen_closest_rotation_traits_3>(
+        covariance / size)
+               : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
+  moved = moved * rotation.transpose();
+  moved.rowwise() += point_mean;
+  return moved;
+}
+
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_INTERNAL_TARGET_ALIGN_TARGET_IMPL_H

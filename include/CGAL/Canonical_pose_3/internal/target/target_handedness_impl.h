@@ -1,0 +1,69 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_INTERNAL_TARGET_TARGET_HANDEDNESS_IMPL_H
+#define CGAL_CANONICAL_POSE_3_INTERNAL_TARGET_TARGET_HANDEDNESS_IMPL_H
+
+#include <CGAL/Canonical_pose_3/internal/soup/signed_volume.h>
+#include <CGAL/Canonical_pose_3/internal/soup/twice_area.h>
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+#include <CGAL/Canonical_pose_3/internal/target/chirality.h>
+#include <CGAL/Canonical_pose_3/point_matrix.h>
+#include <CGAL/Canonical_pose_3/target_handedness.h>
+
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
+namespace internal {
+
+// Whether the triangles enclose so little that the sign of their volume is chance: what rounding the
+// coordinates can change it by, or what noise in single precision does to a flat sheet.
+// `six_volumes`: `signed_volume()` of the same.
+inline bool is_volume_negligible(const double six_volumes, const Point_matrix& points,
+                                 const std::vector<std::array<std::size_t, 3>>& triangles)
+{
+  double area = 0;
+  for(const auto& t : triangles)
+    area += twice_area(points, t) / 2;
+  const double rounding = 1e-15 * points.cwiseAbs().maxCoeff();
+  return !(std::abs(six_volumes) / 6 > area * (std::max)(1e-6 * std::sqrt(area), rounding));
+}
+
+} // namespace internal
+
+CGAL_CANONICAL_POSE_3_INLINE double
+target_handedness(Point_matrix target, Point_matrix points,
+                  const std::vector<std::array<std::size_t, 3>>& triangles,
+                  const Eigen::VectorXd& weights)
+{
+  CGAL_precondition(target.rows() == points.rows() && weights.size() == points.rows());
+  CGAL_precondition(weights.sum() > 0);
+  CGAL_precondition(target.allFinite() && points.allFinite());
+  const int exponent = internal::normalize(target) - internal::normalize(points);
+  const double volume = internal::signed_volume(points, triangles);
+  const double volume_ratio
+    = internal::is_volume_negligible(volume, points, triangles)
+        ? 0
+        : std::ldexp(internal::signed_volume(target, triangles) / volume, 3 * exponent);
+  return (std::isfinite(volume_ratio) ? volume_ratio : 0) + internal::chirality(target, weights);
+}
+
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_INTERNAL_TARGET_TARGET_HANDEDNESS_IMPL_H
