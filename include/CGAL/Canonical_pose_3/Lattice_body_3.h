@@ -11,7 +11,7 @@
 #define CGAL_CANONICAL_POSE_3_LATTICE_BODY_3_H
 
 #include <CGAL/Canonical_pose_3/internal/lattice/Lattice_body_data.h>
-#include <CGAL/Canonical_pose_3/internal/soup/Indexed_mesh.h>
+#include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 

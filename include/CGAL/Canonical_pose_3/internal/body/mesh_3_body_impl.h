@@ -13,7 +13,7 @@
 #include <CGAL/Canonical_pose_3/Embedded_body_3.h>
 #include <CGAL/Canonical_pose_3/internal/body/Mesh_3_embedder.h>
 #include <CGAL/Canonical_pose_3/internal/body/mesh_3_complex.h>
-#include <CGAL/Canonical_pose_3/internal/soup/Indexed_mesh.h>
+#include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/mesh_3_body.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>

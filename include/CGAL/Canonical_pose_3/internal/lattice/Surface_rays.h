@@ -11,7 +11,7 @@
 #define CGAL_CANONICAL_POSE_3_INTERNAL_LATTICE_SURFACE_RAYS_H
 
 #include <CGAL/Canonical_pose_3/internal/lattice/Clipped_triangle.h>
-#include <CGAL/Canonical_pose_3/internal/soup/Indexed_mesh.h>
+#include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
 #include <CGAL/Canonical_pose_3/internal/support/Buckets.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/support/for_each_block.h>

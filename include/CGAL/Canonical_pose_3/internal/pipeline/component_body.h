@@ -17,7 +17,7 @@
 #include <CGAL/Canonical_pose_3/cell_stiffness.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/Body_makers.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/Posed_component.h>
-#include <CGAL/Canonical_pose_3/internal/soup/Indexed_mesh.h>
+#include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 

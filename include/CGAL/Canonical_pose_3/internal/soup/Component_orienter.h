@@ -11,9 +11,9 @@
 #define CGAL_CANONICAL_POSE_3_INTERNAL_SOUP_COMPONENT_ORIENTER_H
 
 #include <CGAL/Canonical_pose_3/Repaired_surface_3.h>
-#include <CGAL/Canonical_pose_3/internal/soup/Indexed_mesh.h>
 #include <CGAL/Canonical_pose_3/internal/soup/Loop_triangulation.h>
 #include <CGAL/Canonical_pose_3/internal/soup/Manifold_builder.h>
+#include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
 #include <CGAL/Canonical_pose_3/internal/soup/twice_area.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
