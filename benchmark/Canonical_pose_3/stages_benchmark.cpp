@@ -23,6 +23,7 @@
 #include <CGAL/Canonical_pose_3/diagnose.h>
 #include <CGAL/Canonical_pose_3/farthest_point_landmarks.h>
 #include <CGAL/Canonical_pose_3/front_landmarks.h>
+#include <CGAL/Canonical_pose_3/internal/soup/Indexed_mesh.h>
 #include <CGAL/Canonical_pose_3/repair_surface.h>
 #include <CGAL/Canonical_pose_3/surface_measures.h>
 #include <CGAL/Canonical_pose_3/target_handedness.h>

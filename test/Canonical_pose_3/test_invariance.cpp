@@ -7,6 +7,7 @@
 //
 // Author(s) : The Canonical_pose_3 authors
 
+#include <CGAL/Canonical_pose_3/internal/soup/Indexed_mesh.h>
 #include <CGAL/canonical_pose_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
