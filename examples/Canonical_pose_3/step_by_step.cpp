@@ -14,6 +14,7 @@
 #include <CGAL/Canonical_pose_3/Lattice_body_3.h>
 #include <CGAL/Canonical_pose_3/Tetrahedral_arap_registrar_3.h>
 #include <CGAL/Canonical_pose_3/align_target.h>
+#include <CGAL/Canonical_pose_3/farthest_point_landmarks.h>
 #include <CGAL/Canonical_pose_3/front_landmarks.h>
 #include <CGAL/Canonical_pose_3/surface_measures.h>
 #include <CGAL/Canonical_pose_3/target_handedness.h>
@@ -38,13 +39,13 @@ int main(int argc, char* argv[])
 
   // Distances to 80 landmarks; the systems of the heat method are factored once.
   const CP::Heat_geodesics_3<Mesh> geodesics(mesh);
-  const auto fields = CP::front_landmarks(geodesics, 80, *vertices(mesh).begin());
+  const auto fields = CP::front_landmarks(geodesics, 80, CP::extremal_vertex(mesh, mesh.points()));
   std::cout << "covering radius of the landmarks: " << fields.covering_radius << '\n';
   // A target point for each vertex.
   CP::Landmark_mds_target_builder_3<> builder;
   builder.build(fields);
   std::cout << "stress of the target: " << builder.stress() << '\n';
-  // Its place: moved onto the input, mirrored if that is its handedness.
+  // Its position: moved onto the input, mirrored if that is its handedness.
   const auto points = CP::point_matrix(mesh);
   const auto shares = CP::vertex_area_shares(mesh, mesh.points());
   const bool mirrored = CP::target_handedness(builder.targets(), mesh, mesh.points()) < 0;

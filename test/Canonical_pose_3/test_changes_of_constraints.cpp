@@ -19,6 +19,7 @@
 #include "matchers.h"
 
 #include <cstddef>
+#include <stdexcept>
 
 namespace CP = CGAL::Canonical_pose_3;
 using Canonical_pose_test::uniform_weights;
@@ -113,6 +114,45 @@ TEST(Changes_of_constraints, poses_are_those_of_new_factorizations)
 }
 
 // Many constraints are put into a new factorization; they can then be removed one by one.
+// A new detail length gives the bytes that a new registrar gives, with constraints and after an update of the factor,
+// and costs one factorization; one that is refused changes nothing.
+TEST(Changes_of_constraints, detail_length)
+{
+  const CP::Conforming_body_3 body = Canonical_pose_test::bar_body(40, 3, 3);
+  const Eigen::VectorXd weights = uniform_weights(body.points());
+  const Point_matrix target = Canonical_pose_test::bar_points(40, 3, 3, 2.);
+  CP::Registration_options options;
+  CP::Spring_constraint_adaptor_3 springs(n_bar);
+  springs.insert({0, n_bar - 1, 2., 0.5});
+  Registrar kept(body, weights, 8., options);
+  kept.set_target(target);
+  Point_matrix before, after;
+  kept.register_to_target(before);
+  kept.add_constraint(springs);
+  before.resize(0, 3);
+  kept.register_to_target(before);
+  EXPECT_THROW_WITH(kept.set_detail_length(0), std::invalid_argument, "detail_length");
+  factorizations = 0;
+  kept.register_to_target(after);
+  EXPECT_EQ(factorizations, 0);
+  EXPECT_EQ(after, before);
+
+  options.detail_length = 0.03;
+  Registrar fresh(body, weights, 8., options);
+  fresh.set_target(target);
+  fresh.add_constraint(springs);
+  Point_matrix expected;
+  fresh.register_to_target(expected);
+  factorizations = 0;
+  kept.set_detail_length(0.03);
+  after.resize(0, 3);
+  kept.register_to_target(after);
+  EXPECT_EQ(factorizations, 1);
+  EXPECT_EQ(after, expected);
+  EXPECT_NE(after, before);
+  EXPECT_EQ(kept.options().detail_length, 0.03);
+}
+
 TEST(Changes_of_constraints, many_constraints_are_factored)
 {
   const CP::Conforming_body_3 body = Canonical_pose_test::bar_body(40, 3, 3);

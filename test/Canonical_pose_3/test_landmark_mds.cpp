@@ -75,6 +75,22 @@ TEST(Landmark_mds, recovers_a_cloud_from_its_distances)
   EXPECT_TRUE(builder.is_determined());
 }
 
+// Whatever their order, the landmarks of a cloud have their own distances again.
+TEST(Landmark_mds, landmark_targets)
+{
+  CP::Landmark_fields_3 fields = euclidean_fields(random_points(40, 3), 12);
+  std::reverse(fields.landmarks.begin(), fields.landmarks.end());
+  fields.distances = fields.distances.rowwise().reverse().eval();
+  CP::Landmark_mds_target_builder_3<> builder;
+  builder.build(fields);
+  const Eigen::MatrixXd& x = builder.landmark_targets();
+  ASSERT_EQ(x.rows(), 12);
+  for(Eigen::Index i = 0; i < 12; ++i)
+    for(Eigen::Index j = 0; j < 12; ++j)
+      EXPECT_NEAR((x.row(i) - x.row(j)).norm(),
+                  fields.distances(Eigen::Index(fields.landmarks[std::size_t(i)]), j), 1e-10);
+}
+
 // Distances of points of the plane have a Gram matrix of rank 2: the third coordinate must be
 // exactly 0 and not noise.
 TEST(Landmark_mds, flat_data_stay_flat)
@@ -139,6 +155,26 @@ TEST(Landmark_mds, few_and_coinciding_landmarks)
   fields.distances.col(10) = fields.distances.col(0);
   builder.build(fields);
   EXPECT_LT(largest_distance_error(builder.targets(), points), 1e-10);
+}
+
+// A kernel with a pole: at distance 0, which each landmark has from itself, and between other points only.
+TEST(Landmark_mds, kernel_that_is_not_finite_is_named)
+{
+  struct Pole
+  {
+    double at;
+    double operator()(const double r) const { return 1 / std::abs(r - at); }
+    bool is_centered() const { return true; }
+    const char* name() const { return "pole"; }
+  };
+  Eigen::MatrixXd points(4, 3);
+  points << 0, 0, 0, 4, 0, 0, 0, 4, 0, 2, 0, 0;
+  const CP::Landmark_fields_3 fields = euclidean_fields(points, 3);
+  for(const double at : {0., fields.distances(3, 0) / fields.distances.maxCoeff()})
+  {
+    CP::Landmark_mds_target_builder_3<Pole> builder(Pole{at});
+    EXPECT_THROW_WITH(builder.build(fields), std::invalid_argument, "kernel pole is not finite");
+  }
 }
 
 TEST(Landmark_mds, bad_distances_are_named)

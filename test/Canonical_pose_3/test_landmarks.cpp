@@ -12,6 +12,7 @@
 #include <CGAL/Canonical_pose_3/align_target.h>
 #include <CGAL/Canonical_pose_3/farthest_point_landmarks.h>
 #include <CGAL/Canonical_pose_3/front_landmarks.h>
+#include <CGAL/Canonical_pose_3/make_triangle_mesh.h>
 #include <CGAL/Canonical_pose_3/target_handedness.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -25,7 +26,9 @@
 
 #include <Eigen/Geometry>
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <iterator>
 #include <limits>
 #include <set>
@@ -218,7 +221,10 @@ TEST(Extremal_point, is_farthest_from_the_centroid_of_area)
 {
   CP::Point_matrix points(6, 3);
   points << 0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1.1, 0, 1, 1, 0, 1, 1, 0;
-  EXPECT_EQ(CP::extremal_point(points, {{0, 1, 2}, {0, 2, 3}}), 3u);
+  const std::vector<std::array<std::size_t, 3>> triangles = {{0, 1, 2}, {0, 2, 3}};
+  EXPECT_EQ(CP::extremal_point(points, triangles), 3u);
+  const Mesh mesh = CP::make_triangle_mesh<Mesh>(points, triangles);
+  EXPECT_EQ(CP::extremal_vertex(mesh, mesh.points()), Mesh::Vertex_index(3));
 }
 
 // Both parts of the number are pseudo-scalars: a reflection changes the sign and nothing else, a

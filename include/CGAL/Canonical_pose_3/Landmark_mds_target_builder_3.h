@@ -70,7 +70,7 @@ public:
 
   \throws std::invalid_argument if there is no landmark, the sizes do not match, a landmark is no
          row of the distances, or a distance is negative or not finite (a point that a landmark does
-         not reach); the message names the element.
+         not reach), the message names the element; or if the kernel is not finite at a distance.
 
   <em>Complexity:</em> \f$ O(nl) \f$ for \f$ n \f$ points and \f$ l \f$ landmarks, and the leading
   eigenvectors of an \f$ l \times l \f$ matrix: \f$ O(l^3) \f$ at most, and \f$ O(l^2) \f$ where the
@@ -83,6 +83,7 @@ public:
     const Eigen::MatrixXd g = landmark_distances(fields);
     const double unit = m_length_scale > 0 ? m_length_scale : 1;
     const Eigen::MatrixXd kernel = g.unaryExpr([&](const double d) { return m_kernel(d / unit); });
+    check_kernel(kernel);
     const Eigen::VectorXd mean = kernel.rowwise().mean();
 
     Eigen::MatrixXd gram = kernel;
@@ -103,6 +104,9 @@ public:
 
   /// returns the \f$ n \times m \f$ matrix of embedded points, in the unit of the distances.
   const Eigen::MatrixXd& targets() const { return m_targets; }
+
+  /// returns the \f$ l \times m \f$ matrix of embedded landmarks, rows of `targets()`.
+  const Eigen::MatrixXd& landmark_targets() const { return m_landmark_targets; }
 
   /// returns \f$ \sqrt{\sum (d - g)^2 / \sum g^2} \f$ over all pairs of landmarks; 0 if all
   /// distances are 0.
@@ -134,6 +138,13 @@ public:
 
 private:
   static constexpr Eigen::Index LARGEST_NUMBER_TO_DECOMPOSE = 300;
+
+  void check_kernel(const Eigen::Ref<const Eigen::MatrixXd>& values) const
+  {
+    if(!values.allFinite())
+      throw std::invalid_argument(std::string("the kernel ") + m_kernel.name()
+                                  + " is not finite at a distance between points");
+  }
 
   static void check(const Landmark_fields_3& fields)
   {
@@ -218,14 +229,19 @@ private:
     {
       const Eigen::VectorXd k = fields.distances.col(j).unaryExpr(
         [&](const double d) { return m_kernel(d / unit) - mean[j]; });
+      check_kernel(k);
       m_targets.noalias() += k * projection.row(j);
     }
     m_targets *= unit;
+    m_landmark_targets.resize(fields.distances.cols(), m_dimension);
+    for(Eigen::Index j = 0; j < fields.distances.cols(); ++j)
+      m_landmark_targets.row(j)
+        = m_targets.row(static_cast<Eigen::Index>(fields.landmarks[static_cast<std::size_t>(j)]));
   }
 
   MdsKernel m_kernel;
   int m_dimension;
-  Eigen::MatrixXd m_targets;
+  Eigen::MatrixXd m_targets, m_landmark_targets;
   Eigen::VectorXd m_eigenvalues;
   double m_stress = 0;
   double m_length_scale = 0;

@@ -178,6 +178,14 @@ public:
     m_registration->set_number_of_iterations(number_of_iterations);
   }
 
+  /// changes `Registration_options::detail_length`. The next registration factors its matrix anew; what was made of
+  /// the body stays.
+  /// \throws std::invalid_argument if it is not positive and finite.
+  void set_detail_length(const double detail_length)
+  {
+    m_registration->set_detail_length(detail_length);
+  }
+
   /// returns the options.
   const Registration_options& options() const { return m_registration->options(); }
 

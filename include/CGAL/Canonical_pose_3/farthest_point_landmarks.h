@@ -11,6 +11,7 @@
 #define CGAL_CANONICAL_POSE_3_FARTHEST_POINT_LANDMARKS_H
 
 #include <CGAL/Canonical_pose_3/Landmark_fields_3.h>
+#include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
@@ -20,6 +21,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <iterator>
 #include <vector>
 
 namespace CGAL {
@@ -62,6 +64,26 @@ inline std::size_t extremal_point(const Point_matrix& points,
   Eigen::Index farthest;
   (points.rowwise() - centroid).rowwise().squaredNorm().maxCoeff(&farthest);
   return static_cast<std::size_t>(farthest);
+}
+
+/*!
+\ingroup PkgCanonicalPose3Ref
+
+\brief returns the vertex of a triangle mesh that lies farthest from the centroid of area, with which the one call
+begins.
+
+\tparam TriangleMesh a model of `FaceListGraph`
+\tparam VertexPointMap a model of `ReadablePropertyMap` with vertex descriptors as keys and points of a kernel as values
+
+\throws std::invalid_argument if a coordinate is not finite or a face is no triangle.
+*/
+template <class TriangleMesh, class VertexPointMap>
+typename boost::graph_traits<TriangleMesh>::vertex_descriptor
+extremal_vertex(const TriangleMesh& tmesh, VertexPointMap vertex_point_map)
+{
+  const std::size_t row
+    = extremal_point(point_matrix(tmesh, vertex_point_map), internal::index_triangles(tmesh));
+  return *std::next(vertices(tmesh).begin(), static_cast<std::ptrdiff_t>(row));
 }
 
 /*!

@@ -36,6 +36,7 @@ public:
   virtual ~Arap_registration() = default;
   virtual const Registration_options& options() const = 0;
   virtual void set_number_of_iterations(int number_of_iterations) = 0;
+  virtual void set_detail_length(double detail_length) = 0;
   virtual void add_constraint(std::unique_ptr<Registration_constraint_base> constraint) = 0;
   virtual void remove_constraint(const void* constraint) = 0;
   virtual void set_target(const Point_matrix& target) = 0;

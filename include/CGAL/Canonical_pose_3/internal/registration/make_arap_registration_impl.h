@@ -68,6 +68,17 @@ public:
     m_options.number_of_iterations = number_of_iterations;
   }
 
+  void set_detail_length(const double detail_length) override
+  {
+    Registration_options options = m_options;
+    options.detail_length = detail_length;
+    options.check();
+    m_options = options;
+    m_matrix.resize(0, 0);
+    m_factor = Updated_factor(m_factor_maker);
+    m_factored_revisions.reset();
+  }
+
   void add_constraint(std::unique_ptr<Registration_constraint_base> constraint) override
   {
     m_constraints.push_back(std::move(constraint));
