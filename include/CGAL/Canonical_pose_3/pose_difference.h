@@ -41,6 +41,23 @@ inline Point_matrix in_unit_of_gyration(Point_matrix points)
   return points / radius;
 }
 
+inline double difference_of_unit_poses(const Point_matrix& a, const Point_matrix& b,
+                                       const bool may_be_reflected)
+{
+  const Eigen::VectorXd weights = Eigen::VectorXd::Ones(a.rows());
+  const auto difference = [&](const bool mirrored) {
+    return std::sqrt((align_target(a, b, weights, mirrored) - b).rowwise().squaredNorm().mean());
+  };
+  return may_be_reflected ? (std::min)(difference(false), difference(true)) : difference(false);
+}
+
+inline void check_poses_correspond(const Point_matrix& a, const Point_matrix& b)
+{
+  if(a.rows() != b.rows() || a.rows() == 0)
+    throw std::invalid_argument("poses of " + std::to_string(a.rows()) + " and "
+                                + std::to_string(b.rows()) + " points cannot be compared");
+}
+
 } // namespace internal
 
 /*!
@@ -68,17 +85,9 @@ distance to the centroid) of 1. Hence 0 is congruent, and \f$ \sqrt 2 \f$ the la
 inline double pose_difference(const Point_matrix& a, const Point_matrix& b,
                               const bool may_be_reflected = false)
 {
-  if(a.rows() != b.rows() || a.rows() == 0)
-    throw std::invalid_argument("poses of " + std::to_string(a.rows()) + " and "
-                                + std::to_string(b.rows()) + " points cannot be compared");
-  const Point_matrix unit_a = internal::in_unit_of_gyration(a),
-                     unit_b = internal::in_unit_of_gyration(b);
-  const Eigen::VectorXd weights = Eigen::VectorXd::Ones(a.rows());
-  const auto difference = [&](const bool mirrored) {
-    return std::sqrt(
-      (align_target(unit_a, unit_b, weights, mirrored) - unit_b).rowwise().squaredNorm().mean());
-  };
-  return may_be_reflected ? (std::min)(difference(false), difference(true)) : difference(false);
+  internal::check_poses_correspond(a, b);
+  return internal::difference_of_unit_poses(internal::in_unit_of_gyration(a),
+                                            internal::in_unit_of_gyration(b), may_be_reflected);
 }
 
 /*!
@@ -96,10 +105,16 @@ inline double mean_pose_difference(const std::vector<Point_matrix>& poses,
 {
   if(poses.size() < 2)
     throw std::invalid_argument("it takes two poses to compare");
+  std::vector<Point_matrix> units;
+  for(const Point_matrix& pose : poses)
+  {
+    internal::check_poses_correspond(pose, poses.front());
+    units.push_back(internal::in_unit_of_gyration(pose));
+  }
   double sum = 0;
-  for(std::size_t i = 0; i < poses.size(); ++i)
+  for(std::size_t i = 0; i < units.size(); ++i)
     for(std::size_t j = 0; j < i; ++j)
-      sum += pose_difference(poses[i], poses[j], may_be_reflected);
+      sum += internal::difference_of_unit_poses(units[i], units[j], may_be_reflected);
   return sum / (static_cast<double>(poses.size()) * static_cast<double>(poses.size() - 1) / 2);
 }
 

@@ -40,8 +40,8 @@ struct Component_body
 {
   std::string kind;
   Elastic_body_3 body;
-  std::vector<std::size_t>
-    origins;                 // the surface vertex of the body that each vertex of the component is
+  // the surface vertex of the body that each vertex of the component is
+  std::vector<std::size_t> origins;
   Eigen::VectorXd stiffness; // of the cells, or nothing
   std::vector<std::string> warnings;
 };
@@ -56,7 +56,8 @@ inline Elastic_body_3 checked_body(Elastic_body_3 body, const Eigen::Index n)
   return body;
 }
 
-// The body of a surface that the options request. `stiffness`: of the vertices, or nothing; `shares`: theirs in the area.
+// The body of a surface that the options request. Not to be made beside the distances: TetGen and METIS, which CHOLMOD
+// may call, draw from the same std::rand(). `stiffness`: of the vertices, or nothing; `shares`: theirs in the area.
 inline Component_body body_of_surface(const Posed_component& component,
                                       const Landmark_fields_3& fields,
                                       const Eigen::VectorXd& stiffness, const Options& options,

@@ -10,14 +10,13 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_COMPONENT_FIELDS_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_COMPONENT_FIELDS_H
 
-#include <CGAL/Canonical_pose_3/Heat_geodesics_3.h>
 #include <CGAL/Canonical_pose_3/Landmark_fields_3.h>
 #include <CGAL/Canonical_pose_3/Options.h>
-#include <CGAL/Canonical_pose_3/Wavefront_geodesics_3.h>
 #include <CGAL/Canonical_pose_3/farthest_point_landmarks.h>
 #include <CGAL/Canonical_pose_3/front_landmarks.h>
 #include <CGAL/Canonical_pose_3/internal/linear_algebra/Lane_factor.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/Posed_component.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/with_geodesics.h>
 #include <CGAL/Canonical_pose_3/internal/soup/Face_defect.h>
 #include <CGAL/Canonical_pose_3/internal/soup/Indexed_mesh.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
@@ -75,12 +74,9 @@ inline Landmark_fields_3 component_fields(const Posed_component& component, cons
                           n);
   const Indexed_mesh mesh = indexed_mesh(component.points, component.triangles);
   const Indexed_mesh::Vertex_index vertex(static_cast<Indexed_mesh::size_type>(first));
-  if(options.geodesics == Options::Geodesics::WAVEFRONT)
-    return front_landmarks(Wavefront_geodesics_3<Indexed_mesh>(mesh), options.number_of_landmarks,
-                           vertex);
-  return front_landmarks(
-    Heat_geodesics_3<Indexed_mesh>(mesh, get(vertex_point, mesh), {}, lane_factor_maker),
-    options.number_of_landmarks, vertex);
+  return with_geodesics(mesh, options, lane_factor_maker, [&](const auto& geodesics) {
+    return front_landmarks(geodesics, options.number_of_landmarks, vertex);
+  });
 }
 
 } // namespace internal

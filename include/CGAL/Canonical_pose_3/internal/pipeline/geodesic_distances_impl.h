@@ -10,12 +10,11 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_GEODESIC_DISTANCES_IMPL_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_GEODESIC_DISTANCES_IMPL_H
 
-#include <CGAL/Canonical_pose_3/Heat_geodesics_3.h>
 #include <CGAL/Canonical_pose_3/Options.h>
-#include <CGAL/Canonical_pose_3/Wavefront_geodesics_3.h>
 #include <CGAL/Canonical_pose_3/geodesic_distances.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/Solver.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/Thread_limit.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/with_geodesics.h>
 #include <CGAL/Canonical_pose_3/internal/soup/Face_defect.h>
 #include <CGAL/Canonical_pose_3/internal/soup/Indexed_mesh.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
@@ -31,7 +30,6 @@
 namespace CGAL {
 namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
-
 namespace internal {
 
 inline Eigen::MatrixXd distances_on_surface(const Repaired_surface_3& surface,
@@ -42,11 +40,8 @@ inline Eigen::MatrixXd distances_on_surface(const Repaired_surface_3& surface,
   std::vector<Indexed_mesh::Vertex_index> vertices;
   for(const std::size_t source : sources)
     vertices.emplace_back(static_cast<Indexed_mesh::size_type>(source));
-  if(options.geodesics == Options::Geodesics::WAVEFRONT)
-    return Wavefront_geodesics_3<Indexed_mesh>(mesh).distances(vertices);
-  const Solver solver(options);
-  return Heat_geodesics_3<Indexed_mesh>(mesh, get(vertex_point, mesh), {}, solver.lane_factor_maker)
-    .distances(vertices);
+  return with_geodesics(mesh, options, Solver(options).lane_factor_maker,
+                        [&](const auto& geodesics) { return geodesics.distances(vertices); });
 }
 
 } // namespace internal

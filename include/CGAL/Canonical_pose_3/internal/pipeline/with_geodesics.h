@@ -1,0 +1,40 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_WITH_GEODESICS_H
+#define CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_WITH_GEODESICS_H
+
+#include <CGAL/Canonical_pose_3/Heat_geodesics_3.h>
+#include <CGAL/Canonical_pose_3/Options.h>
+#include <CGAL/Canonical_pose_3/Wavefront_geodesics_3.h>
+#include <CGAL/Canonical_pose_3/internal/linear_algebra/Lane_factor.h>
+#include <CGAL/Canonical_pose_3/internal/soup/Indexed_mesh.h>
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
+namespace internal {
+
+// Calls a function with the model of GeodesicDistances_3 that the options name, and returns what it returns.
+template <class Function>
+auto with_geodesics(const Indexed_mesh& mesh, const Options& options,
+                    const Lane_factor_maker lane_factor_maker, const Function& f)
+{
+  if(options.geodesics == Options::Geodesics::WAVEFRONT)
+    return f(Wavefront_geodesics_3<Indexed_mesh>(mesh));
+  return f(Heat_geodesics_3<Indexed_mesh>(mesh, get(vertex_point, mesh), {}, lane_factor_maker));
+}
+
+} // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_WITH_GEODESICS_H
