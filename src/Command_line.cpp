@@ -87,22 +87,23 @@ void take_constraints(const Raw_arguments& raw, Options& options)
   for(const std::string& text : raw.springs)
   {
     const Constraint_values v("--spring", text, 2, 1);
-    options.springs.push_back({v.vertices[0], v.vertices[1], v.rest[0], v.stiffness});
+    options.constraints.springs.push_back({v.vertices[0], v.vertices[1], v.rest[0], v.stiffness});
   }
   for(const std::string& text : raw.directions)
   {
     const Constraint_values v("--direction", text, 2, 3);
-    options.directions.push_back({v.vertices[0], v.vertices[1], v.vector(), v.stiffness});
+    options.constraints.directions.push_back(
+      {v.vertices[0], v.vertices[1], v.vector(), v.stiffness});
   }
   for(const std::string& text : raw.handles)
   {
     const Constraint_values v("--handle", text, 1, 3);
-    options.handles.push_back({v.vertices[0], v.vector(), v.stiffness});
+    options.constraints.handles.push_back({v.vertices[0], v.vector(), v.stiffness});
   }
   for(const std::string& text : raw.symmetric_pairs)
   {
     const Constraint_values v("--symmetric", text, 2, 0);
-    options.symmetric_pairs.push_back({v.vertices[0], v.vertices[1], v.stiffness});
+    options.constraints.symmetric_pairs.push_back({v.vertices[0], v.vertices[1], v.stiffness});
   }
 }
 

@@ -10,6 +10,7 @@
 // A running figure in its canonical pose, and in a Vitruvian pose: arms sideways, legs apart.
 // Usage: constraints [prefix of the poses to write, as OFF]
 
+#include <CGAL/Canonical_pose_3/Vertex_constraints_3.h>
 #include <CGAL/canonical_pose_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -33,35 +34,37 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Eigen::Vector3d;
 
-Vector3d point(const Mesh& mesh, const std::size_t v)
+using Vertices = std::vector<Mesh::Vertex_index>;
+
+Vector3d point(const Mesh& mesh, const Mesh::Vertex_index v)
 {
-  const auto& p = mesh.point(Mesh::Vertex_index(v));
+  const auto& p = mesh.point(v);
   return {p.x(), p.y(), p.z()};
 }
 
 // Every third vertex of those for which `is_inside(point)` holds.
 template <class Predicate>
-std::vector<std::size_t> sample(const Mesh& mesh, const Predicate& is_inside)
+Vertices sample(const Mesh& mesh, const Predicate& is_inside)
 {
-  std::vector<std::size_t> result;
-  for(std::size_t v = 0; v < mesh.number_of_vertices(); v += 3)
-    if(is_inside(point(mesh, v)))
+  Vertices result;
+  for(const Mesh::Vertex_index v : mesh.vertices())
+    if(v % 3 == 0 && is_inside(point(mesh, v)))
       result.push_back(v);
   return result;
 }
 
-Vector3d center(const Mesh& mesh, const std::vector<std::size_t>& vertices)
+Vector3d center(const Mesh& mesh, const Vertices& vertices)
 {
   Vector3d sum = Vector3d::Zero();
-  for(const std::size_t v : vertices)
+  for(const Mesh::Vertex_index v : vertices)
     sum += point(mesh, v);
   return sum / double(vertices.size());
 }
 
 struct Limb
 {
-  std::vector<std::size_t> vertices, joint; // joint: around its inner end
-  Vector3d direction;                       // in which it is to point
+  Vertices vertices, joint; // joint: around its inner end
+  Vector3d direction;       // in which it is to point
 };
 
 int main(int argc, char* argv[])
@@ -93,6 +96,7 @@ int main(int argc, char* argv[])
   options.given = first; // distances and target serve both poses
 
   // Limbs are straight in the canonical pose; each is to be as it is there, turned about its joint.
+  CP::Vertex_constraints_3<Mesh> constraints(running);
   for(const Limb& limb : limbs)
   {
     const Vector3d joint = center(canonical, limb.joint);
@@ -100,13 +104,15 @@ int main(int argc, char* argv[])
                                                          limb.direction);
     for(std::size_t i = 0; i < limb.vertices.size(); ++i)
     {
-      const std::size_t p = limb.vertices[i], q = trunk[i % trunk.size()];
+      const Mesh::Vertex_index p = limb.vertices[i], q = trunk[i % trunk.size()];
       const Vector3d prescribed
         = joint + turn * (point(canonical, p) - joint) - point(canonical, q);
-      options.directions.push_back(
-        {p, q, prescribed.transpose(), 1 / double(limb.vertices.size())});
+      constraints.add_direction(p, q,
+                                Kernel::Vector_3(prescribed.x(), prescribed.y(), prescribed.z()),
+                                1 / double(limb.vertices.size()));
     }
   }
+  options.constraints = constraints.constraints();
   Mesh vitruvian = running;
   const auto summary = CGAL::canonical_pose_3(running, vitruvian.points(), options).summary;
   std::cout << summary << '\n';

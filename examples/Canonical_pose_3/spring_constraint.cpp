@@ -10,6 +10,7 @@
 // The canonical pose with the two hands of the figure pulled together by a spring, stiff or soft.
 // Usage: spring_constraint [prefix of the poses to write, as OFF]
 
+#include <CGAL/Canonical_pose_3/Vertex_constraints_3.h>
 #include <CGAL/canonical_pose_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -33,16 +34,16 @@ using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
 // The vertices of a hand by their distance from its tip. A hand is held by many springs, as a single
 // vertex would be drawn out of it.
-std::vector<std::size_t> hand(const Mesh& mesh, const std::size_t tip)
+std::vector<Mesh::Vertex_index> hand(const Mesh& mesh, const Mesh::Vertex_index tip)
 {
-  std::map<double, std::size_t> by_distance;
+  std::map<double, Mesh::Vertex_index> by_distance;
   for(const auto v : mesh.vertices())
   {
-    const double d = CGAL::squared_distance(mesh.point(v), mesh.point(Mesh::Vertex_index(tip)));
+    const double d = CGAL::squared_distance(mesh.point(v), mesh.point(tip));
     if(d < 0.2 * 0.2)
       by_distance[d] = v;
   }
-  std::vector<std::size_t> result;
+  std::vector<Mesh::Vertex_index> result;
   for(const auto& entry : by_distance)
     result.push_back(entry.second);
   return result;
@@ -52,8 +53,9 @@ int main(int argc, char* argv[])
 {
   const Examples::Articulated_figure figure(5000);
   const Mesh mesh = figure.make_mesh<Mesh>();
-  const auto left = hand(mesh, figure.landmark(Examples::Landmark::LEFT_HAND));
-  const auto right = hand(mesh, figure.landmark(Examples::Landmark::RIGHT_HAND));
+  const auto left = hand(mesh, Mesh::Vertex_index(figure.landmark(Examples::Landmark::LEFT_HAND)));
+  const auto right
+    = hand(mesh, Mesh::Vertex_index(figure.landmark(Examples::Landmark::RIGHT_HAND)));
   const std::size_t n = (std::min)(left.size(), right.size());
 
   CP::Result reused; // distances and target are the same for all three
@@ -64,15 +66,16 @@ int main(int argc, char* argv[])
     CP::Options options;
     options.given = reused;
     options.return_landmark_fields = true;
+    CP::Vertex_constraints_3<Mesh> constraints(mesh);
     for(std::size_t i = 0; i < n && stiffness > 0; ++i)
-      options.springs.push_back({left[i], right[i], 0.1 /* meters */, stiffness / double(n)});
+      constraints.add_spring(left[i], right[i], 0.1 /* meters */, stiffness / double(n));
+    options.constraints = constraints.constraints();
     Mesh pose = mesh;
     reused = CGAL::canonical_pose_3(mesh, pose.points(), options);
     if(!reused.is_usable())
       return EXIT_FAILURE;
     const auto& points = pose.points();
-    distance[name] = std::sqrt(CGAL::squared_distance(points[Mesh::Vertex_index(left[0])],
-                                                      points[Mesh::Vertex_index(right[0])]));
+    distance[name] = std::sqrt(CGAL::squared_distance(points[left[0]], points[right[0]]));
     std::cout << name << ": hands " << distance[name] << " m apart; " << reused << '\n';
     if(argc > 1 && !CGAL::IO::write_polygon_mesh(std::string(argv[1]) + name + ".off", pose))
       return EXIT_FAILURE;

@@ -121,8 +121,7 @@ canonical_pose_3(const TriangleMesh& tmesh, PoseVertexPointMap pose_vertex_point
   const Result result = Canonical_pose_3::internal::pose_of_surface(
     points, Canonical_pose_3::internal::index_polygons(tmesh),
     Canonical_pose_3::internal::options_of_parameters(options, np),
-    Canonical_pose_3::internal::linked_bodies(),
-    Canonical_pose_3::internal::factor_makers_of_parameters(np));
+    Canonical_pose_3::internal::linked_bodies());
   if(result.is_usable())
     put_points(result.pose, tmesh, pose_vertex_point_map, traits);
   return result;
@@ -184,8 +183,7 @@ canonical_pose_3(const PointRange& points, const PolygonRange& polygons, PosePoi
     indices.emplace_back(std::begin(polygon), std::end(polygon));
   const Result result = Canonical_pose_3::internal::pose_of_surface(
     rows, indices, Canonical_pose_3::internal::options_of_parameters(options, np),
-    Canonical_pose_3::internal::linked_bodies(),
-    Canonical_pose_3::internal::factor_makers_of_parameters(np));
+    Canonical_pose_3::internal::linked_bodies());
   if(result.is_usable())
   {
     pose.clear();
@@ -236,8 +234,7 @@ canonical_pose_3(const TetrahedralComplex& complex, PoseVertexPointMap pose_vert
   const auto indexed = Canonical_pose_3::internal::indexed_complex(complex, traits);
   const double seconds_to_index = timer.time();
   Result result = Canonical_pose_3::internal::pose_of_complex(
-    indexed.points, indexed.cells, Canonical_pose_3::internal::options_of_parameters(options, np),
-    Canonical_pose_3::internal::factor_makers_of_parameters(np));
+    indexed.points, indexed.cells, Canonical_pose_3::internal::options_of_parameters(options, np));
   result.summary.add_seconds("body", seconds_to_index);
   if(result.is_usable())
     for(std::size_t i = 0; i < indexed.vertices.size(); ++i)

@@ -7,6 +7,12 @@
 //
 // Author(s) : The Canonical_pose_3 authors
 
+#include <CGAL/Canonical_pose_3/internal/pipeline/body_of_surface_impl.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/geodesic_distances_impl.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/joined_result_impl.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/landmark_fields_impl.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/mds_target_impl.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/pose_of_complex_impl.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/pose_of_surface_impl.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/prepare_surface_impl.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/registered_pose_impl.h>

@@ -122,7 +122,7 @@ TEST(Components, constraints_that_do_not_fit_are_refused)
 {
   const auto expect_refused = [](const Polygon_soup& soup, CP::Options options,
                                  const CP::Spring_3& spring, const char* const text) {
-    options.springs = {spring};
+    options.constraints.springs = {spring};
     EXPECT_THROW_WITH(pose_of(soup, options), std::invalid_argument, text);
   };
   const std::size_t of_large = two_bars().points.size() - 1;
@@ -144,7 +144,7 @@ TEST(Components, constraints_that_do_not_fit_are_refused)
 TEST(Components, constraints_belong_to_their_component)
 {
   CP::Options options = shapes::each_component();
-  options.springs = {{2, 40, 1., 0.2}};
+  options.constraints.springs = {{2, 40, 1., 0.2}};
   const Point_matrix pose = pose_of(two_bars(), options).pose;
   EXPECT_EQ(pose.topRows(small_size), pose_of(small_bar(), options).pose);
   EXPECT_GT((pose - pose_of(two_bars(), shapes::each_component()).pose).norm(), 1e-3);

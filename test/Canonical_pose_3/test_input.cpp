@@ -137,7 +137,7 @@ TEST(Bad_input, options_are_refused_by_name)
   options.number_of_threads = -1;
   expect_refused(mesh, "number_of_threads", options);
   options = CP::Options();
-  options.springs.push_back({0, 1000000, 1., 1.});
+  options.constraints.springs.push_back({0, 1000000, 1., 1.});
   expect_refused(mesh, "spring 0 names vertex 1000000", options);
 }
 

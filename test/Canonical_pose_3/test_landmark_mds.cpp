@@ -189,7 +189,7 @@ TEST(Landmark_mds, bad_distances_are_named)
   fields.distances(7, 2) = 1;
   fields.landmarks[3] = 9;
   EXPECT_THROW_WITH(builder.build(fields), std::invalid_argument,
-                    "landmark 9 is not one of the 9 points");
+                    "have landmark 9, but there are 9 vertices");
   fields.landmarks.pop_back();
   EXPECT_THROW_WITH(builder.build(fields), std::invalid_argument, "3 landmarks but 4 columns");
   EXPECT_THROW_WITH(builder.build(CP::Landmark_fields_3()), std::invalid_argument, "no landmark");

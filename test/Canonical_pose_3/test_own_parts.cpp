@@ -12,6 +12,8 @@
 #include <CGAL/Canonical_pose_3/Lattice_body_3.h>
 #include <CGAL/Canonical_pose_3/Wavefront_geodesics_3.h>
 #include <CGAL/Canonical_pose_3/front_landmarks.h>
+#include <CGAL/Canonical_pose_3/Indexed_tetrahedra_3.h>
+#include <CGAL/Canonical_pose_3/Vertex_constraints_3.h>
 #include <CGAL/Canonical_pose_3/geodesic_distances.h>
 #include <CGAL/Canonical_pose_3/landmark_fields_function.h>
 #include <CGAL/Canonical_pose_3/make_triangle_mesh.h>
@@ -28,11 +30,13 @@
 #include "matchers.h"
 #include "shapes.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace CP = CGAL::Canonical_pose_3;
@@ -101,6 +105,84 @@ TEST(Own_parts, are_used_as_those_named)
                              CGAL::parameters::sparse_linear_solver(CP::Eigen_factor_traits_d()));
   EXPECT_EQ(by_eigen.pose, pose(named));
   EXPECT_EQ(by_eigen.summary.solver, shapes::pose_of(soup, named).summary.solver);
+  own.linear_solver = CP::Linear_solver(CP::Eigen_factor_traits_d());
+  EXPECT_EQ(pose(own), pose(named));
+}
+
+// A constraint of the user's own type, in the rows that it is called with, does what the same one does by indices of the
+// input.
+TEST(Own_parts, constraints)
+{
+  const auto soup = shapes::with_isolated_vertices(shapes::bar(), 3);
+  const CP::Handle_3 handle{40, Eigen::RowVector3d(3, 2, 1), 0.2};
+  CP::Options named, own;
+  named.constraints.handles = {handle};
+  own.constraints.function = [&](const std::vector<std::size_t>& vertices) {
+    CP::Handle_constraint_adaptor_3 constraint(vertices.size());
+    CP::Handle_3 local = handle;
+    local.p = std::size_t(std::find(vertices.begin(), vertices.end(), 40) - vertices.begin());
+    constraint.insert(local);
+    return std::vector<CP::Registration_constraint_3>{constraint};
+  };
+  const Point_matrix expected = shapes::pose_of(soup, named).pose;
+  EXPECT_EQ(shapes::pose_of(soup, own).pose, expected);
+  EXPECT_NE(shapes::pose_of(soup, CP::Options()).pose, expected);
+
+  own.constraints.function = [](const std::vector<std::size_t>& vertices) {
+    CP::Handle_constraint_adaptor_3 constraint(vertices.size() + 1);
+    constraint.insert({vertices.size(), Eigen::RowVector3d::Zero(), 1});
+    return std::vector<CP::Registration_constraint_3>{constraint};
+  };
+  EXPECT_THROW_WITH(shapes::pose_of(soup, own), std::invalid_argument,
+                    "a constraint names surface vertex " + std::to_string(soup.points.size() - 3));
+}
+
+// Vertex descriptors are the indices of the vertices in their order; those of a mesh with removed vertices are not.
+template <class Triangle_mesh>
+void expect_indices(const Triangle_mesh& mesh)
+{
+  using Point = typename boost::property_traits<
+    typename boost::property_map<Triangle_mesh, CGAL::vertex_point_t>::type>::value_type;
+  CP::Vertex_constraints_3<Triangle_mesh> constraints(mesh);
+  const std::vector<typename boost::graph_traits<Triangle_mesh>::vertex_descriptor> v(
+    vertices(mesh).begin(), vertices(mesh).end());
+  constraints.add_spring(v[3], v[5], 0.5, 2);
+  constraints.add_direction(v[4], v[1], Point(1, 2, 3) - Point(0, 0, 0));
+  constraints.add_handle(v[6], Point(4, 5, 6), 0.25);
+  constraints.add_symmetric_pair(v[7], v[0]);
+  const CP::Constraints_3& c = constraints.constraints();
+  EXPECT_EQ(c.springs.at(0).p, 3u);
+  EXPECT_EQ(c.springs.at(0).q, 5u);
+  EXPECT_EQ(c.springs.at(0).rest_length, 0.5);
+  EXPECT_EQ(c.springs.at(0).stiffness, 2);
+  EXPECT_EQ(c.directions.at(0).p, 4u);
+  EXPECT_EQ(c.directions.at(0).vector, Eigen::RowVector3d(1, 2, 3));
+  EXPECT_EQ(c.handles.at(0).p, 6u);
+  EXPECT_EQ(c.handles.at(0).position, Eigen::RowVector3d(4, 5, 6));
+  EXPECT_EQ(c.symmetric_pairs.at(0).q, 0u);
+}
+
+TEST(Own_parts, constraints_by_vertex_descriptors)
+{
+  const auto soup = shapes::bent_bar();
+  const Point_matrix points = shapes::to_matrix(soup.points);
+  Mesh mesh = CP::make_triangle_mesh<Mesh>(points, soup.triangles);
+  mesh.remove_vertex(mesh.add_vertex());
+  expect_indices(mesh);
+  const Mesh::Vertex_index removed = mesh.add_vertex();
+  mesh.add_vertex();
+  mesh.remove_vertex(removed);
+  CP::Vertex_constraints_3<Mesh> constraints(mesh);
+  EXPECT_THROW_WITH(constraints.add_spring(Mesh::Vertex_index(0), removed, 1),
+                    std::invalid_argument, "does not have");
+  expect_indices(CP::make_triangle_mesh<CGAL::Polyhedron_3<Kernel>>(points, soup.triangles));
+
+  using Complex = CP::Indexed_tetrahedra_3<Kernel::Point_3>;
+  Complex complex;
+  complex.points.assign(5, Kernel::Point_3(0, 0, 0));
+  CP::Vertex_constraints_3<Complex> on_complex(complex);
+  on_complex.add_spring(1, 4, 2.);
+  EXPECT_EQ(on_complex.constraints().springs.at(0).q, 4u);
 }
 
 // Parts get the surface as it was repaired, one component at a time.
@@ -122,19 +204,19 @@ TEST(Own_parts, of_components)
 // What is of no use is refused.
 TEST(Own_parts, bad_ones_are_named)
 {
-  const auto expect_refused = [](const CP::Options& options, const char* const text) {
+  const auto expect_refused = [](const CP::Options& options, const std::string& text) {
     EXPECT_THROW_WITH(pose(options), std::invalid_argument, text);
   };
   CP::Landmark_fields_3 fields;
   CP::Options options;
   options.landmark_fields_function
     = [&](const Point_matrix&, const Triangles&, std::size_t, std::size_t) { return fields; };
-  expect_refused(options, "returned 0 x 0 distances");
+  expect_refused(options, "that the function returned have no column");
   const Eigen::Index n = Eigen::Index(shapes::bent_bar().points.size());
   fields.distances.setOnes(n, 2);
-  expect_refused(options, "one point per column");
+  expect_refused(options, "have 0 landmarks, but 2 columns");
   fields.landmarks = {0, std::size_t(n)};
-  expect_refused(options, "one point per column");
+  expect_refused(options, "have landmark " + std::to_string(n));
   fields.distances(3, 1) = std::numeric_limits<double>::infinity();
   expect_refused(options, "not finite");
 

@@ -146,10 +146,10 @@ TEST(Parts_of_complexes, options_belong_to_their_part)
   const Eigen::Index n = Eigen::Index(two_bars().cells.size());
   options.stiffness = Eigen::VectorXd::Ones(n);
   options.stiffness.head(Eigen::Index(small_bar().cells.size())).setConstant(4);
-  options.springs = {{0, std::size_t(small_size) - 1, 1., 0.3}};
+  options.constraints.springs = {{0, std::size_t(small_size) - 1, 1., 0.3}};
   CP::Options small_options;
   small_options.stiffness = options.stiffness.head(Eigen::Index(small_bar().cells.size()));
-  small_options.springs = options.springs;
+  small_options.constraints.springs = options.constraints.springs;
   const Point_matrix pose = pose_of(two_bars(), options).pose;
   EXPECT_EQ(pose.topRows(small_size), pose_of(small_bar(), small_options).pose);
   EXPECT_EQ(pose.bottomRows(plain.rows() - small_size),

@@ -213,19 +213,19 @@ TEST(Pipeline, handles_and_symmetric_pairs)
   double previous = (free_pose.row(left) - place).norm();
   for(const double stiffness : {0.01, 0.1})
   {
-    options.handles = {{left, place, stiffness}};
+    options.constraints.handles = {{left, place, stiffness}};
     const double distance = (canonical_pose(mesh, options).pose.row(left) - place).norm();
     EXPECT_LT(distance, 0.8 * previous);
     previous = distance;
   }
 
-  options.handles.clear();
+  options.constraints.handles.clear();
   CP::Symmetry_constraint_adaptor_3 symmetry(mesh.number_of_vertices());
   for(const CP::Symmetric_pair_3& pair :
       {CP::Symmetric_pair_3{left, right, 0.1}, CP::Symmetric_pair_3{0, 0, 0.1},
        CP::Symmetric_pair_3{100, 1000, 0.1}})
   {
-    options.symmetric_pairs.push_back(pair);
+    options.constraints.symmetric_pairs.push_back(pair);
     symmetry.insert(pair);
   }
   EXPECT_LT(symmetry.energy(canonical_pose(mesh, options).pose), 0.5 * symmetry.energy(free_pose));
@@ -242,9 +242,9 @@ TEST(Pipeline, springs_pull_the_hands_together)
   double previous = 1e9;
   for(const double stiffness : {0., 0.002, 0.1})
   {
-    options.springs.clear();
+    options.constraints.springs.clear();
     if(stiffness > 0)
-      options.springs.push_back({left, right, 0.05, stiffness});
+      options.constraints.springs.push_back({left, right, 0.05, stiffness});
     const CP::Result result = canonical_pose(mesh, options);
     options.given = result;
     const Point_matrix& pose = result.pose;

@@ -146,12 +146,12 @@ TEST(Reuse_of_results, what_does_not_fit_is_named)
   expect_refused(given, "no column");
   given = result;
   given.landmark_fields->landmarks[4] = soup.points.size();
-  expect_refused(given, "landmark is vertex");
+  expect_refused(given, "the given distances have landmark ");
   given.landmark_fields->landmarks[4] = 1;
   expect_refused(given, "landmark vertex 1 is not on the surface");
   given.landmark_fields->landmarks.pop_back();
-  expect_refused(given, "79 given landmarks");
+  expect_refused(given, "the given distances have 79 landmarks");
   given = result;
   given.landmark_fields->distances(9, 2) = -1;
-  expect_refused(given, "the given distance of vertex 9 to landmark");
+  expect_refused(given, "the given distances: the distance of vertex 9 to landmark");
 }

@@ -14,6 +14,7 @@
 #include <CGAL/Canonical_pose_3/Squared_distance_kernel.h>
 #include <CGAL/Canonical_pose_3/internal/linear_algebra/leading_eigenvectors.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+#include <CGAL/Canonical_pose_3/internal/target/check_landmark_fields.h>
 
 #include <CGAL/assertions.h>
 
@@ -78,7 +79,8 @@ public:
   */
   void build(const Landmark_fields_3& fields)
   {
-    check(fields);
+    internal::check_landmark_fields(fields, static_cast<std::size_t>(fields.distances.rows()),
+                                    "the landmark fields");
     m_length_scale = fields.distances.maxCoeff();
     const Eigen::MatrixXd g = landmark_distances(fields);
     const double unit = m_length_scale > 0 ? m_length_scale : 1;
@@ -144,27 +146,6 @@ private:
     if(!values.allFinite())
       throw std::invalid_argument(std::string("the kernel ") + m_kernel.name()
                                   + " is not finite at a distance between points");
-  }
-
-  static void check(const Landmark_fields_3& fields)
-  {
-    const Eigen::MatrixXd& d = fields.distances;
-    if(d.cols() == 0 || d.rows() == 0)
-      throw std::invalid_argument("there is no landmark to embed");
-    if(fields.landmarks.size() != static_cast<std::size_t>(d.cols()))
-      throw std::invalid_argument("there are " + std::to_string(fields.landmarks.size())
-                                  + " landmarks but " + std::to_string(d.cols())
-                                  + " columns of distances");
-    for(const std::size_t landmark : fields.landmarks)
-      if(landmark >= static_cast<std::size_t>(d.rows()))
-        throw std::invalid_argument("landmark " + std::to_string(landmark) + " is not one of the "
-                                    + std::to_string(d.rows()) + " points");
-    for(Eigen::Index j = 0; j < d.cols(); ++j)
-      for(Eigen::Index i = 0; i < d.rows(); ++i)
-        if(!std::isfinite(d(i, j)) || d(i, j) < 0)
-          throw std::invalid_argument("the distance of vertex " + std::to_string(i)
-                                      + " to landmark " + std::to_string(fields.landmarks[j])
-                                      + " is " + (d(i, j) < 0 ? "negative" : "not finite"));
   }
 
   static Eigen::MatrixXd landmark_distances(const Landmark_fields_3& fields)

@@ -10,15 +10,13 @@
 #ifndef CGAL_CANONICAL_POSE_3_OPTIONS_H
 #define CGAL_CANONICAL_POSE_3_OPTIONS_H
 
-#include <CGAL/Canonical_pose_3/Direction_constraint_adaptor_3.h>
+#include <CGAL/Canonical_pose_3/Constraints_3.h>
 #include <CGAL/Canonical_pose_3/Elastic_body_3.h>
-#include <CGAL/Canonical_pose_3/Handle_constraint_adaptor_3.h>
 #include <CGAL/Canonical_pose_3/Landmark_fields_3.h>
+#include <CGAL/Canonical_pose_3/Linear_solver.h>
 #include <CGAL/Canonical_pose_3/Mds_kernel.h>
 #include <CGAL/Canonical_pose_3/Registration_options.h>
 #include <CGAL/Canonical_pose_3/Registration_progress.h>
-#include <CGAL/Canonical_pose_3/Spring_constraint_adaptor_3.h>
-#include <CGAL/Canonical_pose_3/Symmetry_constraint_adaptor_3.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
@@ -85,11 +83,11 @@ using Body_function = std::function<Elastic_body_3(
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief holds the knobs of `canonical_pose_3()`.
+\brief holds the options of `canonical_pose_3()` that do not depend on the vertices of the input.
 
-Distances, kernel and body are chosen by enumerations, or are the user's own: a function or a model of a concept.
+Distances, kernel, body and solver are chosen by enumerations, or are the user's own: a function or a model of a concept.
 */
-struct Options
+struct Method_options
 {
   /// model of `GeodesicDistances_3` to measure with: `Heat_geodesics_3`, `Wavefront_geodesics_3`.
   enum class Geodesics { HEAT, WAVEFRONT };
@@ -114,6 +112,10 @@ struct Options
 
   /// if set, this measures instead, with `Exact_geodesics_3` for instance: see `landmark_fields_function()`.
   Landmark_fields_function landmark_fields_function;
+
+  /// if set, the target is made of these distances, in the unit of the mesh, whereas the body and the length
+  /// \f$ L \f$ keep to those above.
+  Landmark_fields_function target_fields_function;
 
   /// number of landmarks, at least 1. Of those that a surface of \f$ n \f$ vertices can have, \f$ n \f$, at
   /// most 4096, and at most \f$ 2^{29} / n \f$.
@@ -141,7 +143,7 @@ struct Options
   /// components of a surface or a complex.
   Components components = Components::REFUSE;
 
-  /// the knobs of the registration.
+  /// the options of the registration.
   Registration_options registration;
 
   /// if set, these replace detail length, Tikhonov weight and matching weights, and rotations are
@@ -149,6 +151,36 @@ struct Options
   /// as the paper does.
   std::optional<Paper_weights> paper_weights;
 
+  /// the target is scaled down, and the registration repeated, where the volume of the pose exceeds this multiple of the
+  /// volume at rest: geodesics lead around a compact body, so that its target is too large. Positive. If not set,
+  /// 1.15 for a target that is computed, without paper weights, and otherwise no limit.
+  std::optional<double> volume_ratio_limit;
+
+  /// the linear solver.
+  Solver solver = Solver::AUTOMATIC;
+
+  /// if set, a solver that takes the place of `solver`.
+  std::optional<Linear_solver> linear_solver;
+
+  /// upper bound on the number of threads; 0 for none. The result does not depend on it.
+  int number_of_threads = 0;
+
+  /// a model of `RegistrationVisitor_3` that watches the registration and may stop it, or none. With
+  /// a pose for each of several components it watches one after the other, the smallest first, each
+  /// from iteration 1; to stop one is to begin with the next.
+  Registration_visitor visitor;
+
+  /// whether the result is to hold the landmarks and the distances to them.
+  bool return_landmark_fields = false;
+};
+
+/*!
+\ingroup PkgCanonicalPose3Ref
+
+\brief holds the options of `canonical_pose_3()` that refer to vertices of the input.
+*/
+struct Vertex_options
+{
   /// nonnegative factors of the matching weights (shares in the area, which have the sum 1 again
   /// afterwards), one per vertex in the order of `vertices(tmesh)` or of the vertices of the complex,
   /// or none; see `property_values()`. A vertex of factor 0 has no target and follows the others.
@@ -159,31 +191,8 @@ struct Options
   /// everywhere is the same as a detail length \f$ \sqrt c \f$ times as large.
   Eigen::VectorXd stiffness;
 
-  /// springs between vertices, by their indices in `vertices(tmesh)` or among the vertices of the complex. The
-  /// vertices of a constraint belong to one component, which has a pose of its own.
-  std::vector<Spring_3> springs;
-
-  /// pairs of vertices with the prescribed vector between them, named as those of `springs`. Vectors and
-  /// positions are in the frame of the input, where the pose lies (see `align_target()`).
-  std::vector<Directed_pair_3> directions;
-
-  /// vertices with their prescribed positions.
-  std::vector<Handle_3> handles;
-
-  /// pairs of vertices that are to be mirror images of each other in one common plane; the vertices
-  /// of each component have a plane of their own.
-  std::vector<Symmetric_pair_3> symmetric_pairs;
-
-  /// the linear solver.
-  Solver solver = Solver::AUTOMATIC;
-
-  /// upper bound on the number of threads; 0 for none. The result does not depend on it.
-  int number_of_threads = 0;
-
-  /// a model of `RegistrationVisitor_3` that watches the registration and may stop it, or none. With
-  /// a pose for each of several components it watches one after the other, the smallest first, each
-  /// from iteration 1; to stop one is to begin with the next.
-  Registration_visitor visitor;
+  /// the constraints.
+  Constraints_3 constraints;
 
   /// \f$ m \times 3 \f$, points near the surface, such as markers or the vertices of a finer version of
   /// it, that are to follow it, each the component that is nearest to it; see `Body_deformer_3`. Their pose is
@@ -193,10 +202,15 @@ struct Options
   /// distances and target to use instead of computing them, as far as they are there. The `Result` of an earlier
   /// call for the same input can be assigned to it. Distances can be given for a single component only.
   Intermediate_results given;
-
-  /// whether the result is to hold the landmarks and the distances to them.
-  bool return_landmark_fields = false;
 };
+
+/*!
+\ingroup PkgCanonicalPose3Ref
+
+\brief holds the options of `canonical_pose_3()`.
+*/
+struct Options : Method_options, Vertex_options
+{};
 
 } // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3

@@ -61,16 +61,16 @@ Options read_options(Byte_source& bytes, const std::size_t number_of_points)
     switch(bytes.below(4))
     {
     case 0:
-      options.springs.push_back({vertex(), vertex(), length(), stiffness()});
+      options.constraints.springs.push_back({vertex(), vertex(), length(), stiffness()});
       break;
     case 1:
-      options.directions.push_back({vertex(), vertex(), vector(), stiffness()});
+      options.constraints.directions.push_back({vertex(), vertex(), vector(), stiffness()});
       break;
     case 2:
-      options.handles.push_back({vertex(), vector(), stiffness()});
+      options.constraints.handles.push_back({vertex(), vector(), stiffness()});
       break;
     default:
-      options.symmetric_pairs.push_back({vertex(), vertex(), stiffness()});
+      options.constraints.symmetric_pairs.push_back({vertex(), vertex(), stiffness()});
     }
   return options;
 }

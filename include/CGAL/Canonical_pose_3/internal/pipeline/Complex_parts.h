@@ -10,8 +10,10 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_COMPLEX_PARTS_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_COMPLEX_PARTS_H
 
+#include <CGAL/Canonical_pose_3/Surface_component_3.h>
 #include <CGAL/Canonical_pose_3/internal/body/boundary_triangles.h>
-#include <CGAL/Canonical_pose_3/internal/pipeline/Posed_component.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/Vertex_map.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/fragments.h>
 #include <CGAL/Canonical_pose_3/internal/soup/signed_volume.h>
 #include <CGAL/Canonical_pose_3/internal/support/Disjoint_sets.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
@@ -38,7 +40,7 @@ struct Complex_part
 {
   std::vector<std::size_t> cells;
   std::vector<std::size_t> surface_vertices; // of each vertex of the surface: its row in the pose
-  Posed_component component; // rows of the pose: vertices of the cells, in their order
+  Surface_component_3 surface; // its body_origins: vertices of the cells, in their order
 };
 
 // The boundary of a complex, and its parts by decreasing volume. Parts that have vertices, but no face, in
@@ -76,13 +78,14 @@ public:
   {
     Complex_part part;
     part.cells = m_cells_of_parts[i];
-    part.component = component_of(m_outer_surfaces[i]);
+    part.surface = surface_of(m_outer_surfaces[i]);
     for(const std::size_t t : part.cells)
       for(const int v : m_cells[t])
-        part.component.vertices.push_back(static_cast<std::size_t>(v));
-    sort_and_make_unique(part.component.vertices);
-    for(const std::size_t row : part.component.field_rows)
-      part.surface_vertices.push_back(index_in(part.component.vertices, m_boundary_vertices[row]));
+        part.surface.body_origins.push_back(static_cast<std::size_t>(v));
+    sort_and_make_unique(part.surface.body_origins);
+    for(const std::size_t row : part.surface.origins)
+      part.surface_vertices.push_back(
+        index_in(part.surface.body_origins, m_boundary_vertices[row]));
     return part;
   }
 
@@ -95,20 +98,12 @@ public:
       result.emplace_back();
       for(std::size_t k = 0; k < 4; ++k)
         result.back()[k] = static_cast<int>(
-          index_in(part.component.vertices, static_cast<std::size_t>(m_cells[t][k])));
+          index_in(part.surface.body_origins, static_cast<std::size_t>(m_cells[t][k])));
     }
     return result;
   }
 
 private:
-  static constexpr double SHARE_OF_FRAGMENTS = 0.05;
-
-  static void sort_and_make_unique(std::vector<std::size_t>& numbers)
-  {
-    std::sort(numbers.begin(), numbers.end());
-    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
-  }
-
   static std::size_t index_in(const std::vector<std::size_t>& sorted, const std::size_t number)
   {
     return static_cast<std::size_t>(std::lower_bound(sorted.begin(), sorted.end(), number)
@@ -151,7 +146,7 @@ private:
     std::stable_sort(parts.begin(), parts.end(),
                      [&](const auto& a, const auto& b) { return volume(a) > volume(b); });
     find_outer_surfaces(parts);
-    unite_fragments(std::move(parts));
+    unite_fragments(parts);
   }
 
   // Of the surfaces of a part, that of the largest volume is the outer one.
@@ -179,7 +174,7 @@ private:
     std::vector<double> largest(parts.size(), -std::numeric_limits<double>::infinity());
     for(std::vector<std::size_t>& surface : members(surfaces, m_triangles.size()))
     {
-      const Posed_component component = component_of(surface);
+      const Surface_component_3 component = surface_of(surface);
       const double volume = signed_volume(component.points, component.triangles);
       const std::size_t p = part_of_cell[m_boundary_faces[surface.front()] / 4];
       if(volume > largest[p])
@@ -190,63 +185,55 @@ private:
     }
   }
 
-  void unite_fragments(std::vector<std::vector<std::size_t>> parts)
+  void unite_fragments(const std::vector<std::vector<std::size_t>>& parts)
   {
-    Disjoint_sets sets(parts.size());
-    std::vector<std::size_t> part_of_vertex(static_cast<std::size_t>(m_points.rows()),
-                                            parts.size());
-    for(std::size_t p = 0; p < parts.size(); ++p)
+    std::vector<double> volumes;
+    for(const std::vector<std::size_t>& cells : parts)
+      volumes.push_back(volume(cells));
+    const auto vertices_of = [&](const std::size_t p, const auto& f) {
       for(const std::size_t t : parts[p])
         for(const int v : m_cells[t])
-        {
-          std::size_t& other = part_of_vertex[static_cast<std::size_t>(v)];
-          if(other == parts.size())
-            other = p;
-          sets.unite(p, other);
-        }
+          f(static_cast<std::size_t>(v));
+    };
+    const std::vector<std::size_t> owners
+      = owners_of_fragments(volumes, static_cast<std::size_t>(m_points.rows()), vertices_of);
     std::vector<std::vector<std::size_t>> surfaces;
-    m_cells_of_parts.assign(parts.size(), {});
-    for(const std::vector<std::size_t>& group : members(sets, parts.size()))
-    {
-      double rest = 0;
-      for(std::size_t k = 1; k < group.size(); ++k)
-        rest += volume(parts[group[k]]);
-      const bool is_one = rest <= SHARE_OF_FRAGMENTS * volume(parts[group.front()]);
-      for(const std::size_t p : group)
-      {
-        std::vector<std::size_t>& cells = m_cells_of_parts[is_one ? group.front() : p];
-        cells.insert(cells.end(), parts[p].begin(), parts[p].end());
-      }
-      std::sort(m_cells_of_parts[group.front()].begin(), m_cells_of_parts[group.front()].end());
-    }
+    std::vector<std::size_t> index(parts.size());
     for(std::size_t p = 0; p < parts.size(); ++p)
-      if(!m_cells_of_parts[p].empty())
+    {
+      if(owners[p] == p)
+      {
+        index[p] = m_cells_of_parts.size();
+        m_cells_of_parts.emplace_back();
         surfaces.push_back(std::move(m_outer_surfaces[p]));
+      }
+      std::vector<std::size_t>& cells = m_cells_of_parts[index[owners[p]]];
+      cells.insert(cells.end(), parts[p].begin(), parts[p].end());
+    }
+    for(std::vector<std::size_t>& cells : m_cells_of_parts)
+      std::sort(cells.begin(), cells.end());
     m_outer_surfaces = std::move(surfaces);
-    m_cells_of_parts.erase(std::remove_if(m_cells_of_parts.begin(), m_cells_of_parts.end(),
-                                          [](const auto& cells) { return cells.empty(); }),
-                           m_cells_of_parts.end());
   }
 
   // A surface with its own numbers of vertices, but without the vertices of the pose.
-  Posed_component component_of(const std::vector<std::size_t>& surface) const
+  Surface_component_3 surface_of(const std::vector<std::size_t>& surface) const
   {
-    Posed_component component;
+    Surface_component_3 component;
     for(const std::size_t i : surface)
-      component.field_rows.insert(component.field_rows.end(), m_triangles[i].begin(),
-                                  m_triangles[i].end());
-    sort_and_make_unique(component.field_rows);
+      component.origins.insert(component.origins.end(), m_triangles[i].begin(),
+                               m_triangles[i].end());
+    sort_and_make_unique(component.origins);
     for(const std::size_t i : surface)
     {
       component.triangles.push_back(m_triangles[i]);
       for(std::size_t& v : component.triangles.back())
-        v = index_in(component.field_rows, v);
-      component.faces.push_back(i);
+        v = index_in(component.origins, v);
+      component.face_of_triangle.push_back(i);
     }
-    component.points.resize(static_cast<Eigen::Index>(component.field_rows.size()), 3);
-    for(std::size_t i = 0; i < component.field_rows.size(); ++i)
+    component.points.resize(static_cast<Eigen::Index>(component.origins.size()), 3);
+    for(std::size_t i = 0; i < component.origins.size(); ++i)
       component.points.row(static_cast<Eigen::Index>(i))
-        = m_boundary_points.row(static_cast<Eigen::Index>(component.field_rows[i]));
+        = m_boundary_points.row(static_cast<Eigen::Index>(component.origins[i]));
     return component;
   }
 

@@ -10,6 +10,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_OPTIONS_CONSTRAINTS_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_OPTIONS_CONSTRAINTS_H
 
+#include <CGAL/Canonical_pose_3/Constraints_3.h>
 #include <CGAL/Canonical_pose_3/internal/registration/Arap_registration.h>
 #include <CGAL/Canonical_pose_3/internal/registration/Registration_constraint_base.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
@@ -17,6 +18,7 @@
 #include <cstddef>
 #include <memory>
 #include <type_traits>
+#include <vector>
 
 namespace CGAL {
 namespace Canonical_pose_3 {
@@ -27,32 +29,39 @@ namespace internal {
 class Options_constraints
 {
 public:
-  // `Elements`: `Options` or `Component_values`. `number_of_vertices`: of those that they name.
+  // `number_of_vertices`: of those that the constraints name.
   // Throws `std::invalid_argument` as `Constraint_list_3::insert()`.
-  template <class Elements>
-  Options_constraints(const Elements& elements, const std::size_t number_of_vertices)
-    : m_springs(number_of_vertices), m_directions(number_of_vertices),
-      m_handles(number_of_vertices), m_symmetric_pairs(number_of_vertices)
+  Options_constraints(const Constraints_3& constraints, const std::size_t number_of_vertices)
+    : m_function(constraints.function), m_springs(number_of_vertices),
+      m_directions(number_of_vertices), m_handles(number_of_vertices),
+      m_symmetric_pairs(number_of_vertices)
   {
-    insert(elements.springs, m_springs);
-    insert(elements.directions, m_directions);
-    insert(elements.handles, m_handles);
-    insert(elements.symmetric_pairs, m_symmetric_pairs);
+    insert(constraints.springs, m_springs);
+    insert(constraints.directions, m_directions);
+    insert(constraints.handles, m_handles);
+    insert(constraints.symmetric_pairs, m_symmetric_pairs);
   }
 
-  // Adds what is not empty.
-  void add_to(Arap_registration& registration)
+  // Adds what is not empty. `vertices`: of the input, for each surface vertex of the body.
+  void add_to(Arap_registration& registration, const std::vector<std::size_t>& vertices)
   {
-    const auto add = [&](auto& adaptor) {
-      if(!adaptor.elements().empty())
-        registration.add_constraint(
-          std::make_unique<Registration_constraint_model<std::decay_t<decltype(adaptor)>>>(
-            adaptor));
+    const auto add = [&](auto& constraint) {
+      registration.add_constraint(
+        std::make_unique<Registration_constraint_model<std::decay_t<decltype(constraint)>>>(
+          constraint));
     };
-    add(m_springs);
-    add(m_directions);
-    add(m_handles);
-    add(m_symmetric_pairs);
+    const auto add_list = [&](auto& adaptor) {
+      if(!adaptor.elements().empty())
+        add(adaptor);
+    };
+    add_list(m_springs);
+    add_list(m_directions);
+    add_list(m_handles);
+    add_list(m_symmetric_pairs);
+    if(m_function)
+      m_of_function = m_function(vertices);
+    for(Registration_constraint_3& constraint : m_of_function)
+      add(constraint);
   }
 
 private:
@@ -63,6 +72,8 @@ private:
       adaptor.insert(element);
   }
 
+  const Constraints_function m_function;
+  std::vector<Registration_constraint_3> m_of_function;
   Spring_constraint_adaptor_3 m_springs;
   Direction_constraint_adaptor_3 m_directions;
   Handle_constraint_adaptor_3 m_handles;

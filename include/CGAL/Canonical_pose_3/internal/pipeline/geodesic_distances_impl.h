@@ -12,7 +12,7 @@
 
 #include <CGAL/Canonical_pose_3/Options.h>
 #include <CGAL/Canonical_pose_3/geodesic_distances.h>
-#include <CGAL/Canonical_pose_3/internal/pipeline/Solver.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/solver_of_options.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/Thread_limit.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/with_geodesics.h>
 #include <CGAL/Canonical_pose_3/internal/soup/Face_defect.h>
@@ -40,7 +40,7 @@ inline Eigen::MatrixXd distances_on_surface(const Repaired_surface_3& surface,
   std::vector<Indexed_mesh::Vertex_index> vertices;
   for(const std::size_t source : sources)
     vertices.emplace_back(static_cast<Indexed_mesh::size_type>(source));
-  return with_geodesics(mesh, options, Solver(options).lane_factor_maker,
+  return with_geodesics(mesh, options, solver_of_options(options).lane_factor_maker(),
                         [&](const auto& geodesics) { return geodesics.distances(vertices); });
 }
 

@@ -10,8 +10,8 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_OPTIONS_OF_PARAMETERS_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_OPTIONS_OF_PARAMETERS_H
 
+#include <CGAL/Canonical_pose_3/Linear_solver.h>
 #include <CGAL/Canonical_pose_3/Options.h>
-#include <CGAL/Canonical_pose_3/internal/pipeline/Factor_makers.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 
 #include <CGAL/Kernel_traits.h>
@@ -45,18 +45,6 @@ auto traits_of_parameters(const NamedParameters& np)
     return Given(parameters::get_parameter(np, internal_np::geom_traits));
 }
 
-// The solver given, or none.
-template <class NamedParameters>
-Factor_makers factor_makers_of_parameters(const NamedParameters& np)
-{
-  using Given
-    = std::decay_t<decltype(parameters::get_parameter(np, internal_np::sparse_linear_solver))>;
-  if constexpr(std::is_same<Given, internal_np::Param_not_found>::value)
-    return {};
-  else
-    return {make_factor<Given>, make_lane_factor<Given>};
-}
-
 // The options, where named parameters do not replace them.
 template <class NamedParameters>
 Options options_of_parameters(Options options, const NamedParameters& np)
@@ -66,6 +54,9 @@ Options options_of_parameters(Options options, const NamedParameters& np)
   options.random_seed
     = choose_parameter(get_parameter(np, internal_np::random_seed), options.random_seed);
   options.visitor = choose_parameter(get_parameter(np, internal_np::visitor), options.visitor);
+  using Solver = std::decay_t<decltype(get_parameter(np, internal_np::sparse_linear_solver))>;
+  if constexpr(!std::is_same<Solver, internal_np::Param_not_found>::value)
+    options.linear_solver = Linear_solver(get_parameter(np, internal_np::sparse_linear_solver));
   return options;
 }
 

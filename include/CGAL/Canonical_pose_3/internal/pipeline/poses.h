@@ -13,7 +13,6 @@
 #include <CGAL/Canonical_pose_3/Options.h>
 #include <CGAL/Canonical_pose_3/Result.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/Body_makers.h>
-#include <CGAL/Canonical_pose_3/internal/pipeline/Factor_makers.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
@@ -30,11 +29,10 @@ namespace internal {
 
 Result pose_of_surface(const Point_matrix& points,
                        const std::vector<std::vector<std::size_t>>& polygons,
-                       const Options& options, const Body_makers& bodies,
-                       const Factor_makers& solver);
+                       const Options& options, const Body_makers& bodies);
 
 Result pose_of_complex(const Point_matrix& points, const std::vector<std::array<int, 4>>& cells,
-                       const Options& options, const Factor_makers& solver);
+                       const Options& options);
 
 } // namespace internal
 } // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION

@@ -185,6 +185,11 @@ private:
     std::vector<Eigen::Triplet<double>> entries;
     for(const auto& constraint : m_constraints)
       constraint->add_to_matrix(entries);
+    for(const Eigen::Triplet<double>& entry : entries)
+      for(const Eigen::Index row : {entry.row(), entry.col()})
+        if(row < 0 || row >= m_weights.size())
+          throw std::invalid_argument("a constraint names surface vertex " + std::to_string(row)
+                                      + ", but there are " + std::to_string(m_weights.size()));
     return surface_matrix(entries);
   }
 

@@ -7,43 +7,38 @@
 //
 // Author(s) : The Canonical_pose_3 authors
 
-#ifndef CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_COMPONENT_TARGET_H
-#define CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_COMPONENT_TARGET_H
+#ifndef CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_MDS_TARGET_IMPL_H
+#define CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_MDS_TARGET_IMPL_H
 
 #include <CGAL/Canonical_pose_3/Gaussian_kernel.h>
 #include <CGAL/Canonical_pose_3/Landmark_fields_3.h>
 #include <CGAL/Canonical_pose_3/Landmark_mds_target_builder_3.h>
 #include <CGAL/Canonical_pose_3/Mds_kernel.h>
 #include <CGAL/Canonical_pose_3/Options.h>
-#include <CGAL/Canonical_pose_3/Registration_summary.h>
 #include <CGAL/Canonical_pose_3/Squared_distance_kernel.h>
+#include <CGAL/Canonical_pose_3/Surface_component_3.h>
+#include <CGAL/Canonical_pose_3/Target_3.h>
 #include <CGAL/Canonical_pose_3/align_target.h>
-#include <CGAL/Canonical_pose_3/internal/pipeline/Posed_component.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/Thread_limit.h>
 #include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
+#include <CGAL/Canonical_pose_3/pose_steps.h>
+#include <CGAL/Canonical_pose_3/surface_measures.h>
 #include <CGAL/Canonical_pose_3/target_handedness.h>
+
+#include <CGAL/assertions.h>
 
 #include <Eigen/Core>
 
 #include <algorithm>
-#include <optional>
-#include <string>
 #include <vector>
 
 namespace CGAL {
 namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
-namespace internal {
 
-// Where a component is to go.
-struct Component_target
-{
-  Point_matrix points; // of its vertices
-  bool is_given = false;
-  Registration_summary::Target summary;
-  std::vector<std::string> warnings;
-};
+namespace internal {
 
 inline Mds_kernel kernel_of(const Options& options)
 {
@@ -60,12 +55,12 @@ inline Mds_kernel kernel_of(const Options& options)
   }
 }
 
-// The target by multidimensional scaling, neither aligned nor reflected.
-inline Component_target embedded_target(const Landmark_fields_3& fields, const Mds_kernel& kernel)
+// By multidimensional scaling, neither aligned nor reflected.
+inline Target_3 embedded_target(const Landmark_fields_3& fields, const Mds_kernel& kernel)
 {
   Landmark_mds_target_builder_3<Mds_kernel> builder(kernel);
   builder.build(fields);
-  Component_target target;
+  Target_3 target;
   target.points = builder.targets();
   target.summary.kernel = kernel.name();
   target.summary.stress = builder.stress();
@@ -80,28 +75,29 @@ inline Component_target embedded_target(const Landmark_fields_3& fields, const M
   return target;
 }
 
-// The target of a component, aligned with it and of its handedness, unless it is given. `shares`: of its vertices in
-// the area.
-inline Component_target component_target(const Posed_component& component,
-                                         const Landmark_fields_3& fields,
-                                         const std::optional<Point_matrix>& given,
-                                         const Options& options, const Eigen::VectorXd& shares)
+} // namespace internal
+
+CGAL_CANONICAL_POSE_3_INLINE Target_3 mds_target(const Surface_component_3& surface,
+                                                 const Landmark_fields_3& fields,
+                                                 const Options& options)
 {
-  Component_target target;
-  if(given)
+  const internal::Thread_limit limit(options);
+  CGAL_precondition(fields.distances.rows() == surface.points.rows());
+  Target_3 target;
+  if(options.given.target)
   {
-    target.points = *given;
+    target.points = *options.given.target;
     target.is_given = true;
     target.summary.kernel = "given";
   }
   else
   {
-    target = embedded_target(fields, kernel_of(options));
-    std::vector<Index_triangle> closed = component.triangles;
-    closed.insert(closed.end(), component.caps.begin(), component.caps.end());
-    target.summary.reflected
-      = target_handedness(target.points, component.points, closed, shares) < 0;
-    target.points = align_target(target.points, component.points, shares, target.summary.reflected);
+    target = internal::embedded_target(fields, internal::kernel_of(options));
+    std::vector<internal::Index_triangle> closed = surface.triangles;
+    closed.insert(closed.end(), surface.caps.begin(), surface.caps.end());
+    const Eigen::VectorXd shares = vertex_area_shares(surface.points, surface.triangles);
+    target.summary.reflected = target_handedness(target.points, surface.points, closed, shares) < 0;
+    target.points = align_target(target.points, surface.points, shares, target.summary.reflected);
   }
   target.summary.landmarks = fields.landmarks.size();
   target.summary.covering_radius = fields.covering_radius;
@@ -109,9 +105,8 @@ inline Component_target component_target(const Posed_component& component,
   return target;
 }
 
-} // namespace internal
 } // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 
-#endif // CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_COMPONENT_TARGET_H
+#endif // CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_MDS_TARGET_IMPL_H

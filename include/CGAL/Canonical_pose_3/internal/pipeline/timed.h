@@ -7,28 +7,33 @@
 //
 // Author(s) : The Canonical_pose_3 authors
 
-#ifndef CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_FACTOR_MAKERS_H
-#define CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_FACTOR_MAKERS_H
+#ifndef CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_TIMED_H
+#define CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_TIMED_H
 
-#include <CGAL/Canonical_pose_3/internal/linear_algebra/Factor_base.h>
-#include <CGAL/Canonical_pose_3/internal/linear_algebra/Lane_factor.h>
+#include <CGAL/Canonical_pose_3/Registration_summary.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+
+#include <CGAL/Real_timer.h>
 
 namespace CGAL {
 namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// What makes the factors of a linear solver; null for that of the options.
-struct Factor_makers
+// Adds the seconds of a function to a stage, and returns what it returns.
+template <class Function>
+auto timed(Registration_summary& summary, const char* stage, const Function& f)
 {
-  Factor_maker factor_maker = nullptr;
-  Lane_factor_maker lane_factor_maker = nullptr;
-};
+  Real_timer timer;
+  timer.start();
+  auto result = f();
+  summary.add_seconds(stage, timer.time());
+  return result;
+}
 
 } // namespace internal
 } // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 
-#endif // CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_FACTOR_MAKERS_H
+#endif // CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_TIMED_H

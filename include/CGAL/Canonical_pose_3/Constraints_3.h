@@ -1,0 +1,66 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_CONSTRAINTS_3_H
+#define CGAL_CANONICAL_POSE_3_CONSTRAINTS_3_H
+
+#include <CGAL/Canonical_pose_3/Direction_constraint_adaptor_3.h>
+#include <CGAL/Canonical_pose_3/Handle_constraint_adaptor_3.h>
+#include <CGAL/Canonical_pose_3/Registration_constraint_3.h>
+#include <CGAL/Canonical_pose_3/Spring_constraint_adaptor_3.h>
+#include <CGAL/Canonical_pose_3/Symmetry_constraint_adaptor_3.h>
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
+
+/// \ingroup PkgCanonicalPose3Ref
+/// returns constraints on the vertices of one component. Row \f$ i \f$ of the constraints is vertex `vertices[i]` of the
+/// input; the rows of a surface without defect are its vertices in their order.
+using Constraints_function
+  = std::function<std::vector<Registration_constraint_3>(const std::vector<std::size_t>& vertices)>;
+
+/*!
+\ingroup PkgCanonicalPose3Ref
+
+\brief holds the constraints of `canonical_pose_3()`.
+
+Vertices are indices: in the order of `vertices(tmesh)`, of the points of a soup, or of the vertices of a complex.
+`Vertex_constraints_3` takes vertex descriptors instead. The vertices of a constraint belong to one component, which has
+a pose of its own. Vectors and positions are in the frame of the input, where the pose lies (see `align_target()`).
+*/
+struct Constraints_3
+{
+  /// springs between vertices.
+  std::vector<Spring_3> springs;
+
+  /// pairs of vertices with the prescribed vector between them.
+  std::vector<Directed_pair_3> directions;
+
+  /// vertices with their prescribed positions.
+  std::vector<Handle_3> handles;
+
+  /// pairs of vertices that are to be mirror images of each other in one common plane; the vertices
+  /// of each component have a plane of their own.
+  std::vector<Symmetric_pair_3> symmetric_pairs;
+
+  /// if set, returns further constraints, of any type, on each component.
+  Constraints_function function;
+};
+
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_CONSTRAINTS_3_H

@@ -1,0 +1,58 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_LINEAR_SOLVER_H
+#define CGAL_CANONICAL_POSE_3_LINEAR_SOLVER_H
+
+#include <CGAL/Canonical_pose_3/internal/linear_algebra/Factor_base.h>
+#include <CGAL/Canonical_pose_3/internal/linear_algebra/Lane_factor.h>
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+
+#include <memory>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
+
+/*!
+\ingroup PkgCanonicalPose3Ref
+
+\brief holds the type of a linear solver, so that it can be chosen at run time.
+
+\sa `Options::linear_solver`
+*/
+class Linear_solver
+{
+public:
+  /// constructs the solver `Default_factor_traits_d`.
+  Linear_solver() = default;
+
+  /// takes the type of a solver.
+  /// \tparam FactorTraits a model of `SparseLinearAlgebraWithBlockFactorTraits_d`
+  template <class FactorTraits>
+  explicit Linear_solver(const FactorTraits&)
+    : m_factor_maker(internal::make_factor<FactorTraits>),
+      m_lane_factor_maker(internal::make_lane_factor<FactorTraits>)
+  {}
+
+  /// \cond SKIP_IN_MANUAL
+  internal::Factor_maker factor_maker() const { return m_factor_maker; }
+  internal::Lane_factor_maker lane_factor_maker() const { return m_lane_factor_maker; }
+  /// \endcond
+
+private:
+  internal::Factor_maker m_factor_maker = internal::make_default_factor;
+  internal::Lane_factor_maker m_lane_factor_maker = internal::make_default_lane_factor;
+};
+
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_LINEAR_SOLVER_H

@@ -1,0 +1,60 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_PREPARED_SURFACE_3_H
+#define CGAL_CANONICAL_POSE_3_PREPARED_SURFACE_3_H
+
+#include <CGAL/Canonical_pose_3/Diagnosis_3.h>
+#include <CGAL/Canonical_pose_3/Options.h>
+#include <CGAL/Canonical_pose_3/Surface_component_3.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/Vertex_map.h>
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+#include <CGAL/Canonical_pose_3/point_matrix.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
+
+/*!
+\ingroup PkgCanonicalPose3Ref
+
+\brief is an input as the steps of `canonical_pose_3()` take it: its components, connected and without defect, and what
+the options say of each.
+
+\sa `prepare_surface()`, `joined_result()`
+*/
+struct Prepared_surface_3
+{
+  /// a component with the options in its rows instead of those of the input.
+  struct Component
+  {
+    Surface_component_3 surface; ///< the surface.
+    Options options;             ///< its options.
+  };
+
+  /// what was found on the input.
+  Diagnosis_3 diagnosis;
+
+  /// the components that get a pose of their own, by decreasing size.
+  std::vector<Component> components;
+
+  /// \cond SKIP_IN_MANUAL
+  Point_matrix points; // of the input
+  internal::Vertex_map vertex_map;
+  /// \endcond
+};
+
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_PREPARED_SURFACE_3_H

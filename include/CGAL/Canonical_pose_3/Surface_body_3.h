@@ -1,0 +1,58 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_SURFACE_BODY_3_H
+#define CGAL_CANONICAL_POSE_3_SURFACE_BODY_3_H
+
+#include <CGAL/Canonical_pose_3/Elastic_body_3.h>
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
+
+/*!
+\ingroup PkgCanonicalPose3Ref
+
+\brief is the body of a surface.
+
+\sa `surface_body()`
+*/
+struct Surface_body_3
+{
+  /// see `Registration_summary::Body::kind`.
+  std::string kind;
+
+  /// the body.
+  Elastic_body_3 body;
+
+  /// \f$ L \f$, the length that the detail length refers to: the largest distance on the surface.
+  double length_scale = 0;
+
+  /// the surface vertex of the body that each vertex of the surface is.
+  std::vector<std::size_t> surface_vertices;
+
+  /// positive factors of the weights of the cells, or none.
+  Eigen::VectorXd stiffness;
+
+  /// one line each, see `Registration_summary::warnings`.
+  std::vector<std::string> warnings;
+};
+
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_SURFACE_BODY_3_H

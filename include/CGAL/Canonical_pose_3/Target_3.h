@@ -1,0 +1,50 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_TARGET_3_H
+#define CGAL_CANONICAL_POSE_3_TARGET_3_H
+
+#include <CGAL/Canonical_pose_3/Registration_summary.h>
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+#include <CGAL/Canonical_pose_3/point_matrix.h>
+
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
+
+/*!
+\ingroup PkgCanonicalPose3Ref
+
+\brief is the target of a surface, in its final position.
+
+\sa `mds_target()`
+*/
+struct Target_3
+{
+  /// \f$ n \times 3 \f$, the target of each vertex of the surface.
+  Point_matrix points;
+
+  /// whether it is that of `Options::given`.
+  bool is_given = false;
+
+  /// how it was made.
+  Registration_summary::Target summary;
+
+  /// one line each, see `Registration_summary::warnings`.
+  std::vector<std::string> warnings;
+};
+
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_TARGET_3_H

@@ -1,0 +1,113 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_BODY_OF_SURFACE_IMPL_H
+#define CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_BODY_OF_SURFACE_IMPL_H
+
+#include <CGAL/Canonical_pose_3/Elastic_body_3.h>
+#include <CGAL/Canonical_pose_3/Landmark_fields_3.h>
+#include <CGAL/Canonical_pose_3/Lattice_body_3.h>
+#include <CGAL/Canonical_pose_3/Options.h>
+#include <CGAL/Canonical_pose_3/Surface_body_3.h>
+#include <CGAL/Canonical_pose_3/Surface_component_3.h>
+#include <CGAL/Canonical_pose_3/cell_stiffness.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/Body_makers.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/Thread_limit.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/body_of_surface.h>
+#include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+#include <CGAL/Canonical_pose_3/point_matrix.h>
+#include <CGAL/Canonical_pose_3/surface_measures.h>
+
+#include <CGAL/assertions.h>
+
+#include <Eigen/Core>
+
+#include <numeric>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
+namespace internal {
+
+// What a function of the user returned; throws `std::invalid_argument` unless its surface is that of the component.
+inline Elastic_body_3 checked_body(Elastic_body_3 body, const Eigen::Index n)
+{
+  if(body.embedding().rows() != n)
+    throw std::invalid_argument("the function of the body returned one with "
+                                + std::to_string(body.embedding().rows())
+                                + " surface vertices for a surface of " + std::to_string(n));
+  return body;
+}
+
+// The body alone, with its kind and warnings.
+inline Surface_body_3 requested_body(const Surface_component_3& surface,
+                                     const Landmark_fields_3& fields, const Options& options,
+                                     const Body_makers& bodies)
+{
+  const Point_matrix& points = surface.points;
+  const std::vector<Index_triangle>& triangles = surface.triangles;
+  std::vector<std::string> warnings;
+  const auto of_kind = [&](const char* const kind, Elastic_body_3 body) {
+    return Surface_body_3{kind, std::move(body),    fields.distances.maxCoeff(), {},
+                          {},   std::move(warnings)};
+  };
+  if(options.make_body)
+    return of_kind("given",
+                   checked_body(options.make_body(points, triangles, fields), points.rows()));
+  if(options.body == Options::Body::MESH_3)
+  {
+    if(bodies.mesh_3 == nullptr)
+      throw std::runtime_error("the program was built without bodies of Mesh_3");
+    return of_kind("mesh_3", bodies.mesh_3(points, triangles, fields.distances.maxCoeff(),
+                                           options.lattice_spacing));
+  }
+  if(options.body == Options::Body::TETGEN)
+  {
+    if(bodies.tetgen == nullptr)
+      throw std::runtime_error("the program was built without TetGen");
+    try
+    {
+      return of_kind("tetgen", bodies.tetgen(points, triangles));
+    }
+    catch(const std::runtime_error& error)
+    {
+      warnings.push_back(error.what() + std::string("; the lattice took its place"));
+    }
+  }
+  return of_kind("lattice", Lattice_body_3(points, triangles, fields.distances,
+                                           options.lattice_spacing, surface.caps));
+}
+
+CGAL_CANONICAL_POSE_3_INLINE Surface_body_3 body_of_surface(const Surface_component_3& surface,
+                                                            const Landmark_fields_3& fields,
+                                                            const Options& options,
+                                                            const Body_makers& bodies)
+{
+  const Thread_limit limit(options);
+  CGAL_precondition(fields.distances.rows() == surface.points.rows());
+  Surface_body_3 result = requested_body(surface, fields, options, bodies);
+  result.surface_vertices.resize(static_cast<std::size_t>(surface.points.rows()));
+  std::iota(result.surface_vertices.begin(), result.surface_vertices.end(), std::size_t(0));
+  if(options.stiffness.size() > 0)
+    result.stiffness = cell_stiffness(
+      result.body, vertex_area_shares(surface.points, surface.triangles), options.stiffness);
+  return result;
+}
+
+} // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_BODY_OF_SURFACE_IMPL_H

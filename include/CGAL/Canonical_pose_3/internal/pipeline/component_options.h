@@ -1,0 +1,215 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_COMPONENT_OPTIONS_H
+#define CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_COMPONENT_OPTIONS_H
+
+#include <CGAL/Canonical_pose_3/Constraints_3.h>
+#include <CGAL/Canonical_pose_3/Options.h>
+#include <CGAL/Canonical_pose_3/Prepared_surface_3.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/Options_constraints.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/Vertex_map.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/make_vertex_map.h>
+#include <CGAL/Canonical_pose_3/internal/registration/Constraint_element_traits.h>
+#include <CGAL/Canonical_pose_3/internal/registration/check_registration.h>
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+#include <CGAL/Canonical_pose_3/internal/target/check_landmark_fields.h>
+#include <CGAL/Canonical_pose_3/point_matrix.h>
+
+#include <cstddef>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
+namespace internal {
+
+// Throws `std::invalid_argument` where powers of lengths could overflow or vanish.
+inline void check_unit(const Point_matrix& points)
+{
+  constexpr double smallest = 1e-90, largest = 1e90;
+  const double size = points.size() > 0 ? points.cwiseAbs().maxCoeff() : 0;
+  if(size > largest || (size > 0 && size < smallest))
+  {
+    std::ostringstream message;
+    message << "the largest coordinate is " << size << ", but must be between " << smallest
+            << " and " << largest << ": choose another unit";
+    throw std::invalid_argument(message.str());
+  }
+}
+
+// Throws `std::invalid_argument` for options that do not fit an input of n vertices.
+inline void check_options(const Options& options, const std::size_t n)
+{
+  options.registration.check();
+  check_factors(options.matching_weights, static_cast<Eigen::Index>(n), "matching weight", "vertex",
+                true);
+  if(options.number_of_landmarks == 0)
+    throw std::invalid_argument("option number_of_landmarks is 0, but must be >= 1");
+  if(options.volume_ratio_limit && !(*options.volume_ratio_limit > 0))
+    throw std::invalid_argument("option volume_ratio_limit is "
+                                + std::to_string(*options.volume_ratio_limit)
+                                + ", but must be > 0");
+  Options_constraints(options.constraints, n);
+  for(Eigen::Index i = 0; i < options.followers.rows(); ++i)
+    if(!options.followers.row(i).allFinite())
+      throw std::invalid_argument("follower " + std::to_string(i)
+                                  + " has a coordinate that is not finite");
+}
+
+// Gives each element of a constraint to the component of its vertices.
+template <class Element>
+void distribute(const std::vector<Element>& elements, const Vertex_map& map,
+                std::vector<Element> Constraints_3::*list,
+                std::vector<Prepared_surface_3::Component>& components)
+{
+  using Traits = Constraint_element_traits<Element>;
+  for(std::size_t i = 0; i < elements.size(); ++i)
+  {
+    const std::string name = Traits::name + (' ' + std::to_string(i));
+    const auto vertices = vertices_of(elements[i]);
+    Element local = elements[i];
+    for(std::size_t* const vertex : Traits::pointers_to_vertices(local))
+    {
+      if(map.component_of[*vertex] == Vertex_map::NONE)
+        throw std::invalid_argument(name + " names vertex " + std::to_string(*vertex)
+                                    + ", which has no pose of its own: it is not on the surface, "
+                                      "or on another component");
+      if(map.component_of[*vertex] != map.component_of[vertices.front()])
+        throw std::invalid_argument(name + " names vertices " + std::to_string(vertices.front())
+                                    + " and " + std::to_string(*vertex)
+                                    + ", which belong to different components");
+      *vertex = map.local_of[*vertex];
+    }
+    if(!Traits::defect(local).empty())
+      throw std::invalid_argument(name + " names vertices " + std::to_string(vertices.front())
+                                  + " and " + std::to_string(vertices.back())
+                                  + ", which are at the same position and became one");
+    (components[map.component_of[vertices.front()]].options.constraints.*list).push_back(local);
+  }
+}
+
+// Throws `std::invalid_argument` if what is given does not fit the input.
+inline void check_given(const Intermediate_results& given, const Vertex_map& map,
+                        const std::size_t number_of_components)
+{
+  if(given.landmark_fields)
+  {
+    if(number_of_components > 1)
+      throw std::invalid_argument("distances can be given for a single component only");
+    check_shape(*given.landmark_fields, map.number_of_rows(), "the given distances");
+  }
+  if(given.target && given.target->rows() != static_cast<Eigen::Index>(map.number_of_rows()))
+    throw std::invalid_argument("the given target has " + std::to_string(given.target->rows())
+                                + " rows, but there are " + std::to_string(map.number_of_rows())
+                                + " vertices");
+}
+
+// Given distances in the rows of the surface.
+inline Landmark_fields_3 component_fields(const Landmark_fields_3& fields, const Vertex_map& map,
+                                          const Surface_component_3& surface)
+{
+  std::vector<std::size_t> surface_vertex(map.number_of_rows(), Vertex_map::NONE);
+  for(std::size_t i = surface.origins.size(); i-- > 0;)
+    surface_vertex[surface.origins[i]] = i;
+
+  Landmark_fields_3 result;
+  result.covering_radius = fields.covering_radius;
+  for(const std::size_t landmark : fields.landmarks)
+  {
+    result.landmarks.push_back(surface_vertex[map.representatives[landmark]]);
+    if(result.landmarks.back() == Vertex_map::NONE)
+      throw std::invalid_argument("the given landmark " + map.name_of_row(landmark)
+                                  + " is not on the surface");
+  }
+  result.distances.resize(surface.points.rows(), fields.distances.cols());
+  for(Eigen::Index j = 0; j < result.distances.cols(); ++j)
+    for(Eigen::Index i = 0; i < result.distances.rows(); ++i)
+    {
+      const auto row = static_cast<Eigen::Index>(surface.origins[static_cast<std::size_t>(i)]);
+      check_distance(fields, row, j, "the given distances", map.row_name);
+      result.distances(i, j) = fields.distances(row, j);
+    }
+  return result;
+}
+
+// What is given, in the rows of the surface.
+inline Intermediate_results component_results(const Intermediate_results& given,
+                                              const Vertex_map& map,
+                                              const Surface_component_3& surface)
+{
+  Intermediate_results result;
+  if(given.landmark_fields)
+    result.landmark_fields = component_fields(*given.landmark_fields, map, surface);
+  if(given.target)
+  {
+    result.target = rows_at(*given.target, surface.origins);
+    for(std::size_t i = 0; i < surface.origins.size(); ++i)
+      if(!result.target->row(static_cast<Eigen::Index>(i)).allFinite())
+        throw std::invalid_argument("the given target of " + map.name_of_row(surface.origins[i])
+                                    + " is not finite");
+  }
+  return result;
+}
+
+// Brings options to the components, but for the stiffness. Vertices without component and followers go with the nearest.
+inline Prepared_surface_3 prepared(Diagnosis_3 diagnosis, const Point_matrix& points,
+                                   std::vector<Surface_component_3> surfaces, Vertex_map rows,
+                                   const std::vector<std::vector<std::size_t>>& others,
+                                   const Options& options)
+{
+  Prepared_surface_3 result;
+  result.diagnosis = std::move(diagnosis);
+  result.points = points;
+  check_given(options.given, rows, surfaces.size());
+  check_unit(points);
+  result.vertex_map = make_vertex_map(std::move(rows), points, surfaces, others, options.followers);
+  const Vertex_map& map = result.vertex_map;
+  for(Surface_component_3& surface : surfaces)
+  {
+    const std::size_t c = result.components.size();
+    result.components.emplace_back();
+    Options& local = result.components.back().options;
+    static_cast<Method_options&>(local) = options;
+    local.return_landmark_fields = options.return_landmark_fields && surfaces.size() == 1;
+    local.constraints.function = options.constraints.function;
+    if(options.matching_weights.size() > 0)
+      local.matching_weights = values_at(options.matching_weights, surface.body_origins);
+    local.followers.resize(static_cast<Eigen::Index>(map.followers_of[c].size()), 3);
+    for(Eigen::Index i = 0; i < local.followers.rows(); ++i)
+    {
+      const Eigen::Index f = map.followers_of[c][static_cast<std::size_t>(i)],
+                         n = static_cast<Eigen::Index>(map.attached.size());
+      if(f < n)
+        local.followers.row(i)
+          = points.row(static_cast<Eigen::Index>(map.attached[static_cast<std::size_t>(f)]));
+      else
+        local.followers.row(i) = options.followers.row(f - n);
+    }
+    local.given = component_results(options.given, map, surface);
+    result.components.back().surface = std::move(surface);
+  }
+  const Constraints_3& constraints = options.constraints;
+  distribute(constraints.springs, map, &Constraints_3::springs, result.components);
+  distribute(constraints.directions, map, &Constraints_3::directions, result.components);
+  distribute(constraints.handles, map, &Constraints_3::handles, result.components);
+  distribute(constraints.symmetric_pairs, map, &Constraints_3::symmetric_pairs, result.components);
+  return result;
+}
+
+} // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_COMPONENT_OPTIONS_H

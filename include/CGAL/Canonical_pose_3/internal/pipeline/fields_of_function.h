@@ -1,0 +1,57 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_FIELDS_OF_FUNCTION_H
+#define CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_FIELDS_OF_FUNCTION_H
+
+#include <CGAL/Canonical_pose_3/Landmark_fields_3.h>
+#include <CGAL/Canonical_pose_3/Options.h>
+#include <CGAL/Canonical_pose_3/Surface_component_3.h>
+#include <CGAL/Canonical_pose_3/internal/soup/Face_defect.h>
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+#include <CGAL/Canonical_pose_3/internal/target/check_landmark_fields.h>
+#include <CGAL/Canonical_pose_3/surface_measures.h>
+
+#include <CGAL/Random.h>
+
+#include <cstddef>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
+namespace internal {
+
+inline std::size_t first_landmark(const Surface_component_3& surface, const Options& options)
+{
+  if(options.random_seed == 0)
+    return extremal_point(surface.points, surface.triangles);
+  return static_cast<std::size_t>(
+    Random(options.random_seed).get_int(0, static_cast<int>(surface.points.rows())));
+}
+
+// What a function of the user returns; throws `std::invalid_argument` unless these are distances on the surface.
+inline Landmark_fields_3 fields_of_function(const Landmark_fields_function& function,
+                                            const Surface_component_3& surface,
+                                            const Options& options)
+{
+  Landmark_fields_3 fields = with_faces_of_input(surface.face_of_triangle, [&] {
+    return function(surface.points, surface.triangles, options.number_of_landmarks,
+                    first_landmark(surface, options));
+  });
+  check_landmark_fields(fields, static_cast<std::size_t>(surface.points.rows()),
+                        "the landmark fields that the function returned");
+  return fields;
+}
+
+} // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_FIELDS_OF_FUNCTION_H

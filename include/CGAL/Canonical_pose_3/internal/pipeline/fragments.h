@@ -1,0 +1,67 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_FRAGMENTS_H
+#define CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_FRAGMENTS_H
+
+#include <CGAL/Canonical_pose_3/internal/support/Disjoint_sets.h>
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
+namespace internal {
+
+// Parts of an input that touch at vertices count as one if all but the largest are fragments: at most this share of it,
+// together.
+constexpr double SHARE_OF_FRAGMENTS = 0.05;
+
+// Of each part, by decreasing size: the part that it is a fragment of, or itself. `vertices_of(part, f)` calls f for all
+// vertices of a part, numbers below `number_of_vertices`.
+template <class VerticesOf>
+std::vector<std::size_t> owners_of_fragments(const std::vector<double>& sizes,
+                                             const std::size_t number_of_vertices,
+                                             const VerticesOf& vertices_of)
+{
+  const std::size_t n = sizes.size();
+  Disjoint_sets groups(n);
+  std::vector<std::size_t> part_of_vertex(number_of_vertices, n);
+  for(std::size_t p = 0; p < n; ++p)
+    vertices_of(p, [&](const std::size_t v) {
+      if(part_of_vertex[v] == n)
+        part_of_vertex[v] = p;
+      groups.unite(p, part_of_vertex[v]);
+    });
+
+  std::vector<std::size_t> largest_of_group(n, n), largest;
+  std::vector<double> size_of_rest(n, 0.);
+  for(std::size_t p = 0; p < n; ++p)
+  {
+    std::size_t& first = largest_of_group[groups.representative(p)];
+    if(first == n)
+      first = p;
+    else
+      size_of_rest[first] += sizes[p];
+    largest.push_back(first);
+  }
+  for(std::size_t p = 0; p < n; ++p)
+    if(size_of_rest[largest[p]] > SHARE_OF_FRAGMENTS * sizes[largest[p]])
+      largest[p] = p;
+  return largest;
+}
+
+} // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_FRAGMENTS_H

@@ -1,0 +1,179 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_POSE_STEPS_H
+#define CGAL_CANONICAL_POSE_3_POSE_STEPS_H
+
+#include <CGAL/Canonical_pose_3/Landmark_fields_3.h>
+#include <CGAL/Canonical_pose_3/Options.h>
+#include <CGAL/Canonical_pose_3/Prepared_surface_3.h>
+#include <CGAL/Canonical_pose_3/Result.h>
+#include <CGAL/Canonical_pose_3/Surface_body_3.h>
+#include <CGAL/Canonical_pose_3/Surface_component_3.h>
+#include <CGAL/Canonical_pose_3/Target_3.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/body_of_surface.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/linked_bodies.h>
+#include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+#include <CGAL/Canonical_pose_3/point_matrix.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
+
+/*!
+\ingroup PkgCanonicalPose3Ref
+
+\brief examines and repairs a polygon soup and brings the options to its components: the first step of
+`canonical_pose_3()`.
+
+\param points \f$ n \times 3 \f$, positions.
+\param polygons sequences of rows of `points`.
+\param options the options, in the rows of the input.
+
+\throws std::invalid_argument as `canonical_pose_3()`.
+
+<em>Complexity:</em> \f$ O(n \log n) \f$.
+*/
+Prepared_surface_3 prepare_surface(const Point_matrix& points,
+                                   const std::vector<std::vector<std::size_t>>& polygons,
+                                   const Options& options = Options());
+
+/*!
+\ingroup PkgCanonicalPose3Ref
+
+\brief examines and repairs a polygon mesh and brings the options to its components.
+
+\tparam TriangleMesh a model of `FaceListGraph` with an internal point property map
+*/
+template <class TriangleMesh>
+Prepared_surface_3 prepare_surface(const TriangleMesh& tmesh, const Options& options = Options())
+{
+  return prepare_surface(point_matrix(tmesh), internal::index_polygons(tmesh), options);
+}
+
+/*!
+\ingroup PkgCanonicalPose3Ref
+
+\brief returns landmarks on a surface and the distances to them: the second step of `canonical_pose_3()`, after
+`prepare_surface()`.
+
+\param surface the surface.
+\param options `geodesics`, `landmark_fields_function`, `number_of_landmarks`, `random_seed`, the solver and
+       `number_of_threads` are used.
+
+\throws std::invalid_argument if a face has no area where the distances need one, or a function of the options returns
+        something else than distances.
+
+\sa `mds_target()`
+*/
+Landmark_fields_3 landmark_fields(const Surface_component_3& surface,
+                                  const Options& options = Options());
+
+/*!
+\ingroup PkgCanonicalPose3Ref
+
+\brief returns the target of a surface, by landmark multidimensional scaling, aligned and of its handedness; or the one
+that is given: the third step of `canonical_pose_3()`.
+
+\param surface the surface.
+\param fields distances, with a row per vertex.
+\param options `kernel`, `mds_kernel` and `given.target` are used.
+
+\pre `fields` and a given target have a row per vertex.
+
+\throws std::invalid_argument see `Landmark_mds_target_builder_3::build()`.
+
+\sa `Landmark_mds_target_builder_3`
+\sa `target_handedness()`
+\sa `align_target()`
+*/
+Target_3 mds_target(const Surface_component_3& surface, const Landmark_fields_3& fields,
+                    const Options& options = Options());
+
+inline namespace CGAL_CANONICAL_POSE_3_BODIES {
+
+/*!
+\ingroup PkgCanonicalPose3Ref
+
+\brief makes the body of a surface: the fourth step of `canonical_pose_3()`.
+
+\param surface the surface.
+\param fields distances, with a row per vertex.
+\param options `body`, `make_body`, `lattice_spacing` and `stiffness` are used.
+
+\pre `fields.distances.rows() == surface.points.rows()`
+
+\throws std::invalid_argument if a function of the options returns something else than a body of the surface.
+\throws std::runtime_error if the mesher fails, or the program was built without the requested body.
+
+\sa `Lattice_body_3`
+*/
+inline Surface_body_3 surface_body(const Surface_component_3& surface,
+                                   const Landmark_fields_3& fields,
+                                   const Options& options = Options())
+{
+  return internal::body_of_surface(surface, fields, options, internal::linked_bodies());
+}
+
+} // namespace CGAL_CANONICAL_POSE_3_BODIES
+
+/*!
+\ingroup PkgCanonicalPose3Ref
+
+\brief registers the body of a surface to its target: the fifth step of `canonical_pose_3()`, before `joined_result()`.
+
+\param surface the surface.
+\param target the target.
+\param body the body.
+\param options `registration`, `paper_weights`, `volume_ratio_limit`, `matching_weights`, `constraints`, `followers`, the
+       solver, `number_of_threads` and `visitor` are used.
+
+\returns the pose of the surface vertices of the body, that of the followers, the target and the outcome.
+
+\pre `target.points.rows() == surface.points.rows()`
+
+\throws std::invalid_argument if a weight or an option is out of its bounds.
+\throws std::runtime_error if the solver fails.
+
+\sa `Tetrahedral_arap_registrar_3`
+*/
+Result registered_pose(const Surface_component_3& surface, const Target_3& target,
+                       const Surface_body_3& body, const Options& options = Options());
+
+/*!
+\ingroup PkgCanonicalPose3Ref
+
+\brief brings the results of the components to the rows of the input: the last step of `canonical_pose_3()`.
+
+Vertices that are on no component with a pose go with the nearest.
+
+\param surface the surface.
+\param results a result of `registered_pose()` for each component.
+
+\pre `results.size() == surface.components.size()`
+*/
+Result joined_result(const Prepared_surface_3& surface, const std::vector<Result>& results);
+
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#ifndef CGAL_CANONICAL_POSE_3_COMPILED
+#include <CGAL/Canonical_pose_3/internal/pipeline/joined_result_impl.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/landmark_fields_impl.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/mds_target_impl.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/prepare_surface_impl.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/registered_pose_impl.h>
+#endif
+
+#endif // CGAL_CANONICAL_POSE_3_POSE_STEPS_H
