@@ -3,8 +3,8 @@
 \cgalConcept
 
 The concept `CanonicalPoseTraits_3` describes how the package reads and writes points. All
-computations are done with `double`; a model says what a point is and how to get from it to three
-numbers and back.
+computations use `double`; a model defines the point type and how to convert points from and to
+three coordinates.
 
 Models are default constructible and copy constructible.
 
@@ -22,24 +22,24 @@ public:
 
   /// The type of a coordinate: `CGAL::to_double()` accepts it, and it is constructible from a
   /// `double`.
-  typedef unspecified_type FT;
+  using FT = unspecified_type;
 
   /// The point type, copyable.
-  typedef unspecified_type Point_3;
+  using Point_3 = unspecified_type;
 
-  /// Functor with `FT operator()(const Point_3& p) const`, the first Cartesian coordinate of `p`. A
-  /// type that converts to `FT`, such as `const FT&`, may be returned.
-  typedef unspecified_type Compute_x_3;
+  /// Functor with `FT operator()(const Point_3& p) const`, returning the first Cartesian coordinate
+  /// of `p`. The return type may be any type that converts to `FT`, such as `const FT&`.
+  using Compute_x_3 = unspecified_type;
 
   /// The same for the second coordinate.
-  typedef unspecified_type Compute_y_3;
+  using Compute_y_3 = unspecified_type;
 
   /// The same for the third coordinate.
-  typedef unspecified_type Compute_z_3;
+  using Compute_z_3 = unspecified_type;
 
-  /// Functor with `Point_3 operator()(const FT& x, const FT& y, const FT& z) const`, the point with
-  /// these Cartesian coordinates.
-  typedef unspecified_type Construct_point_3;
+  /// Functor with `Point_3 operator()(const FT& x, const FT& y, const FT& z) const`, returning the
+  /// point with these Cartesian coordinates.
+  using Construct_point_3 = unspecified_type;
 
   /// @}
 

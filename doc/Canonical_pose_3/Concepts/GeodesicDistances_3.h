@@ -2,13 +2,14 @@
 \ingroup PkgCanonicalPose3Concepts
 \cgalConcept
 
-The concept `GeodesicDistances_3` describes an oracle for distances on a surface: built once for a
-mesh, it answers how far all vertices are from any vertex. It may measure them along the surface,
-exactly or not, or be anything else that is 0 at the source and not negative.
+The concept `GeodesicDistances_3` describes an oracle for distances on a surface: constructed once
+for a mesh, it returns the distances from any vertex to all vertices. Distances may be measured
+along the surface, exactly or approximately, or be any other function that is nonnegative, and 0 at
+the source.
 
-In all results, row `i` is the `i`-th vertex of the range `vertices(tmesh)` of the mesh. Distances
-are in the unit of the points. Between vertices that are not connected they are `+infinity`; they
-are never NaN.
+In all results, row `i` corresponds to the `i`-th vertex of the range `vertices(tmesh)` of the mesh.
+Distances are in the unit of the points. They are `+infinity` between vertices that are not
+connected, and never NaN.
 
 \cgalHasModel `CGAL::Canonical_pose_3::Heat_geodesics_3`
 \cgalHasModel `CGAL::Canonical_pose_3::Wavefront_geodesics_3`
@@ -25,10 +26,10 @@ public:
   /// @{
 
   /// The mesh, a model of `VertexListGraph`.
-  typedef unspecified_type Triangle_mesh;
+  using Triangle_mesh = unspecified_type;
 
-  /// Its vertices, `boost::graph_traits<Triangle_mesh>::%vertex_descriptor`.
-  typedef unspecified_type vertex_descriptor;
+  /// The vertex type, `boost::graph_traits<Triangle_mesh>::%vertex_descriptor`.
+  using vertex_descriptor = unspecified_type;
 
   /// @}
 
@@ -38,7 +39,7 @@ public:
   /// returns the mesh.
   const Triangle_mesh& triangle_mesh() const;
 
-  /// returns the row of `v`, its number in the range `vertices(triangle_mesh())`.
+  /// returns the index of `v` in the range `vertices(triangle_mesh())`.
   /// \pre `v` is a vertex of the mesh.
   std::size_t index(vertex_descriptor v) const;
 
@@ -46,8 +47,8 @@ public:
   /// \pre `source` is a vertex of the mesh.
   Eigen::VectorXd distances(vertex_descriptor source) const;
 
-  /// returns the distances from each of `sources`, taken alone, to all vertices: one row per
-  /// vertex, one column per source, equal to `distances(source)` to the last bit.
+  /// returns the distances from each of `sources` to all vertices: one row per vertex, one column
+  /// per source, each bitwise equal to `distances(source)`.
   /// \tparam VertexRange a range of vertex descriptors
   /// \pre All of `sources` are vertices of the mesh.
   template <class VertexRange>

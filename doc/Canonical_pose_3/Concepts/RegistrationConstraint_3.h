@@ -2,20 +2,20 @@
 \ingroup PkgCanonicalPose3Concepts
 \cgalConcept
 
-The concept `RegistrationConstraint_3` describes a further term in the surface vertices, which the
-registrar weighs against the target and the details.
+The concept `RegistrationConstraint_3` describes an additional energy term of the surface vertices,
+which the registrar weighs against the target and the details.
 
 A constraint has an energy \f$ e(x) \f$ of the \f$ n \times 3 \f$ positions \f$ x \f$ of the surface
-vertices. In the global step that follows positions \f$ \tilde x \f$ a quadratic form takes its
-place,
+vertices. In the global step that starts from positions \f$ \tilde x \f$, the energy is replaced by
+a quadratic form
 \f[ q(x) = \mathrm{tr}(x^t C x) - 2\, \mathrm{tr}(x^t D(\tilde x)) + \mathrm{const}, \f]
 with a symmetric positive semidefinite matrix \f$ C \f$ that does not depend on the positions. If
 \f$ q \ge e \f$ everywhere, with equality at \f$ \tilde x \f$, then the energy of the registration
-still never rises.
+never increases.
 
-Positions are in the unit of the mesh, the energy in its square, \f$ C \f$ has no unit. The
-registrar divides energies by \f$ L^2 \f$. Row \f$ i \f$ is surface vertex \f$ i \f$ of the body;
-the registrar brings \f$ C \f$ and \f$ D \f$ to the body vertices itself.
+Positions are in the unit of the mesh, the energy is in its square, and \f$ C \f$ is dimensionless.
+The registrar divides energies by \f$ L^2 \f$. Row \f$ i \f$ corresponds to surface vertex \f$ i \f$
+of the body; the registrar transfers \f$ C \f$ and \f$ D \f$ to the body vertices.
 
 \cgalHasModel `CGAL::Canonical_pose_3::Spring_constraint_adaptor_3`
 \cgalHasModel `CGAL::Canonical_pose_3::Direction_constraint_adaptor_3`
@@ -30,16 +30,16 @@ public:
   /// \name Operations
   /// @{
 
-  /// returns a number that changes whenever \f$ C \f$ does. When it has changed at the beginning of a
-  /// registration, the registrar updates its factor if \f$ C \f$ changed in few rows, else it factors
-  /// anew; what changes \f$ D \f$ alone, a length for instance, should leave the number as it is.
+  /// returns a number that changes whenever \f$ C \f$ does. If it has changed at the beginning of a
+  /// registration, the registrar updates its factor if \f$ C \f$ has changed in few rows, and
+  /// refactors the matrix otherwise. Changes of \f$ D \f$ alone, for instance of a length, should
+  /// not change the number.
   std::size_t matrix_revision() const;
 
-  /// appends the entries of \f$ C \f$, those of both triangles. Entries at the same place are
-  /// summed.
+  /// appends the entries of both triangles of \f$ C \f$. Duplicate entries are summed.
   void add_to_matrix(std::vector<Eigen::Triplet<double>>& matrix) const;
 
-  /// adds \f$ D(\tilde x) \f$ to `right_hand_side`; called once per iteration.
+  /// adds \f$ D(\tilde x) \f$ to `right_hand_side`. It is called once per iteration.
   /// \param points \f$ \tilde x \f$, \f$ n \times 3 \f$.
   /// \param right_hand_side \f$ n \times 3 \f$.
   void add_to_right_hand_side(const CGAL::Canonical_pose_3::Point_matrix& points,

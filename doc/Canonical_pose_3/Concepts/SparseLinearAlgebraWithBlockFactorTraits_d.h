@@ -3,12 +3,12 @@
 \cgalConcept
 
 The concept `SparseLinearAlgebraWithBlockFactorTraits_d` describes a direct solver for sparse
-symmetric positive definite systems that is factored once and asked for many right-hand sides, one
-or a block at a time.
+symmetric positive definite systems that factors a matrix once and solves for many right-hand sides,
+one or a block at a time.
 
-It refines CGAL's concept in three ways: it takes blocks, it says no to a matrix that is not
-positive definite, and its results do not depend on the number of threads, nor a column on the
-others.
+It refines CGAL's concept in three ways: it supports blocks, it reports matrices that are not
+positive definite, and its results depend neither on the number of threads nor, for each column, on
+the other columns.
 
 \cgalRefines `SparseLinearAlgebraWithFactorTraits_d`
 
@@ -24,14 +24,14 @@ public:
   /// @{
 
   /// The number type, `double`.
-  typedef unspecified_type NT;
+  using NT = unspecified_type;
 
   /// The vector type; `CGAL::Eigen_vector<double>` for the models of this package.
-  typedef unspecified_type Vector;
+  using Vector = unspecified_type;
 
-  /// The matrix type, which is constructible from an `Eigen::SparseMatrix<double>`, either full
-  /// symmetric or lower triangular.
-  typedef unspecified_type Matrix;
+  /// The matrix type, constructible from an `Eigen::SparseMatrix<double>` that holds either the
+  /// full symmetric matrix or its lower triangle.
+  using Matrix = unspecified_type;
 
   /// @}
 
@@ -42,16 +42,15 @@ public:
   /// \returns `false`, without printing or throwing, if `A` is not numerically positive definite
   bool factor(const Matrix& A, NT& D);
 
-  /// solves \f$ A x = b \f$ with the last matrix given to `factor()`. It may be called from several
-  /// threads at once.
+  /// solves \f$ A x = b \f$ with the last matrix passed to `factor()`. It may be called from
+  /// several threads at once.
   /// \returns `false` if the solution is not finite
   /// \pre The last call to `factor()` returned `true`.
   bool linear_solver(const Vector& b, Vector& x) const;
 
-  /// solves \f$ A X = B \f$ with the last matrix given to `factor()`; a column of `B` is a
-  /// right-hand side, and `X` is resized to the size of `B`. A column of `X` has the same bytes
-  /// whatever the other columns are, and however many. It may be called from several threads at
-  /// once.
+  /// solves \f$ A X = B \f$ with the last matrix passed to `factor()`; each column of `B` is a
+  /// right-hand side, and `X` is resized to the size of `B`. The bytes of a column of `X` do not
+  /// depend on the other columns or their number. It may be called from several threads at once.
   /// \returns `false` if the solution is not finite
   /// \pre The last call to `factor()` returned `true`.
   bool linear_solver(const Eigen::Ref<const Eigen::MatrixXd>& B, Eigen::MatrixXd& X) const;

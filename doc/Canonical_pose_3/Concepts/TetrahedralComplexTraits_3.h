@@ -2,8 +2,8 @@
 \ingroup PkgCanonicalPose3Concepts
 \cgalConcept
 
-The concept `TetrahedralComplexTraits_3` describes how to read a tetrahedral complex, whatever data
-structure holds it. All functions are static; nothing is ever written to the complex.
+The concept `TetrahedralComplexTraits_3` describes how to read a tetrahedral complex from an
+arbitrary data structure. All functions are static; the complex is never modified.
 
 A model is a specialization of `CGAL::Canonical_pose_3::Tetrahedral_complex_traits_3` for the type
 `Complex` of the complex:
@@ -13,9 +13,9 @@ template <>
 struct CGAL::Canonical_pose_3::Tetrahedral_complex_traits_3<My_complex> { ... };
 \endcode
 
-The class template is specialized already for the complexes of the packages Mesh_3 and
-Tetrahedral_remeshing, for `CGAL::Canonical_pose_3::Indexed_tetrahedra_3`, and for selections of the
-cells of any of these, `CGAL::Canonical_pose_3::Labeled_cells_3`.
+Specializations are provided for the complexes of the packages Mesh_3 and Tetrahedral_remeshing, for
+`CGAL::Canonical_pose_3::Indexed_tetrahedra_3`, and for selections of the cells of any of these,
+`CGAL::Canonical_pose_3::Labeled_cells_3`.
 
 \cgalHasModel `CGAL::Canonical_pose_3::Tetrahedral_complex_traits_3`
 
@@ -28,11 +28,11 @@ public:
   /// \name Types
   /// @{
 
-  /// The vertices: copyable and comparable for equality, with a specialization of `std::hash`.
-  typedef unspecified_type Vertex_descriptor;
+  /// The vertex type: copyable and comparable for equality, with a specialization of `std::hash`.
+  using Vertex_descriptor = unspecified_type;
 
-  /// The points, of a kernel or of a model of `CanonicalPoseTraits_3`.
-  typedef unspecified_type Point_3;
+  /// The point type of a model of `CanonicalPoseTraits_3`, for instance of a kernel.
+  using Point_3 = unspecified_type;
 
   /// @}
 
@@ -40,8 +40,8 @@ public:
   /// @{
 
   /// returns a range of the vertices, each once and in the same order at every call: the
-  /// \f$ i \f$-th one is row \f$ i \f$ of all matrices. For a canonical pose each of them must
-  /// belong to a cell.
+  /// \f$ i \f$-th vertex corresponds to row \f$ i \f$ of all matrices. For a canonical pose, each
+  /// vertex must belong to a cell.
   static unspecified_type vertices(const Complex& complex);
 
   /// returns a range of the cells, in the same order at every call. For a cell `c` the four
@@ -56,8 +56,9 @@ public:
   /// \name Labels
   /// @{
 
-  /// returns a range of labels, one per cell in the order of `cells(complex)`; their type is copyable and
-  /// comparable for equality. Optional: only `CGAL::Canonical_pose_3::Labeled_cells_3` asks for it.
+  /// returns a range of labels, one per cell in the order of `cells(complex)`; their type is
+  /// copyable and comparable for equality. Optional: required only by
+  /// `CGAL::Canonical_pose_3::Labeled_cells_3`.
   static unspecified_type labels(const Complex& complex);
 
   /// @}
