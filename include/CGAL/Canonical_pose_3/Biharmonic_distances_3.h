@@ -45,23 +45,24 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 \brief The class `Biharmonic_distances_3` computes biharmonic distances on a triangle mesh
 \cgalCite{cgal:canonical-lrf-bd-10}.
 
-With \f$ \lambda_k \f$ and \f$ \varphi_k \f$ the positive eigenvalues and the orthonormal
-eigenfunctions of the Laplacian of the surface, the distance of \f$ x \f$ and \f$ y \f$ is the root
-of \f$ \sum_k (\varphi_k(x) - \varphi_k(y))^2 / \lambda_k^2 \f$. It is a length, a metric, and
-smooth; all ways between two points count, not the shortest alone. It is not a geodesic distance: it
-grows more slowly, and differs by a factor that depends on the shape.
+Let \f$ \lambda_k \f$ and \f$ \varphi_k \f$ be the positive eigenvalues and the orthonormal
+eigenfunctions of the Laplacian of the surface. The distance between \f$ x \f$ and \f$ y \f$ is the
+square root of \f$ \sum_k (\varphi_k(x) - \varphi_k(y))^2 / \lambda_k^2 \f$. It has the unit of a
+length, is a metric, and smooth; it depends on all paths between two points, not only on the
+shortest. It is not a geodesic distance: it grows more slowly, and differs by a factor that depends
+on the shape.
 
-False contacts change it, too. When a hand and a leg of the articulated figure were joined by a
-bridge one face wide, in five poses, distances changed by 9 to 17 percent (root mean square), and
-geodesic ones by 10 to 16 percent.
+It is sensitive to false contacts, too. If a hand and a leg of the articulated figure are joined by
+a bridge one face wide, in five poses, distances change by 9 to 17 percent (root mean square), and
+geodesic distances by 10 to 16 percent.
 
-The sum stops after `number_of_eigenfunctions` terms; what is left out of the square is about
-\f$ A / (8 \pi^2 k) \f$ for the area \f$ A \f$ and \f$ k \f$ terms. The Laplacian is that of the
-intrinsic Delaunay triangulation, see `Heat_geodesics_3`.
+The sum is truncated after `number_of_eigenfunctions` terms; the truncation error of the squared
+distance is about \f$ A / (8 \pi^2 k) \f$ for the area \f$ A \f$ and \f$ k \f$ terms. The Laplacian
+is that of the intrinsic Delaunay triangulation, see `Heat_geodesics_3`.
 
 <em>Units and determinism.</em> As for `Heat_geodesics_3`.
 
-This class needs the library Spectra, version 1.0 or later.
+This class requires the library Spectra, version 1.0 or later.
 
 \tparam TriangleMesh a model of `FaceListGraph`, oriented and 2-manifold, with or without boundary,
         with any number of connected components and isolated vertices
@@ -93,10 +94,10 @@ public:
   /// \name Types
   /// @{
 
-  /// the mesh
+  /// the mesh type
   using Triangle_mesh = TriangleMesh;
 
-  /// its vertices
+  /// the vertex type
   using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
 
   /// @}
@@ -105,7 +106,8 @@ public:
   /// @{
 
   /*!
-  computes the eigenfunctions, with the points of the mesh's own property map `vertex_point`.
+  computes the eigenfunctions, with the points of the internal property map `vertex_point` of the
+  mesh.
   */
   explicit Biharmonic_distances_3(const TriangleMesh& tmesh,
                                   const std::size_t number_of_eigenfunctions = 100)
@@ -115,20 +117,20 @@ public:
   /*!
   computes the eigenfunctions of each connected component.
 
-  \param tmesh the mesh, not a temporary one; it must live and keep its vertices as long as this
-         object. Its points are read here only: moving them later changes nothing.
+  \param tmesh the mesh, not a temporary. It must outlive this object and keep its vertices. Its
+         points are only read by the constructor: moving them later has no effect.
   \param vertex_point_map the point of each vertex, in any unit
-  \param number_of_eigenfunctions per component; not more than it has vertices are used
+  \param number_of_eigenfunctions per component; at most the number of its vertices
   \param traits reads the coordinates of the points
 
   \throws std::invalid_argument if the mesh has no face, or no face with an area, or a face that is
-          not a triangle, or a vertex with a coordinate that is not finite, or the number is 0. The
-          message names face or vertex by its number in the range of faces or vertices.
-  \throws std::runtime_error if the Laplacian cannot be factored (out of memory), or its eigenvalues
-          are not found
+         not a triangle, or a vertex with a non-finite coordinate, or the number is 0. The message
+         states the index of the face or vertex.
+  \throws std::runtime_error if the Laplacian cannot be factored (out of memory), or the eigensolver
+         fails
 
-  <em>Complexity:</em> a factorization, and for \f$ n \f$ vertices and \f$ k \f$ eigenfunctions a few
-  times \f$ k \f$ solves and \f$ O(n k^2) \f$ operations; memory \f$ O(n (k + \log n)) \f$.
+  <em>Complexity:</em> for \f$ n \f$ vertices and \f$ k \f$ eigenfunctions, one factorization,
+  \f$ O(k) \f$ solves and \f$ O(n k^2) \f$ operations; memory \f$ O(n (k + \log n)) \f$.
   */
   Biharmonic_distances_3(const TriangleMesh& tmesh, Point_map vertex_point_map,
                          const std::size_t number_of_eigenfunctions = 100,
@@ -157,14 +159,14 @@ public:
   /// @}
 
   /// \name Queries
-  /// All of them are safe to call from several threads at once.
+  /// All queries may be called from several threads at once.
   /// @{
 
   /// returns the mesh.
   const TriangleMesh& triangle_mesh() const { return *m_tmesh; }
 
   /*!
-  returns the row of `v` in the results: its number in the range `vertices(tmesh)`.
+  returns the index of `v` in the range `vertices(tmesh)`, its row in the results.
   \pre `v` is a vertex of the mesh.
   */
   std::size_t index(vertex_descriptor v) const
@@ -201,12 +203,12 @@ public:
   }
 
   /*!
-  returns the distances from each of `sources`, taken alone, to all vertices.
+  returns the distances from each of `sources` to all vertices.
 
   \tparam VertexRange a range of vertex descriptors
-  \param sources the sources, which may repeat
-  \returns one row per vertex and one column per source, which is `distances(source)` to the last
-  bit
+  \param sources the sources, possibly with repetitions
+  \returns one row per vertex and one column per source; each column is bitwise equal to
+         `distances(source)`
   \pre All of `sources` are vertices of the mesh.
 
   <em>Complexity:</em> \f$ O(n k) \f$ per source.
@@ -242,7 +244,7 @@ public:
 private:
   using Embedding = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-  // Vertex i goes to (phi_k(i) / lambda_k) over k, component by component.
+  // Maps vertex i to the vector (phi_k(i) / lambda_k)_k, component by component.
   void embed(const internal::Delaunay_surface& surface, const Eigen::Index count)
   {
     const Eigen::SparseMatrix<double> laplacian

@@ -33,13 +33,14 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief applies the deformation of an elastic body to points near its surface, such as markers, a point
-cloud, or a finer version of the surface.
+\brief applies the deformation of an elastic body to points near its surface, such as markers, a
+point cloud, or a finer version of the surface.
 
-A point belongs to the cell that contains it, of those around the nearest location of the surface; if
-none does, on the cell that it is nearest to in barycentric coordinates; and of several on the one that carries
-most of that location. So the points follow the part of the body that they lie on, however near another part may
-be, and a point at a vertex of the surface goes where that goes.
+A point is embedded in one of the cells around the nearest location on the surface: in the cell that
+contains it, or, if there is none, in the nearest one in barycentric coordinates. If there are
+several, the cell that contributes most to this location is chosen. Points thus follow the part of
+the body that they lie on, even if another part is close by, and a point at a vertex of the surface
+moves with this vertex.
 
 \tparam ElasticBody a model of `ElasticBody_3`
 
@@ -52,11 +53,11 @@ public:
   /*!
   constructs a deformer.
 
-  \param body the body, not a temporary one; it must outlive the deformer.
-  \param triangles the surface: triples of rows of `body.embedding()`. Flat ones are not looked at: a
-         point near one of these is as near to its neighbors.
+  \param body the body, not a temporary. It must outlive the deformer.
+  \param triangles the surface: triples of rows of `body.embedding()`. Degenerate triangles are
+         ignored: a point near such a triangle is equally near to its neighbors.
 
-  \throws std::invalid_argument if no triangle has an area.
+  \throws std::invalid_argument if all triangles are degenerate.
 
   <em>Complexity:</em> \f$ O(n \log n) \f$.
   */
@@ -72,7 +73,7 @@ public:
   /// \endcond
 
   /*!
-  returns the matrix \f$ m \times N \f$ that embeds the points in the body: its product with the
+  returns the \f$ m \times N \f$ matrix that embeds the points in the body: its product with the
   body vertices in the pose is the pose of the points. The entries of a row sum to 1.
 
   \param points \f$ m \times 3 \f$, at rest.
@@ -115,7 +116,7 @@ private:
     return internal::barycentric_coordinates(corners, point);
   }
 
-  // The vertices of the body that carry a location of the surface, with their weights.
+  // The body vertices in which a location on the surface is embedded, with their weights.
   std::map<int, double> support_of(const internal::Triangle_tree::Location& location) const
   {
     std::map<int, double> support;
@@ -129,8 +130,8 @@ private:
     return support;
   }
 
-  // Cells of several parts of the body may lie around the point. Of those that are about as near, the one that
-  // carries most of the location on the surface is of the right part.
+  // Cells of several parts of the body may surround the point. Among those that are about equally
+  // near, the one that contributes most to the location on the surface belongs to the right part.
   Row embed(const Eigen::RowVector3d& point) const
   {
     const std::map<int, double> support = support_of(m_tree.nearest(point));

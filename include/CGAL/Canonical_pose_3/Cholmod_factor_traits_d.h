@@ -42,13 +42,12 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 \brief The class `Cholmod_factor_traits_d` solves sparse symmetric positive definite systems with
 CHOLMOD of SuiteSparse, simplicial or supernodal, whichever is faster for the matrix.
 
-Available where CHOLMOD is; the CMake target of the package says so by the macro
+It is available if the CMake target of the package has found CHOLMOD and defines the macro
 `CGAL_CANONICAL_POSE_3_USE_CHOLMOD`. It prints nothing. Copies share one factorization.
 
-Its results do not depend on the number of threads: inside its functions, OpenBLAS is held to one
-thread and set back afterwards, and the columns of a block are solved one or three at a time, without
-an effect on one another (in parallel, if `CGAL_LINKED_WITH_TBB` is defined). Solving from several
-threads at once is safe.
+Its results do not depend on the number of threads: inside its functions, OpenBLAS is temporarily
+limited to one thread, and the columns of a block are solved independently, one or three at a time
+(in parallel, if `CGAL_LINKED_WITH_TBB` is defined). It may be used from several threads at once.
 
 \cgalModels `SparseLinearAlgebraWithBlockFactorTraits_d`
 
@@ -64,16 +63,16 @@ public:
   using NT = double;                                ///< the number type
   using Vector = CGAL::Eigen_vector<double>;        ///< the vector type
   using Matrix = CGAL::Eigen_sparse_matrix<double>; ///< the matrix type
-  using Index = Eigen::Index;                       ///< the type of a row or column
+  using Index = Eigen::Index;                       ///< the type of row and column indices
 
   /// @}
 
   /// \name Operations
   /// @{
 
-  /// factors `matrix`, of which the lower triangle is read.
+  /// factors `matrix`, reading only its lower triangle.
   /// \returns `false` if the matrix is not numerically positive definite: a pivot is not positive,
-  /// not finite, or below 1e-14 times the diagonal entry it comes from; or if memory runs out.
+  /// not finite, or below 1e-14 times the original diagonal entry; or if memory runs out.
   bool factor(const Matrix& matrix, NT& denominator)
   {
     denominator = 1;
@@ -99,7 +98,7 @@ public:
     return factor(matrix, denominator) && linear_solver(right_hand_side, solution);
   }
 
-  /// solves for one right-hand side, with the last matrix given to `factor()`.
+  /// solves for one right-hand side, with the last matrix passed to `factor()`.
   bool linear_solver(const Vector& right_hand_side, Vector& solution) const
   {
     CGAL_precondition(m_factor != nullptr);
@@ -109,8 +108,8 @@ public:
                                                solution.eigen_object());
   }
 
-  /// solves for a block of right-hand sides, one per column. Each column of the solution has the
-  /// same bytes as if it were solved for alone.
+  /// solves for a block of right-hand sides, one per column. Each column of the solution is bitwise
+  /// equal to the solution of a single right-hand side.
   /// \returns `false` if the solution is not finite
   bool linear_solver(const Eigen::Ref<const Eigen::MatrixXd>& right_hand_sides,
                      Eigen::MatrixXd& solutions) const
@@ -119,7 +118,7 @@ public:
     const internal::Single_threaded_blas guard;
     solutions.resize(right_hand_sides.rows(), right_hand_sides.cols());
     std::atomic<bool> solved(true);
-    // CHOLMOD's simplicial solves sum in the same order for one to three columns; others do not.
+    // Only CHOLMOD's simplicial solves sum in the same order for one to three columns.
     const Index width = m_factor->is_super ? 1 : 3;
     const auto solve_groups = [&](Index first, Index last) {
       internal::Cholmod_workspace workspace;

@@ -30,13 +30,12 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief is an elastic body among whose vertices are those of the surface: the first ones, in their
-order.
+\brief is an elastic body whose first vertices are those of the surface, in the same order.
 
-Surface vertex \f$ i \f$ is body vertex \f$ i \f$, so that the embedding matrix has identity rows;
-vertices that follow (Steiner points, say) belong to the interior and have no target. Of a
-tetrahedral complex all vertices count as surface vertices here, those inside with matching weight
-0.
+Surface vertex \f$ i \f$ is body vertex \f$ i \f$, so the rows of the embedding matrix are rows of
+the identity matrix; subsequent vertices (for instance Steiner points) are interior and have no
+target. For a tetrahedral complex, all vertices are considered surface vertices here, interior ones
+with matching weight 0.
 
 \cgalModels `ElasticBody_3`
 
@@ -51,7 +50,7 @@ public:
 
   \param points \f$ N \times 3 \f$, rest positions of the body vertices.
   \param cells four rows of `points` per cell, in either orientation.
-  \param number_of_surface_vertices the first so many rows are the surface.
+  \param number_of_surface_vertices number of leading rows that are surface vertices.
 
   \pre `number_of_surface_vertices` is at most the number of rows.
 

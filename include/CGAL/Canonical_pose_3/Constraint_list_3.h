@@ -28,8 +28,8 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief is the list that all constraint adaptors of this package are: elements of one kind, which may
-be added, changed and removed between two registrations.
+\brief is the base of all constraint adaptors of this package: a list of elements of one type, which
+may be added, modified and removed between two registrations.
 
 \tparam Element `Spring_3`, `Directed_pair_3`, `Handle_3` or `Symmetric_pair_3`
 */
@@ -46,8 +46,8 @@ public:
   {}
 
   /// adds an element and returns its index. The matrix changes.
-  /// \throws std::invalid_argument if a vertex does not exist, or a number is out of its bounds; the
-  ///         message names the element.
+  /// \throws std::invalid_argument if a vertex does not exist, or a value is out of range; the
+  ///         message states the index of the element.
   std::size_t insert(const Element& element)
   {
     check(element, m_elements.size());
@@ -57,9 +57,9 @@ public:
     return m_elements.size() - 1;
   }
 
-  /// puts another element in the place of one. The matrix changes if vertices or stiffness do.
+  /// replaces an element. The matrix changes if vertices or stiffness change.
   /// \pre `index < elements().size()`
-  /// \throws std::invalid_argument as `insert()`; nothing is changed then.
+  /// \throws std::invalid_argument as `insert()`; the list is then unchanged.
   void replace(const std::size_t index, const Element& element)
   {
     CGAL_precondition(index < m_elements.size());
@@ -84,7 +84,7 @@ public:
     replace(index, changed);
   }
 
-  /// removes an element; the indices of those after it become smaller by one. The matrix changes.
+  /// removes an element; the indices of the following elements decrease by one. The matrix changes.
   /// \pre `index < elements().size()`
   void erase(const std::size_t index)
   {
@@ -110,7 +110,7 @@ public:
 
 protected:
   /// \cond SKIP_IN_MANUAL
-  // What is remembered about an element; it goes with it, and is forgotten with its vertices.
+  // State of an element; it is removed with the element, and reset if the vertices change.
   State& state(const std::size_t index) { return m_states[index]; }
   /// \endcond
 

@@ -24,7 +24,7 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief The solver used where none is asked for: `Cholmod_factor_traits_d` if the macro
+\brief is the default solver: `Cholmod_factor_traits_d` if the macro
 `CGAL_CANONICAL_POSE_3_USE_CHOLMOD` is defined, `Eigen_factor_traits_d` otherwise.
 
 \cgalModels `SparseLinearAlgebraWithBlockFactorTraits_d`

@@ -29,7 +29,7 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 \brief The class `Eigen_factor_traits_d` solves sparse symmetric positive definite systems with
 Eigen's `SimplicialLDLT`.
 
-It needs nothing but Eigen, and solves from several threads at once. Its results do not depend on
+It requires only Eigen, and may be used from several threads at once. Its results do not depend on
 the number of threads.
 
 \cgalModels `SparseLinearAlgebraWithBlockFactorTraits_d`
@@ -55,9 +55,9 @@ public:
   /// \name Operations
   /// @{
 
-  /// factors `matrix`, of which the lower triangle is read.
+  /// factors `matrix`, reading only its lower triangle.
   /// \returns `false` if the matrix is not numerically positive definite: a pivot is not positive,
-  /// not finite, or below 1e-14 times the diagonal entry it comes from.
+  /// not finite, or below 1e-14 times the original diagonal entry.
   bool factor(const Matrix& matrix, NT& denominator)
   {
     m_is_factored = Base::factor(matrix, denominator) && has_positive_pivots(matrix);
@@ -71,7 +71,7 @@ public:
     return factor(matrix, denominator) && linear_solver(right_hand_side, solution);
   }
 
-  /// solves for one right-hand side, with the last matrix given to `factor()`.
+  /// solves for one right-hand side, with the last matrix passed to `factor()`.
   bool linear_solver(const Vector& right_hand_side, Vector& solution) const
   {
     CGAL_precondition(m_is_factored);
@@ -79,8 +79,8 @@ public:
     return solution.eigen_object().allFinite();
   }
 
-  /// solves for a block of right-hand sides, one per column. Each column of the solution has the
-  /// same bytes as if it were solved for alone.
+  /// solves for a block of right-hand sides, one per column. Each column of the solution is bitwise
+  /// equal to the solution of a single right-hand side.
   /// \returns `false` if the solution is not finite
   bool linear_solver(const Eigen::Ref<const Eigen::MatrixXd>& right_hand_sides,
                      Eigen::MatrixXd& solutions) const

@@ -31,7 +31,7 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief is an elastic body in which a surface is embedded by any matrix.
+\brief is an elastic body in which a surface is embedded by an arbitrary matrix.
 
 \cgalModels `ElasticBody_3`
 
@@ -47,11 +47,11 @@ public:
 
   \param points \f$ N \times 3 \f$, rest positions of the body vertices.
   \param cells four rows of `points` per cell, in either orientation.
-  \param embedding \f$ n \times N \f$, a row per surface vertex with sum 1.
+  \param embedding \f$ n \times N \f$, one row per surface vertex, with sum 1.
 
-  \throws std::invalid_argument if there is no cell, a cell names a row that does not exist or names
-         one twice, a coordinate is not finite, a cell has no volume, or the embedding has another
-         number of columns or a row of another sum; the message names the element.
+  \throws std::invalid_argument if there is no cell, a cell has an invalid or repeated row, a
+         coordinate is not finite, a cell has no volume, the embedding has the wrong number of
+         columns, or a row of it does not sum to 1; the message states the index of the element.
 
   <em>Complexity:</em> linear.
   */

@@ -48,8 +48,7 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// Calls f, which calls CGAL's shortest paths. What their assertions throw, in builds that have any, is
-// their own affair.
+// Calls f, which calls CGAL's shortest paths. Converts exceptions of their assertions, if enabled.
 template <class Function>
 void find_shortest_paths(const Function& f)
 {
@@ -72,17 +71,18 @@ void find_shortest_paths(const Function& f)
 \brief The class `Exact_geodesics_3` computes the lengths of shortest paths on the surface of a
 triangle mesh, with `CGAL::Surface_mesh_shortest_path`.
 
-The paths are exact, their lengths correct up to rounding: symmetric, and a metric. It is the
-reference for `Heat_geodesics_3`, and takes hundreds of times as long per source.
+The paths are exact, and their lengths are correct up to rounding; they are symmetric and a metric.
+This class serves as reference for `Heat_geodesics_3`, and takes hundreds of times as long per
+source.
 
-<em>Thin faces.</em> Where faces of less than about 1/100 of their length in height lie in regular
-rows, as in a stretched grid, the search may lose the shortest path to a vertex. If the way by one of
-its neighbors is then shorter than what was found, its length is returned. On such grids and tubes,
-down to heights of 1e-14, no distance was too large by more than 3.2e-7 of the largest one. Thinner
-faces, whose shape is a matter of rounding, are refused.
+<em>Thin faces.</em> If faces with a height below about 1/100 of their length form regular rows, as
+in a stretched grid, the search may miss the shortest path to a vertex. If the path through one of
+its neighbors is shorter than the path found, its length is returned. On such grids and tubes, down
+to heights of 1e-14, no distance was too large by more than 3.2e-7 times the largest one. Thinner
+faces, whose shape is dominated by rounding errors, are refused.
 
 The mesh is copied, with points of `Exact_predicates_inexact_constructions_kernel` scaled by a power
-of two, hence any kernel and any unit will do.
+of two; any kernel and any unit can be used.
 
 \tparam TriangleMesh a model of `FaceListGraph`, oriented and 2-manifold, with or without boundary,
         with any number of connected components and isolated vertices
@@ -116,10 +116,10 @@ public:
   /// \name Types
   /// @{
 
-  /// the mesh
+  /// the mesh type
   using Triangle_mesh = TriangleMesh;
 
-  /// its vertices
+  /// the vertex type
   using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
 
   /// @}
@@ -128,7 +128,7 @@ public:
   /// @{
 
   /*!
-  copies the mesh, with the points of its own property map `vertex_point`.
+  copies the mesh, with the points of its internal property map `vertex_point`.
   */
   explicit Exact_geodesics_3(const TriangleMesh& tmesh)
     : Exact_geodesics_3(tmesh, get(vertex_point, tmesh))
@@ -137,16 +137,15 @@ public:
   /*!
   copies the mesh.
 
-  \param tmesh the mesh, not a temporary one; it must live and keep its vertices as long as this
-         object. Its points are read here only: moving them later changes nothing.
+  \param tmesh the mesh, not a temporary. It must outlive this object and keep its vertices. Its
+         points are only read by the constructor: moving them later has no effect.
   \param vertex_point_map the point of each vertex, in any unit
   \param traits reads the coordinates of the points
 
   \throws std::invalid_argument if the mesh has no face, or a face that is not a triangle or has no
-          area, or whose height is less than 1e-14 times its longest edge, or whose edges are shorter
-          than 1e-14 times the connected component or 1e-60 times the largest coordinate, or a vertex
-          with a coordinate that is not finite. The message names face or vertex by its number in the
-          range of faces or vertices.
+          area, or whose height is less than 1e-14 times its longest edge, or whose edges are
+          shorter than 1e-14 times the connected component or 1e-60 times the largest coordinate, or
+          a vertex with a non-finite coordinate. The message states the index of the face or vertex.
 
   <em>Complexity:</em> linear.
   */
@@ -182,7 +181,7 @@ public:
   const TriangleMesh& triangle_mesh() const { return *m_tmesh; }
 
   /*!
-  returns the row of `v` in the results: its number in the range `vertices(tmesh)`.
+  returns the index of `v` in the range `vertices(tmesh)`, its row in the results.
   \pre `v` is a vertex of the mesh.
   */
   std::size_t index(vertex_descriptor v) const
@@ -198,7 +197,7 @@ public:
            `+infinity` at vertices of other connected components; never NaN
   \pre `source` is a vertex of the mesh.
 
-  <em>Complexity:</em> \f$ O(n^2 \log n) \f$ at worst for \f$ n \f$ vertices.
+  <em>Complexity:</em> \f$ O(n^2 \log n) \f$ in the worst case for \f$ n \f$ vertices.
   */
   Eigen::VectorXd distances(vertex_descriptor source) const
   {
@@ -206,12 +205,12 @@ public:
   }
 
   /*!
-  returns the distances from each of `sources`, taken alone, to all vertices.
+  returns the distances from each of `sources` to all vertices.
 
   \tparam VertexRange a range of vertex descriptors
-  \param sources the sources, which may repeat
-  \returns one row per vertex and one column per source, which is `distances(source)` to the last
-  bit
+  \param sources the sources, possibly with repetitions
+  \returns one row per vertex and one column per source; each column is bitwise equal to
+         `distances(source)`
   \pre All of `sources` are vertices of the mesh.
   */
   template <class VertexRange,
@@ -230,13 +229,13 @@ public:
   returns the lengths of the shortest paths from the nearest of `sources` to all vertices.
 
   \tparam VertexRange a range of vertex descriptors
-  \param sources the sources, which may repeat
-  \returns one number per vertex, as `distances()` does; `+infinity` everywhere if there is no source
+  \param sources the sources, possibly with repetitions
+  \returns one number per vertex, like `distances()`; `+infinity` everywhere if there is no source
   \pre All of `sources` are vertices of the mesh.
 
-  \throws std::runtime_error if \cgal does not find the paths
+  \throws std::runtime_error if \cgal fails to find the paths
 
-  <em>Complexity:</em> \f$ O(n^2 \log n) \f$ at worst, for all sources together.
+  <em>Complexity:</em> \f$ O(n^2 \log n) \f$ in the worst case, for all sources together.
   */
   template <class VertexRange>
   Eigen::VectorXd distance_to_nearest(const VertexRange& sources) const
@@ -292,7 +291,7 @@ private:
         throw internal::Face_defect(h / 3, "is degenerate");
   }
 
-  // Writes those that are found, in units of the copy.
+  // Writes the distances found, in the unit of the copy.
   void find_distances(const std::vector<Copied_vertex>& sources, Eigen::VectorXd& distances) const
   {
     Shortest_path paths(m_copy);
@@ -307,7 +306,7 @@ private:
       }
   }
 
-  // Replaces distances that are more than rounding above those by way of a neighbor.
+  // Replaces distances that exceed those through a neighbor by more than rounding errors.
   void go_by_neighbors(Eigen::VectorXd& distances) const
   {
     std::vector<Eigen::Index> row_of(m_copy.num_vertices());

@@ -21,22 +21,23 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief is the Gaussian affinity \f$ k(g) = \exp(-g^2 / 2\sigma^2) \f$ with \f$ \sigma = L/2 \f$, \f$
-L \f$ being the largest distance \cgalCite{cgal:canonical-s-sdacm-15}, Section 5.
+\brief is the Gaussian affinity \f$ k(g) = \exp(-g^2 / 2\sigma^2) \f$ with \f$ \sigma = L/2 \f$,
+where \f$ L \f$ is the largest distance \cgalCite{cgal:canonical-s-sdacm-15}, Section 5.
 
-Centered (the default) this is kernel principal component analysis. The affinity as printed in the
-paper is not centered; its first eigenvector is then nearly constant, so that the first coordinate
-measures how central a point is and the target curls. That form is kept for reproduction only.
+If centered (the default), this is kernel principal component analysis. The affinity as printed in
+the paper is not centered; its first eigenvector is then nearly constant, so the first coordinate
+measures how central a point is, and the target curls up. This form is provided for reproducibility
+only.
 
 \cgalModels `MdsKernel`
 */
 class Gaussian_kernel
 {
 public:
-  /// constructs the kernel; `centered` tells whether its Gram matrix is centered.
+  /// constructs the kernel; `centered` determines whether its Gram matrix is centered.
   explicit Gaussian_kernel(const bool centered = true) : m_centered(centered) {}
 
-  /// returns \f$ \exp(-2 r^2) \f$ of the relative distance \f$ r = g/L \f$.
+  /// returns \f$ \exp(-2 r^2) \f$ for the relative distance \f$ r = g/L \f$.
   double operator()(const double relative_distance) const
   {
     return std::exp(-2 * relative_distance * relative_distance);

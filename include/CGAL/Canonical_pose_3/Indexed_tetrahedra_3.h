@@ -36,14 +36,14 @@ struct Indexed_tetrahedra_3
   /// the type of points.
   using Point_3 = Point;
 
-  /// the points; points of no cell are allowed, they move with nothing and are rejected where they
+  /// the points; isolated points are allowed, but belong to no body and are refused where they
   /// would matter.
   std::vector<Point> points;
 
   /// four indices into `points` per cell, in either orientation.
   std::vector<std::array<std::size_t, 4>> cells;
 
-  /// a label per cell, or none; only `Labeled_cells_3` looks at them, and refuses any other number.
+  /// one label per cell, or none; used only by `Labeled_cells_3`, which refuses any other number.
   std::vector<int> labels{};
 };
 

@@ -31,7 +31,7 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// The type of the labels of a complex, and whether its traits have any.
+// The label type of a complex, and whether its traits provide labels.
 template <class Complex, class = void>
 struct Label_of_complex : std::false_type
 {
@@ -73,16 +73,16 @@ std::string name_of_label(const Label& label)
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief selects the cells of given labels of a tetrahedral complex: an organ of a segmented image, for
-instance. The selection is a complex itself.
+\brief selects the cells with given labels of a tetrahedral complex, for instance an organ of a
+segmented image. The selection is a complex itself.
 
-Its vertices are those of the selected cells, and cells and vertices come in the order of the complex.
-Vertex descriptors are those of the complex, so that a property map of its vertices will do for the
-pose. Where cells or vertices are numbered (in messages, in options given per cell or per vertex, in
-the result of `complex_body()`) the numbers are those in the selection.
+Its vertices are those of the selected cells; cells and vertices are in the order of the complex.
+Vertex descriptors are those of the complex, so a property map of its vertices can be used for the
+pose. Indices of cells and vertices (in messages, in options per cell or vertex, in the result of
+`complex_body()`) are those in the selection.
 
 \tparam Complex a type for which `Tetrahedral_complex_traits_3` is specialized, with labels: see the
-        concept `TetrahedralComplexTraits_3`. Usually it is deduced, as in
+        concept `TetrahedralComplexTraits_3`. It is usually deduced, as in
         `canonical_pose_3(Labeled_cells_3(c3t3, 2), pose_map)`.
 
 \sa `Tetrahedral_complex_traits_3`
@@ -111,8 +111,8 @@ public:
   /*!
   selects the cells of one label.
 
-  \param complex the complex, not a temporary one; it must live, and keep its cells and vertices, as
-         long as this object.
+  \param complex the complex, not a temporary. It must outlive this object and keep its cells and
+         vertices.
   \param label the label.
 
   \throws std::invalid_argument if no cell has the label, or there is not one label per cell.
@@ -127,10 +127,10 @@ public:
   selects the cells of several labels.
 
   \param complex as above.
-  \param labels the labels, which may repeat.
+  \param labels the labels, possibly with repetitions.
 
-  \throws std::invalid_argument if there is no cell of one of the labels, or no label, or not one label
-          per cell.
+  \throws std::invalid_argument if one of the labels has no cell, or there is no label, or not one
+         label per cell.
 
   <em>Complexity:</em> linear in the size of the complex, times the number of labels.
   */

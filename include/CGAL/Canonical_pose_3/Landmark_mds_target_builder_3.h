@@ -34,20 +34,21 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief embeds points by landmark multidimensional scaling, from their distances to a few of them.
+\brief embeds points by landmark multidimensional scaling, given their distances to a few of them.
 
-The landmarks are embedded by the leading eigenvectors of their (centered) kernel matrix, all other
+The landmarks are embedded by the leading eigenvectors of their (centered) kernel matrix; all other
 points are interpolated from their distances to the landmarks \cgalCite{cgal:canonical-st-glmnd-02},
-\cgalCite{cgal:canonical-s-sdacm-15} (Equation 3). With \f$ K_{ij} = k(g_{ij}/L) \f$ over the
-landmarks (distances symmetrized, \f$ L \f$ the largest of all), \f$ H \f$ the centering matrix and
-\f$ HKH = Q \Lambda Q^t \f$ truncated to the \f$ m \f$ largest eigenvalues, point \f$ i \f$ lands at
-\f$ s\,\Lambda^{-1/2} Q^t (k_i - \bar k) \f$, \f$ \bar k \f$ being the mean of the columns of \f$ K
-\f$. The scale \f$ s = \sum d g / \sum d^2 \f$ over the pairs of landmarks (\f$ d \f$ embedded, \f$
-g \f$ given) brings any kernel to the unit of the distances.
+\cgalCite{cgal:canonical-s-sdacm-15} (Equation 3). Let \f$ K_{ij} = k(g_{ij}/L) \f$ for the
+symmetrized distances between landmarks, where \f$ L \f$ is the largest of all distances, let
+\f$ H \f$ be the centering matrix, and \f$ HKH = Q \Lambda Q^t \f$ truncated to the \f$ m \f$
+largest eigenvalues. Point \f$ i \f$ is mapped to \f$ s\,\Lambda^{-1/2} Q^t (k_i - \bar k) \f$,
+where \f$ \bar k \f$ is the mean of the columns of \f$ K \f$. The scale
+\f$ s = \sum d g / \sum d^2 \f$ over the pairs of landmarks (\f$ d \f$ embedded, \f$ g \f$ given)
+yields the unit of the distances for any kernel.
 
-Where the matrix has fewer than \f$ m \f$ positive eigenvalues, the coordinates left over are 0 (the
-target is flat) and `number_of_positive_eigenvalues()` tells it. Each eigenvector is taken with the
-sign that makes the third moment of its entries non-negative. Landmarks that coincide do no harm.
+If the matrix has fewer than \f$ m \f$ positive eigenvalues, the remaining coordinates are 0 (the
+target is flat), see `number_of_positive_eigenvalues()`. The sign of each eigenvector is chosen such
+that the third moment of its entries is nonnegative. Coincident landmarks are supported.
 
 \tparam MdsKernel a model of `MdsKernel`
 
@@ -69,13 +70,14 @@ public:
   /*!
   embeds the points whose distances to the landmarks are given.
 
-  \throws std::invalid_argument if there is no landmark, the sizes do not match, a landmark is no
-         row of the distances, or a distance is negative or not finite (a point that a landmark does
-         not reach), the message names the element; or if the kernel is not finite at a distance.
+  \throws std::invalid_argument if there is no landmark, the sizes do not match, a landmark is not a
+         row of the distances, or a distance is negative or not finite (for a point that is not
+         connected to a landmark), stating the index of the element; or if the kernel is not finite
+         at a distance.
 
   <em>Complexity:</em> \f$ O(nl) \f$ for \f$ n \f$ points and \f$ l \f$ landmarks, and the leading
-  eigenvectors of an \f$ l \times l \f$ matrix: \f$ O(l^3) \f$ at most, and \f$ O(l^2) \f$ where the
-  eigenvalues decay, as those of distances on surfaces do.
+  eigenvectors of an \f$ l \times l \f$ matrix: \f$ O(l^3) \f$ at most, and \f$ O(l^2) \f$ if the
+  eigenvalues decay, as they do for distances on surfaces.
   */
   void build(const Landmark_fields_3& fields)
   {
@@ -101,7 +103,7 @@ public:
   }
 
   /// \name Results
-  /// They refer to the last call of `build()`.
+  /// These functions refer to the last call of `build()`.
   /// @{
 
   /// returns the \f$ n \times m \f$ matrix of embedded points, in the unit of the distances.
@@ -115,15 +117,16 @@ public:
   double stress() const { return m_stress; }
 
   /// returns the leading eigenvalues of the (centered) kernel matrix of distances divided by the
-  /// largest one, in decreasing order: six, and one more than dimensions, at least; all of them if
-  /// there are at most 300 landmarks.
+  /// largest one, in decreasing order: at least six, and at least one more than the dimension; all
+  /// of them if there are at most 300 landmarks.
   const Eigen::VectorXd& eigenvalues() const { return m_eigenvalues; }
 
-  /// returns how many of the first \f$ m \f$ eigenvalues count as positive (beyond rounding).
+  /// returns how many of the first \f$ m \f$ eigenvalues are positive (beyond rounding errors).
   int number_of_positive_eigenvalues() const { return m_number_of_positive_eigenvalues; }
 
-  /// returns `false` if the eigenvalue after the last used one exceeds 0.9 times that one: another
-  /// choice of axes is then about as good, and the pose depends on details of the distances.
+  /// returns `false` if the eigenvalue after the last used one exceeds 0.9 times that one: a
+  /// different choice of axes is then about equally good, and the pose depends on details of the
+  /// distances.
   bool is_determined() const
   {
     return m_eigenvalues.size() <= m_dimension
@@ -157,7 +160,7 @@ private:
     return (0.5 * (g + g.transpose())).eval();
   }
 
-  // The columns are those of Q Lambda^(-1/2), zero where the eigenvalue is not positive.
+  // The columns are those of Q Lambda^(-1/2), zero if the eigenvalue is not positive.
   Eigen::MatrixXd eigen_projection(const Eigen::MatrixXd& gram)
   {
     const internal::Eigenpairs leading

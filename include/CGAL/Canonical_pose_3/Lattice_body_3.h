@@ -28,20 +28,20 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief is an elastic body for any oriented surface, one that intersects itself or has holes included:
-the cubes of a regular lattice that the solid passes through, each cut into six tetrahedra.
+\brief is an elastic body for any oriented surface, including surfaces with self-intersections or
+holes: the cubes of a regular lattice that intersect the solid, each subdivided into six tetrahedra.
 
-Where several parts of the solid pass through the same cube (two fingers, or limbs that overlap),
-each has a copy of the cube with nodes of its own \cgalCite{cgal:canonical-mbf-vna-04}, so that the
-parts come apart when the target says so. The solid is followed from the surface along *chords*, the
-ways from points of the surface against the normal to the exit from the solid; parts are told apart
-by geodesic distances: two pieces in a cube are of the same part if they lie about as near to one
-another on the surface as through the solid.
+If several parts of the solid pass through the same cube (two fingers, or limbs that overlap), each
+has a copy of the cube with its own nodes \cgalCite{cgal:canonical-mbf-vna-04}, so that the target
+can separate the parts. The solid is explored along *chords*, which run from surface samples against
+the normal to the exit from the solid. Parts are distinguished by geodesic distances: two pieces in
+a cube belong to the same part if their distance on the surface is similar to that through the
+solid.
 
-A cube that the surface passes through weighs as much as is filled of it. A vertex of the surface
-is embedded in the tetrahedron that holds it, by barycentric coordinates. The lattice lies along the
-principal axes of area, so that it follows rigid motions and scaling. The size of the body does not
-depend on the resolution of the surface.
+A cube that intersects the surface is weighted by its filled share. A vertex of the surface is
+embedded in the tetrahedron that contains it, by barycentric coordinates. The lattice is aligned
+with the principal axes of the surface, so it follows rigid motions and scaling. The size of the
+body does not depend on the resolution of the surface.
 
 \cgalModels `ElasticBody_3`
 
@@ -55,18 +55,18 @@ public:
   constructs the body.
 
   \param points \f$ n \times 3 \f$, vertices of the surface.
-  \param triangles triples of rows of `points`, oriented so that the normals point outwards.
+  \param triangles triples of rows of `points`, oriented such that normals point outward.
   \param distances \f$ n \times l \f$, geodesic distances to landmarks, see
          `farthest_point_landmarks()`. The largest is the length \f$ L \f$.
-  \param spacing side of the cubes as a fraction of \f$ L \f$; 0: chosen from the lengths of the
-         chords, so that thin limbs are about two cubes wide, within bounds.
-  \param caps triangles over the vertices that close the holes of the surface.
+  \param spacing edge length of the cubes as a fraction of \f$ L \f$; if 0, it is chosen based on
+         the lengths of the chords, such that thin limbs are about two cubes wide, within bounds.
+  \param caps triangles of vertices that close the holes of the surface.
 
-  \pre `distances.rows() == points.rows()`, and there is a column.
+  \pre `distances.rows() == points.rows()`, and there is at least one column.
 
   \throws std::invalid_argument if the spacing is negative or so small that there would be tens of
-         millions of cubes, a vertex belongs to no triangle, the surface has no area, or a distance
-         is not finite (several components, for instance).
+         millions of cubes, a vertex is isolated, the surface has no area, or a distance is not
+         finite (for instance for several components).
 
   <em>Complexity:</em> linear in the numbers of triangles, cubes and cubes along the chords.
   */
@@ -88,20 +88,20 @@ public:
   /// returns the \f$ N \times 3 \f$ nodes, in the unit of the surface.
   const Point_matrix& points() const { return m_data.points; }
 
-  /// returns the cells, four rows of `points()` each; six in a row are those of a cube.
+  /// returns the cells, four rows of `points()` each; each cube has six consecutive cells.
   const std::vector<std::array<int, 4>>& cells() const { return m_data.cells; }
 
-  /// returns the share of each cell in the volume, of cubes on the surface the filled part; the sum
-  /// is 1.
+  /// returns the share of each cell in the volume, counting only the filled part of cubes at the
+  /// surface; the sum is 1.
   const Eigen::VectorXd& cell_weights() const { return m_data.cell_weights; }
 
   /// returns the filled volume.
   double volume() const { return m_data.volume; }
 
-  /// returns the \f$ n \times N \f$ matrix \f$ B \f$ with four entries per row at most.
+  /// returns the \f$ n \times N \f$ matrix \f$ B \f$ with at most four entries per row.
   const Eigen::SparseMatrix<double>& embedding() const { return m_data.embedding; }
 
-  /// returns the side of the cubes as a fraction of \f$ L \f$.
+  /// returns the edge length of the cubes as a fraction of \f$ L \f$.
   double spacing() const { return m_data.spacing; }
 
 private:

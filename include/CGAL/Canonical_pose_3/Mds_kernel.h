@@ -24,7 +24,7 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief holds a kernel of any type, so that it can be chosen at run time.
+\brief holds a kernel of any type, which can thus be chosen at run time.
 
 \cgalModels `MdsKernel`
 
@@ -33,14 +33,14 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 class Mds_kernel
 {
 public:
-  /// takes a kernel.
+  /// constructs from a kernel.
   /// \tparam Kernel a model of `MdsKernel`
   template <class Kernel, std::enable_if_t<!std::is_same<Kernel, Mds_kernel>::value, int> = 0>
   Mds_kernel(Kernel kernel)
     : m_is_centered(kernel.is_centered()), m_name(kernel.name()), m_similarity(std::move(kernel))
   {}
 
-  /// returns the similarity of two points of the relative distance \f$ r = g/L \f$.
+  /// returns the similarity of two points at relative distance \f$ r = g/L \f$.
   double operator()(const double relative_distance) const
   {
     return m_similarity(relative_distance);

@@ -24,7 +24,7 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief holds the knobs of `Tetrahedral_arap_registrar_3`.
+\brief holds the parameters of `Tetrahedral_arap_registrar_3`.
 */
 struct Registration_options
 {
@@ -32,33 +32,34 @@ struct Registration_options
   /// \f$ keep their shape, larger ones follow the target. Positive.
   double detail_length = 0.1;
 
-  /// \f$ \beta \f$, weight of the Tikhonov term that holds an iteration near the one before it
-  /// \cgalCite{cgal:canonical-s-sdacm-15} (Equation 11). Not negative. It slows convergence and
+  /// \f$ \beta \f$, weight of the Tikhonov term that keeps an iterate close to the previous one
+  /// \cgalCite{cgal:canonical-s-sdacm-15} (Equation 11). Nonnegative. It slows down convergence and
   /// rarely helps.
   double tikhonov = 0;
 
-  /// cap on the number of iterations. Not negative.
+  /// maximum number of iterations. Nonnegative.
   int number_of_iterations = 500;
 
-  /// stops when \f$ |E_{k-1} - E_k| \le \f$ `energy_tolerance` \f$ \cdot \max(E_{k-1}, 10^{-15})
-  /// \f$ and `move_tolerance` agrees; the floor, without unit as \f$ E \f$ is, stands for an energy
-  /// of 0 up to rounding. With acceleration this must hold in two iterations in a row.
+  /// stops when \f$ |E_{k-1} - E_k| \le \f$ `energy_tolerance`
+  /// \f$ \cdot \max(E_{k-1}, 10^{-15}) \f$ and the condition of `move_tolerance` holds; the lower
+  /// bound, dimensionless like \f$ E \f$, accounts for energies that are 0 up to rounding. With
+  /// acceleration, this must hold in two consecutive iterations.
   double energy_tolerance = 1e-5;
 
   /// stops when no surface vertex moves by more than `move_tolerance` \f$ \cdot L \f$ in an
-  /// iteration without acceleration and `energy_tolerance` agrees.
+  /// iteration without acceleration and the condition of `energy_tolerance` holds.
   double move_tolerance = 5e-4;
 
-  /// number of earlier steps that correct a step by limited-memory BFGS
-  /// \cgalCite{cgal:canonical-lbk-qnm-17}, which takes about half the iterations; 0 for none. With
-  /// fairing or a Tikhonov term there is no correction. Not negative.
+  /// number of previous steps that correct a step by limited-memory BFGS
+  /// \cgalCite{cgal:canonical-lbk-qnm-17}, which halves the number of iterations; 0 for none. There
+  /// is no correction with fairing or a Tikhonov term. Nonnegative.
   int acceleration_window = 5;
 
   /// number of fairing passes (Taubin \cgalCite{cgal:canonical-t-spafsd-95}: one step of \f$
   /// \lambda \f$ and one of \f$ \mu \f$, equal weights over the edges of the boundary of the body)
   /// of the copy from which the rotations are computed from the second iteration on
-  /// \cgalCite{cgal:canonical-s-sdacm-15} (Section 6.2). 0 for none; with fairing the energy may
-  /// rise.
+  /// \cgalCite{cgal:canonical-s-sdacm-15} (Section 6.2). 0 for none; with fairing, the energy may
+  /// increase.
   int fairing_passes = 0;
 
   /// \f$ \lambda \f$ of the fairing.
@@ -67,18 +68,18 @@ struct Registration_options
   /// \f$ \mu \f$ of the fairing.
   double fairing_mu = -0.53;
 
-  /// whether the result is to have no inverted or flat cell: no cell that has another orientation
-  /// than at rest, where none is flat. Those that there are after the iteration are turned right side
-  /// out, with their surroundings, by foldover-free maps
-  /// \cgalCite{cgal:canonical-gkkprs-ffm-21}; then the energy is lowered with a barrier that no
-  /// cell crosses. Where there are none, the result is the same as without.
+  /// whether the result must not have inverted or flat cells, that is, cells whose orientation
+  /// differs from that at rest, where none is flat. Such cells are untangled after the iteration,
+  /// with their surroundings, by foldover-free maps \cgalCite{cgal:canonical-gkkprs-ffm-21}; then
+  /// the energy is decreased with a barrier that no cell crosses. If there are none, this option
+  /// has no effect.
   bool injective = false;
 
   /*!
-  sets the weights as the paper prints them \cgalCite{cgal:canonical-s-sdacm-15} (Equation 13),
-  which go with matching weights \f$ m_i = 1/n \f$.
+  sets the weights in the form of the paper \cgalCite{cgal:canonical-s-sdacm-15} (Equation 13), to
+  be used with matching weights \f$ m_i = 1/n \f$.
 
-  \param alpha \f$ \alpha \f$, in the inverse of the mesh's unit of length (the paper names no unit;
+  \param alpha \f$ \alpha \f$, in the inverse unit of length of the mesh (the paper states no unit;
          it used 100).
   \param beta \f$ \beta \f$ (the paper used 10).
   \param n number of surface vertices.
@@ -92,7 +93,7 @@ struct Registration_options
     tikhonov = beta;
   }
 
-  /// \throws std::invalid_argument naming the first value that is out of its bounds.
+  /// \throws std::invalid_argument stating the first value that is out of range.
   void check() const
   {
     require(std::isfinite(detail_length) && detail_length > 0, "detail_length", detail_length,

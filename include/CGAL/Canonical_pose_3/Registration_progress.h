@@ -21,11 +21,11 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief is what a `RegistrationVisitor_3` sees after an iteration. All members are without unit.
+\brief is passed to a `RegistrationVisitor_3` after each iteration. All members are dimensionless.
 */
 struct Registration_progress
 {
-  /// number of iterations done, from 1.
+  /// number of completed iterations, from 1.
   int iteration;
   /// the energy \f$ E \f$, the sum of the next three.
   double energy;
@@ -35,14 +35,14 @@ struct Registration_progress
   double energy_arap;
   /// the terms of the constraints.
   double energy_constraints;
-  /// the longest way of a surface vertex in this iteration, by \f$ L \f$.
+  /// the largest displacement of a surface vertex in this iteration, divided by \f$ L \f$.
   double largest_move;
 };
 
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief holds any model of `RegistrationVisitor_3`, a lambda expression for instance, or none.
+\brief holds any model of `RegistrationVisitor_3`, for instance a lambda expression, or none.
 */
 using Registration_visitor = std::function<bool(const Registration_progress&)>;
 

@@ -28,24 +28,24 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief tells how a registration ended, and what was done on the way to it.
+\brief describes the outcome of a registration and of the preceding stages.
 
-`Tetrahedral_arap_registrar_3` fills the members about the registration, `canonical_pose_3()` all of
-them.
+`Tetrahedral_arap_registrar_3` sets the members about the registration, `canonical_pose_3()` sets
+all members.
 */
 struct Registration_summary
 {
   /// why the iteration stopped.
   enum Termination {
-    NOT_RUN,         ///< no iteration was done.
+    NOT_RUN,         ///< the registration has not run.
     CONVERGED,       ///< the stopping inequalities of `Registration_options` hold.
-    ITERATION_LIMIT, ///< the cap on the iterations was reached first, or inverted cells were repaired
-                     ///< without reaching a minimum of the energy; the pose is usable.
+    ITERATION_LIMIT, ///< the maximum number of iterations was reached, or inverted cells were
+                     ///< untangled without reaching a minimum of the energy; the pose is usable.
     CANCELED,        ///< the visitor stopped the iteration; the pose is usable.
     NOT_FINITE       ///< numbers overflowed; there is no pose.
   };
 
-  /// what the target of the registration is.
+  /// describes the target of the registration.
   struct Target
   {
     std::string kernel;         ///< name of the kernel; `"given"` for a given target.
@@ -56,11 +56,11 @@ struct Registration_summary
     /// the six leading eigenvalues (fewer if there are fewer landmarks).
     std::vector<double> eigenvalues;
     double max_geodesic = 0; ///< \f$ L \f$, the largest distance to a landmark.
-    double scale = 1;        ///< factor by which the target was made smaller, for a compact shape.
-    bool reflected = false;  ///< whether the mirrored target was taken.
+    double scale = 1;        ///< factor by which the target of a compact shape was shrunk.
+    bool reflected = false;  ///< whether the target was mirrored.
   };
 
-  /// what the surface is embedded in.
+  /// describes the elastic body.
   struct Body
   {
     std::string kind; ///< `"lattice"`, `"tetgen"`, `"mesh_3"`, or `"complex"`, or `"given"` for
@@ -69,14 +69,14 @@ struct Registration_summary
     std::size_t tetrahedra = 0; ///< number of cells.
   };
 
-  /// a stage of the pipeline with the seconds that it took.
+  /// a stage of the pipeline with its running time in seconds.
   using Stage = std::pair<std::string, double>;
 
   /// why the iteration stopped.
   Termination termination = NOT_RUN;
-  /// number of iterations done.
+  /// number of completed iterations.
   int iterations = 0;
-  /// the energy \f$ E \f$ of the result, without unit.
+  /// the energy \f$ E \f$ of the result, dimensionless.
   double energy = 0;
   /// its matching term.
   double energy_match = 0;
@@ -84,30 +84,30 @@ struct Registration_summary
   double energy_arap = 0;
   /// the terms of the constraints.
   double energy_constraints = 0;
-  /// the energy of the start and after each iteration; after these, where inverted cells were
-  /// repaired, that of the result, which may be higher.
+  /// the energy at the start and after each iteration; if inverted cells were untangled, followed
+  /// by that of the result, which may be higher.
   std::vector<double> energy_history;
-  /// number of cells that are turned inside out (or flat) in the result.
+  /// number of cells that are inverted (or flat) in the result.
   std::size_t inverted = 0;
-  /// number of surface faces whose normal turned by more than 90 degrees against the rotation of
-  /// their cell.
+  /// number of surface faces whose normal is rotated by more than 90 degrees relative to the
+  /// rotation of their cell.
   std::size_t flipped_faces = 0;
-  /// volume of the result by that of the rest pose.
+  /// volume of the result divided by that of the rest pose.
   double volume_ratio = 0;
   /// median over the edges of the surface of \f$ | \log(\text{length in the result} / \text{length
   /// at rest}) | \f$.
   double median_edge_strain = 0;
   /// name of the linear solver.
   std::string solver;
-  /// seconds of each stage, in the order of the pipeline.
+  /// running time of each stage, in the order of the pipeline.
   std::vector<Stage> stages;
-  /// what was found on the surface.
+  /// diagnosis of the surface.
   Diagnosis_3 input;
   /// the target.
   Target target;
   /// the body.
   Body body;
-  /// one line each: what a user should know although the result is usable.
+  /// warnings, one line each, about a usable result.
   std::vector<std::string> warnings;
 
   /// returns whether the stopping inequalities hold.
@@ -116,7 +116,7 @@ struct Registration_summary
   /// returns whether there is a pose.
   bool is_usable() const { return termination != NOT_RUN && termination != NOT_FINITE; }
 
-  /// returns the sum of the seconds of all stages.
+  /// returns the sum of the running times of all stages.
   double total_seconds() const
   {
     double sum = 0;
@@ -125,7 +125,7 @@ struct Registration_summary
     return sum;
   }
 
-  /// adds `seconds` to the stage called `name`, which is appended if it is new.
+  /// adds `seconds` to the stage `name`, which is appended if it does not exist.
   void add_seconds(const std::string& name, const double seconds)
   {
     const auto stage
@@ -136,7 +136,7 @@ struct Registration_summary
       stages.emplace_back(name, seconds);
   }
 
-  /// returns the outcome in one line.
+  /// returns a report in one line.
   std::string brief_report() const
   {
     static const char* const names[]

@@ -21,15 +21,14 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 \brief is the kernel of classical multidimensional scaling, \f$ k(r) = -r^2/2 \f$.
 
-Centered, it turns Euclidean distances into the Gram matrix of the points that have them, which is
-why a point set of the space is recovered exactly from its distances
-\cgalCite{cgal:canonical-st-glmnd-02}.
+With centering, Euclidean distances become the Gram matrix of the points, so a point set in 3D is
+recovered exactly from its distances \cgalCite{cgal:canonical-st-glmnd-02}.
 
 \cgalModels `MdsKernel`
 */
 struct Squared_distance_kernel
 {
-  /// returns \f$ -r^2/2 \f$ of the relative distance \f$ r = g/L \f$.
+  /// returns \f$ -r^2/2 \f$ for the relative distance \f$ r = g/L \f$.
   double operator()(const double relative_distance) const
   {
     return -0.5 * relative_distance * relative_distance;

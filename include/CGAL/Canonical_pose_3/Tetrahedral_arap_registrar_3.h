@@ -34,28 +34,28 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief pulls an elastic body towards a target of its surface while it keeps the details.
+\brief pulls an elastic body toward a target of its surface while preserving details.
 
 It minimizes
 \f[ E(v) = \sum_i m_i |(Bv)_i - \hat v_i|^2 / L^2 + \ell^2 \sum_t w_t \|F_t - R_t\|^2
            + E_{constraints} / L^2 \f]
-by local and global steps in turn \cgalCite{cgal:canonical-sa-asap-07},
+by alternating local and global steps \cgalCite{cgal:canonical-sa-asap-07},
 \cgalCite{cgal:canonical-s-sdacm-15} (Equations 4 to 13). Here \f$ v \f$ are the body vertices,
 \f$ Bv \f$ the surface, \f$ \hat v \f$ the target, \f$ m \f$ the matching weights and \f$ w \f$ the
 cell weights (each with sum 1), \f$ F_t \f$ is the deformation gradient of cell \f$ t \f$ and
-\f$ R_t \f$ the rotation closest to it, always of determinant 1. The global step has the matrix
+\f$ R_t \f$ the rotation closest to it, always of determinant 1. The matrix of the global step is
 \f[ A = \ell^2 L^2 \sum_t w_t G_t^t G_t + (1 + \beta) B^t M B + A_{constraints}, \f]
-which is factored once; where constraints on few vertices are added, changed or removed afterwards,
-the old factor stays in use with a low-rank update. The steps of earlier iterations correct those that
-it gives, by limited-memory BFGS \cgalCite{cgal:canonical-lbk-qnm-17}; where the corrected step does
-not lower the energy as it should, the plain one is taken. All lengths are divided by \f$ L \f$, hence neither
-units nor resolution matter. Without fairing the energy never rises. Iterations stop by the
-inequalities of `Registration_options`.
+which is factored once; if constraints on few vertices are added, modified or removed afterwards,
+the factor is kept and combined with a low-rank update. The resulting steps are corrected by those
+of previous iterations, using limited-memory BFGS \cgalCite{cgal:canonical-lbk-qnm-17}; if the
+corrected step does not decrease the energy sufficiently, the uncorrected one is used. All lengths
+are divided by \f$ L \f$, so neither units nor resolution matter. Without fairing, the energy never
+increases. The stopping criterion is described in `Registration_options`.
 
 \tparam ElasticBody a model of `ElasticBody_3`
-\tparam ClosestRotationTraits a model of CGAL's `DeformationClosestRotationTraits_3`. By default the
-        rotations are found in closed form, for eight cells at once, with 12 digits; by a singular
-        value decomposition where the form is ill-conditioned.
+\tparam ClosestRotationTraits a model of CGAL's `DeformationClosestRotationTraits_3`. By default,
+       rotations are computed in closed form, for eight cells at once, to 12 digits; where the
+       closed form is ill-conditioned, by a singular value decomposition.
 \tparam FactorTraits a model of `SparseLinearAlgebraWithBlockFactorTraits_d`, by default
        `Default_factor_traits_d`
 
@@ -70,22 +70,22 @@ class Tetrahedral_arap_registrar_3
 {
 public:
   /*!
-  constructs a registrar, without target. Body and weights are measured and checked here, the matrix
-  is factored by `factor()` or at first need.
+  constructs a registrar without target. Body and weights are checked; the matrix is factored by
+  `factor()` or when it is first required.
 
-  \param body the body, not a temporary one; it must outlive the registrar.
-  \param matching_weights \f$ n \f$ non-negative weights of the surface vertices; divided by their
-         sum. Vertices of weight 0 have no target.
+  \param body the body, not a temporary. It must outlive the registrar.
+  \param matching_weights \f$ n \f$ nonnegative weights of the surface vertices; they are divided by
+         their sum. Vertices of weight 0 have no target.
   \param length_scale \f$ L \f$, usually the largest geodesic distance. Positive.
-  \param options the knobs.
-  \param stiffness positive factors of the cell weights \f$ w \f$, one per cell, or none. A factor
-         \f$ c \f$ everywhere is the same as a detail length \f$ \sqrt c \f$ times as large.
+  \param options the parameters.
+  \param stiffness positive factors of the cell weights \f$ w \f$, one per cell, or none. A constant
+         factor \f$ c \f$ is equivalent to multiplying the detail length by \f$ \sqrt c \f$.
 
   \pre `matching_weights.size() == body.embedding().rows()`
 
-  \throws std::invalid_argument if a weight, a factor or an option is out of its bounds, or a connected
-         component of the body carries no surface vertex of positive weight (the matrix would be
-         singular); the message names the element.
+  \throws std::invalid_argument if a weight, a factor or an option is out of range, or a connected
+         component of the body has no surface vertex of positive weight (the matrix would be
+         singular); the message states the element.
 
   <em>Complexity:</em> linear in the size of the body.
   */
@@ -105,9 +105,10 @@ public:
     = delete;
   /// \endcond
 
-  /// adds a constraint, not a temporary one, which must outlive the registrar or be removed before it ends. What it asks for
-  /// may change between calls of `register_to_target()`. What does not change its matrix costs nothing;
-  /// what does costs a solve per element concerned, or a factorization if there are more than 32.
+  /// adds a constraint, not a temporary. It must outlive the registrar or be removed before its
+  /// lifetime ends. It may change between calls of `register_to_target()`. Changes that do not
+  /// affect its matrix cost nothing; others cost one solve per affected element, or a factorization
+  /// if there are more than 32.
   /// \tparam Constraint a model of `RegistrationConstraint_3`
   template <class Constraint>
   void add_constraint(Constraint& constraint)
@@ -121,39 +122,41 @@ public:
   void add_constraint(const Constraint&&) = delete;
   /// \endcond
 
-  /// removes a constraint; costs as much as a change of its matrix.
-  /// \pre `constraint` was added and not removed since.
+  /// removes a constraint; the cost is that of changing its matrix.
+  /// \pre `constraint` was added and has not been removed since.
   template <class Constraint>
   void remove_constraint(const Constraint& constraint)
   {
     m_registration->remove_constraint(&constraint);
   }
 
-  /// sets the target \f$ \hat v \f$ (\f$ n \times 3 \f$); no factorization is needed.
-  /// \pre The number of rows is that of the surface vertices.
+  /// sets the target \f$ \hat v \f$ (\f$ n \times 3 \f$); no factorization is required.
+  /// \pre The number of rows equals the number of surface vertices.
   /// \throws std::invalid_argument if a coordinate is not finite.
   void set_target(const Point_matrix& target) { m_registration->set_target(target); }
 
-  /// factors the matrix, or updates its factor, unless that has been done for the present constraints.
+  /// factors the matrix or updates its factor, unless this has been done for the current
+  /// constraints.
   /// \throws std::runtime_error if the matrix is not positive definite to working precision.
   void factor() { m_registration->factor(); }
 
   /*!
   runs the iteration.
 
-  \param body_points \f$ N \times 3 \f$. If it has no row the iteration starts at the target: a body
-         vertex that is a surface vertex starts where its target is, all others where the system
-         without rotations puts them. Otherwise it starts from these positions (warm start). On
-         return the result, unless the summary says that it is not usable; then it is left as it
-         was, and so it is when something is thrown.
-  \param visitor a model of `RegistrationVisitor_3` that is called after each iteration and may
-         stop it, or none.
+  \param body_points \f$ N \times 3 \f$. If it has no rows, the iteration starts at the target: a
+         body vertex that is a surface vertex starts at its target, all others at the solution of
+         the system without rotations. Otherwise, it starts from these positions (warm start). On
+         return, it holds the result. It is unchanged if the summary states that the result is not
+         usable, or if an exception is thrown.
+  \param visitor a model of `RegistrationVisitor_3` that is called after each iteration and may stop
+         the registration, or none.
 
-  \returns the outcome; energies per iteration, inverted cells and volume included.
+  \returns the summary, including the energies of all iterations, the number of inverted cells and
+         the volume.
 
   \pre `set_target()` was called, and `body_points` has no row or as many as the body.
 
-  \throws std::runtime_error see `factor()`; and whatever the visitor throws.
+  \throws std::runtime_error see `factor()`. Exceptions of the visitor propagate.
 
   <em>Complexity:</em> per iteration one pass over the cells and one solve with the factor for three
   right-hand sides.
@@ -172,14 +175,15 @@ public:
     return m_registration->surface_points(body_points);
   }
 
-  /// changes the cap on the number of iterations; no factorization is needed. Not negative.
+  /// sets the maximum number of iterations, which must be nonnegative; no factorization is
+  /// required.
   void set_number_of_iterations(const int number_of_iterations)
   {
     m_registration->set_number_of_iterations(number_of_iterations);
   }
 
-  /// changes `Registration_options::detail_length`. The next registration factors its matrix anew; what was made of
-  /// the body stays.
+  /// sets `Registration_options::detail_length`. The next registration refactors the matrix; data
+  /// computed from the body are kept.
   /// \throws std::invalid_argument if it is not positive and finite.
   void set_detail_length(const double detail_length)
   {

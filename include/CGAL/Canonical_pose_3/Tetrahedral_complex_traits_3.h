@@ -56,7 +56,7 @@ auto handles_of_cell(const Cell_handle c)
   return std::array{c->vertex(0), c->vertex(1), c->vertex(2), c->vertex(3)};
 }
 
-// The handles of the finite cells whose subdomain index is not that of the outside.
+// The handles of the finite cells whose subdomain index is not that of the exterior.
 template <class Triangulation>
 std::vector<typename Triangulation::Cell_handle> cells_inside(const Triangulation& tr)
 {
@@ -81,8 +81,8 @@ struct Is_triangulation_3<
   : std::true_type
 {};
 
-// The base of the traits of what is no complex. A triangulation without subdomain index gets all that
-// traits have, so that the compiler has one thing to say.
+// The base of the traits of types that are not complexes. For a triangulation without subdomain
+// index, all members of the traits are declared, so that the compiler reports a single error.
 template <class Complex, bool = Is_triangulation_3<Complex>::value>
 struct No_complex_traits
 {};
@@ -111,20 +111,20 @@ struct No_complex_traits<Triangulation, true>
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief tells how to read a tetrahedral complex; to be specialized for a complex of one's own.
+\brief describes how to read a tetrahedral complex; specialize it for your own complex type.
 
 The package specializes it for
 - `CGAL::Mesh_complex_3_in_triangulation_3` (the result of `CGAL::make_mesh_3()`): its cells in the
   complex,
 - `CGAL::Triangulation_3` and classes derived from it whose cells have a subdomain index (for
-  instance `CGAL::Tetrahedral_remeshing::Remeshing_triangulation_3`): the finite cells of non-zero
+  instance `CGAL::Tetrahedral_remeshing::Remeshing_triangulation_3`): the finite cells of nonzero
   index,
 - `Indexed_tetrahedra_3`,
-- `Labeled_cells_3`: those cells of any of these that have given labels.
+- `Labeled_cells_3`: the cells with given labels of any of these.
 
 The label of a cell is its subdomain index, or its entry in `Indexed_tetrahedra_3::labels`.
 
-The vertices are those of the cells. Nothing is ever written to a complex: moving the vertices of a
+The vertices are those of the cells. A complex is never modified: moving the vertices of a
 triangulation in place would invalidate it.
 
 \tparam Complex the type of the complex
@@ -170,7 +170,7 @@ struct Tetrahedral_complex_traits_3<
     return internal::vertices_of_cells(c3t3.triangulation(), cells(c3t3));
   }
 
-  // Points may carry a weight.
+  // Points may have a weight.
   static Point_3 point(const C3t3& c3t3, const Vertex_descriptor v)
   {
     return c3t3.triangulation().geom_traits().construct_point_3_object()(v->point());

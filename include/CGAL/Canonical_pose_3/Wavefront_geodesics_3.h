@@ -35,38 +35,38 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief The class `Wavefront_geodesics_3` computes geodesic distances on a triangle mesh by a wave that
-runs over the faces, each of which is laid out in the plane of the one before.
+\brief The class `Wavefront_geodesics_3` computes geodesic distances on a triangle mesh by
+propagating a wave over the faces, each of which is unfolded into the plane of the previous one.
 
-It keeps virtual sources instead of the windows of exact methods, as
-\cgalCite{cgal:canonical-tbk-gdcvsp-21} do, but a bounded number of them per edge: up to three at a
-time, each for a piece of the edge, and only as long as they give the shortest paths to one of four
-points of the edge. Where a corner is in the way, the path bends there.
+Instead of the windows of exact methods, it keeps virtual sources, like
+\cgalCite{cgal:canonical-tbk-gdcvsp-21}, but a bounded number of them per edge: up to three at a
+time, each for a part of the edge, and only if they yield the shortest paths to one of four points
+of the edge. If a corner is in the way, the path bends there.
 
-Nothing is factored, and no matrix is stored: one field takes less time than with
-`Heat_geodesics_3`, constructor included, in a quarter of the memory. From two to four fields on one
-mesh on, the heat method is faster.
+Nothing is factored, and no matrix is stored: for one source, it takes less time than
+`Heat_geodesics_3`, including the constructor, and a quarter of the memory. For more than two to
+four sources on the same mesh, the heat method is faster.
 
-<em>Accuracy.</em> The distance is the length of a path on the surface, hence never less than that
-of the shortest path, up to rounding. There is one exception: in flat regions with holes, where a
-source that sees both ends of an edge is taken to see all of it, even if a hole smaller than the edge
-is in the way; 0.4 percent too short was the worst in trials with holes in random places. It is more
-than the shortest where the path found bends at a corner that the shortest one passes at some
-distance. On meshes of animals and people the mean error was 0.006 to 0.017 percent, the largest
-1.2 percent; on a coarse torus of 600 vertices the mean was 0.2 percent. In the plane with a convex
-outline, and on what is rolled up from it, distances are exact up to rounding. They are not exactly
-symmetric.
+<em>Accuracy.</em> The distance is the length of a path on the surface, hence up to rounding never
+less than that of the shortest path. There is one exception: in flat regions with holes, a source
+that sees both endpoints of an edge is assumed to see the entire edge, even if a hole smaller than
+the edge is in the way; in experiments with holes at random positions, distances were at most 0.4
+percent too short. The distance is too long if the path found bends at a corner that the shortest
+path passes at some distance. On meshes of animals and people, the mean error was 0.006 to 0.017
+percent and the largest 1.2 percent; on a coarse torus of 600 vertices, the mean was 0.2 percent. In
+convex planar regions, and on developable surfaces rolled up from them, distances are exact up to
+rounding. They are not exactly symmetric.
 
 <em>Triangulation.</em> The wave runs on the intrinsic Delaunay triangulation of the same surface
-\cgalCite{cgal:canonical-fsbs-aicid-07}, so that long thin faces do no harm. Nearly degenerate faces
-are made up for by adding one tiny number, at most 1e-10 times the mean edge length, to all edges of
-their component \cgalCite{cgal:canonical-sc-lntm-20}: distances are then too large by as much per
-edge.
+\cgalCite{cgal:canonical-fsbs-aicid-07}, so long thin faces do no harm. Nearly degenerate faces are
+mollified by adding a tiny number, at most 1e-10 times the mean edge length, to the lengths of all
+edges of their component \cgalCite{cgal:canonical-sc-lntm-20}; distances are then too large by this
+amount per edge.
 
-<em>Units and determinism.</em> Any unit will do. Multiplying all coordinates by a power of two
-multiplies all distances by it, to the last bit. Distances do not depend on the number of threads,
-nor on the other sources of a batch, nor on the type of the mesh if vertices and faces come in the
-same order.
+<em>Units and determinism.</em> Any unit can be used. Multiplying all coordinates by a power of two
+multiplies all distances by it, bit by bit. Distances depend neither on the number of threads, nor
+on the other sources of a batch, nor on the type of the mesh if vertices and faces are in the same
+order.
 
 \tparam TriangleMesh a model of `FaceListGraph`, oriented and 2-manifold, with or without boundary,
         with any number of connected components and isolated vertices
@@ -97,10 +97,10 @@ public:
   /// \name Types
   /// @{
 
-  /// the mesh
+  /// the mesh type
   using Triangle_mesh = TriangleMesh;
 
-  /// its vertices
+  /// the vertex type
   using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
 
   /// @}
@@ -109,25 +109,26 @@ public:
   /// @{
 
   /*!
-  flips to intrinsic Delaunay, with the points of the mesh's own property map `vertex_point`.
+  computes the intrinsic Delaunay triangulation, with the points of the internal property map
+  `vertex_point` of the mesh.
   */
   explicit Wavefront_geodesics_3(const TriangleMesh& tmesh)
     : Wavefront_geodesics_3(tmesh, get(vertex_point, tmesh))
   {}
 
   /*!
-  flips to intrinsic Delaunay.
+  computes the intrinsic Delaunay triangulation.
 
-  \param tmesh the mesh, not a temporary one; it must live and keep its vertices as long as this
-         object. Its points are read here only: moving them later changes nothing.
+  \param tmesh the mesh, not a temporary. It must outlive this object and keep its vertices. Its
+         points are only read by the constructor: moving them later has no effect.
   \param vertex_point_map the point of each vertex, in any unit
   \param traits reads the coordinates of the points
 
   \throws std::invalid_argument if the mesh has no face, or no face with an area, or a face that is
-          not a triangle, or a vertex with a coordinate that is not finite. The message names face
-          or vertex by its number in the range of faces or vertices.
+         not a triangle, or a vertex with a non-finite coordinate. The message states the index of
+         the face or vertex.
 
-  <em>Complexity:</em> linear in practice; about 230 bytes per vertex are kept.
+  <em>Complexity:</em> linear in practice; about 230 bytes per vertex are stored.
   */
   Wavefront_geodesics_3(const TriangleMesh& tmesh, Point_map vertex_point_map,
                         const Geometry& traits = Geometry())
@@ -146,14 +147,14 @@ public:
   /// @}
 
   /// \name Queries
-  /// All of them are safe to call from several threads at once.
+  /// All queries may be called from several threads at once.
   /// @{
 
   /// returns the mesh.
   const TriangleMesh& triangle_mesh() const { return *m_tmesh; }
 
   /*!
-  returns the row of `v` in the results: its number in the range `vertices(tmesh)`.
+  returns the index of `v` in the range `vertices(tmesh)`, its row in the results.
   \pre `v` is a vertex of the mesh.
   */
   std::size_t index(vertex_descriptor v) const
@@ -169,7 +170,8 @@ public:
            `+infinity` at vertices of other connected components; never NaN
   \pre `source` is a vertex of the mesh.
 
-  <em>Complexity:</em> \f$ O(n \log n) \f$ in practice, with 250 bytes per vertex while it runs.
+  <em>Complexity:</em> \f$ O(n \log n) \f$ in practice, with 250 bytes of temporary memory per
+  vertex.
   */
   Eigen::VectorXd distances(vertex_descriptor source) const
   {
@@ -177,16 +179,16 @@ public:
   }
 
   /*!
-  returns the distances from each of `sources`, taken alone, to all vertices; in parallel, if
+  returns the distances from each of `sources` to all vertices; in parallel, if
   `CGAL_LINKED_WITH_TBB` is defined.
 
   \tparam VertexRange a range of vertex descriptors
-  \param sources the sources, which may repeat
-  \returns one row per vertex and one column per source, which is `distances(source)` to the last
-  bit
+  \param sources the sources, possibly with repetitions
+  \returns one row per vertex and one column per source; each column is bitwise equal to
+         `distances(source)`
   \pre All of `sources` are vertices of the mesh.
 
-  <em>Complexity:</em> that of a single query per source; the memory of one per thread.
+  <em>Complexity:</em> the time of a single query per source, and the memory of one per thread.
   */
   template <class VertexRange,
             std::enable_if_t<!std::is_convertible<VertexRange, vertex_descriptor>::value, int> = 0>
@@ -196,13 +198,14 @@ public:
   }
 
   /*!
-  returns the distances from all vertices to the nearest of `sources`, in the time of one field.
+  returns the distances from all vertices to the nearest of `sources`, in the time of a single
+  query.
 
   \tparam VertexRange a range of vertex descriptors
-  \param sources the sources, which may repeat
-  \returns one number per vertex, as `distances(source)` does: 0 at all sources, `+infinity` at
-  vertices that are connected to none; up to the approximation the least row by row of
-  `distances(sources)`
+  \param sources the sources, possibly with repetitions
+  \returns one number per vertex, like `distances(source)`: 0 at all sources, `+infinity` at
+         vertices that are not connected to any source; up to approximation errors, the row-wise
+         minimum of `distances(sources)`
   \pre All of `sources` are vertices of the mesh.
   */
   template <class VertexRange>

@@ -22,18 +22,18 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief moves a target rigidly onto the points it belongs to, after a reflection if requested, and
+\brief aligns a target rigidly with the corresponding points, after a reflection if requested, and
 returns it.
 
 Translation and rotation minimize \f$ \sum_i m_i |R x_i + t - p_i|^2 \f$
-\cgalCite{cgal:canonical-k-sbrrsv-76}. The target is never scaled: its scale comes from the geodesic
-distances, so that it does not depend on the pose. The signs of the axes of a multidimensional
-scaling are arbitrary; `target_handedness()` tells which reflection to take.
+\cgalCite{cgal:canonical-k-sbrrsv-76}. The target is never scaled: its scale is determined by the
+geodesic distances, so it does not depend on the pose. The signs of the axes of a multidimensional
+scaling are arbitrary; `target_handedness()` determines whether to mirror the target.
 
 \param target \f$ n \times 3 \f$, target \f$ x_i \f$ of each point.
 \param points \f$ n \times 3 \f$, points \f$ p_i \f$.
-\param weights \f$ n \f$ non-negative weights \f$ m_i \f$, for instance `vertex_area_shares()`.
-\param mirrored whether the target is reflected before it is moved.
+\param weights \f$ n \f$ nonnegative weights \f$ m_i \f$, for instance `vertex_area_shares()`.
+\param mirrored whether the target is mirrored before it is moved.
 
 \pre The numbers of rows agree, and the sum of the weights is positive.
 

@@ -30,13 +30,13 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief carries a stiffness that is known on the surface to the cells of an elastic body.
+\brief transfers a stiffness given on the surface to the cells of an elastic body.
 
-A body vertex takes the mean over the surface vertices embedded in its cells, weighted by their area
-shares and by their entries in the embedding; one without any takes the mean over the neighbors that
-have a value already, ring by ring from the surface inward. A cell takes the mean over its four
-vertices. So no value is below the least or above the largest that is given, and parts
-of the body that are apart, however near, do not mix.
+The value of a body vertex is the mean over the surface vertices embedded in its cells, weighted by
+their area shares and by their entries in the embedding; if there are none, it is the mean over the
+neighbors that already have a value, ring by ring from the surface inward. The value of a cell is
+the mean over its four vertices. Values are thus within the range of the given ones, and parts of
+the body that are not connected do not mix, even if they are close.
 
 \tparam ElasticBody a model of `ElasticBody_3`
 
@@ -44,14 +44,14 @@ of the body that are apart, however near, do not mix.
 \param area_shares \f$ n \f$ weights of the surface vertices, see `vertex_area_shares()`.
 \param stiffness \f$ n \f$ positive numbers, one per surface vertex.
 
-\returns a number per cell, as `Tetrahedral_arap_registrar_3` takes them.
+\returns one number per cell, as required by `Tetrahedral_arap_registrar_3`.
 
 \pre `area_shares.size() == body.embedding().rows()`
 
-\throws std::invalid_argument if there is not one number per vertex, or one that is not positive and
-       finite; the message names the vertex.
+\throws std::invalid_argument if there is not one number per vertex, or a number is not positive and
+       finite; the message states the index of the vertex.
 
-<em>Complexity:</em> a pass over the cells per ring.
+<em>Complexity:</em> one pass over the cells per ring.
 */
 template <class ElasticBody>
 Eigen::VectorXd cell_stiffness(const ElasticBody& body, const Eigen::VectorXd& area_shares,
@@ -62,7 +62,7 @@ Eigen::VectorXd cell_stiffness(const ElasticBody& body, const Eigen::VectorXd& a
   internal::check_factors(stiffness, embedding.rows(), "stiffness", "vertex", false);
 
   const Eigen::Index n = body.points().rows();
-  Eigen::VectorXd values = Eigen::VectorXd::Zero(n); // 0: none yet
+  Eigen::VectorXd values = Eigen::VectorXd::Zero(n); // 0: no value yet
   for(Eigen::Index v = 0; v < n; ++v)
   {
     double sum = 0, weight = 0;

@@ -24,13 +24,14 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief makes an elastic body of a tetrahedral complex: vertex \f$ i \f$ of the complex, in the order
-of the traits' range, is vertex \f$ i \f$ of the body, and all are in its embedding.
+\brief creates an elastic body from a tetrahedral complex: vertex \f$ i \f$ of the complex, in the
+order of the range of the traits, is vertex \f$ i \f$ of the body, and all vertices are part of its
+embedding.
 
 \tparam Complex a type for which `Tetrahedral_complex_traits_3` is specialized
 \tparam Traits a model of `CanonicalPoseTraits_3`, by default the kernel of the points
 
-\throws std::invalid_argument see `Conforming_body_3::Conforming_body_3()`; also if a cell names a
+\throws std::invalid_argument see `Conforming_body_3::Conforming_body_3()`; also if a cell has a
        vertex that is not in the complex.
 
 <em>Complexity:</em> linear.

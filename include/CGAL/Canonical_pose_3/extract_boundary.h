@@ -28,12 +28,12 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief extracts the boundary of a tetrahedral complex as a surface, and tells which vertex of the
-complex each of its vertices is.
+\brief extracts the boundary of a tetrahedral complex as a surface, and maps its vertices to those
+of the complex.
 
-The boundary consists of the faces of exactly one cell, oriented outwards. Where it is not a
-2-manifold (cells that meet in a vertex or in an edge only), vertices are duplicated, hence several
-vertices of the surface may be the same vertex of the complex.
+The boundary consists of the faces of exactly one cell, oriented outward. Where it is not a
+2-manifold (because cells share only a vertex or an edge), vertices are duplicated, so several
+vertices of the surface may correspond to the same vertex of the complex.
 
 \tparam Complex a type for which `Tetrahedral_complex_traits_3` is specialized
 \tparam TriangleMesh a model of `MutableFaceGraph` whose points are of the kernel of the complex
@@ -46,8 +46,8 @@ vertices of the surface may be the same vertex of the complex.
 
 \pre `tmesh` is empty.
 
-\throws std::invalid_argument if a face belongs to more than two cells, or a cell names a vertex
-       that is not in the complex or a vertex twice; the message names the cell.
+\throws std::invalid_argument if a face belongs to more than two cells, or a cell has a vertex that
+       is not in the complex or a repeated vertex; the message states the index of the cell.
 
 <em>Complexity:</em> \f$ O(m \log m) \f$ for \f$ m \f$ cells.
 */

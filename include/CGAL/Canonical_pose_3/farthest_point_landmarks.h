@@ -31,10 +31,11 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief returns the point that lies farthest from the centroid of area of a triangle soup.
+\brief returns the point farthest from the area-weighted centroid of a triangle soup.
 
-The choice follows a rigid motion and a scaling of the points and, but for ties, does not depend on
-their order; it is the default first landmark. Among points at equal distance the first is taken.
+The choice is invariant under rigid motions and scaling and, except for ties, independent of the
+order of the points; it is the default first landmark. Among points at equal distance, the first one
+is returned.
 
 \param points \f$ n \times 3 \f$, positions.
 \param triangles triples of rows of `points`.
@@ -69,13 +70,13 @@ inline std::size_t extremal_point(const Point_matrix& points,
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief returns the vertex of a triangle mesh that lies farthest from the centroid of area, with which the one call
-begins.
+\brief returns the vertex of a triangle mesh farthest from the area-weighted centroid, which is the
+first landmark of the one call.
 
 \tparam TriangleMesh a model of `FaceListGraph`
 \tparam VertexPointMap a model of `ReadablePropertyMap` with vertex descriptors as keys and points of a kernel as values
 
-\throws std::invalid_argument if a coordinate is not finite or a face is no triangle.
+\throws std::invalid_argument if a coordinate is not finite or a face is not a triangle.
 */
 template <class TriangleMesh, class VertexPointMap>
 typename boost::graph_traits<TriangleMesh>::vertex_descriptor
@@ -92,19 +93,20 @@ extremal_vertex(const TriangleMesh& tmesh, VertexPointMap vertex_point_map)
 \brief selects landmarks by farthest point sampling \cgalCite{cgal:canonical-elpz-fpsi-97} and
 returns them with their distance fields.
 
-Starting from `first`, the vertex farthest from all landmarks so far is added until there are `l`.
-The result is deterministic; among vertices at equal distance the first in the order of
-`vertices(tmesh)` is taken. Vertices that no landmark reaches are at infinite distance, hence every
-connected component receives a landmark as long as `l` permits. There are fewer than `l` landmarks
-if the mesh has fewer vertices, or if all of its vertices are at distance 0 of those chosen.
+Starting with `first`, the vertex farthest from all landmarks so far is added until there are `l`
+landmarks. The result is deterministic; among vertices at equal distance, the first one in the order
+of `vertices(tmesh)` is chosen. Vertices that are not connected to a landmark are at infinite
+distance, so every connected component receives a landmark if `l` is large enough. There are fewer
+than `l` landmarks if the mesh has fewer vertices, or if all remaining vertices are at distance 0
+from the landmarks.
 
 \tparam GeodesicDistances a model of `GeodesicDistances_3`
-\tparam VertexOutputIterator a model of `OutputIterator` that takes vertex descriptors
+\tparam VertexOutputIterator a model of `OutputIterator` that accepts vertex descriptors
 
-\param geodesics the distances to sample with.
+\param geodesics the distances used for sampling.
 \param l the number of landmarks.
 \param first the first landmark, see `extremal_point()`.
-\param out receives the landmarks in the order of their choice.
+\param out receives the landmarks in the order in which they are chosen.
 
 \pre `l >= 1`
 

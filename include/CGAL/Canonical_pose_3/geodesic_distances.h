@@ -25,9 +25,9 @@ namespace CGAL {
 namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
-/// \ingroup PkgCanonicalPose3Ref
-/// measures distances on an oriented 2-manifold, perhaps with boundary and of several components: of its points, triples of
-/// rows of these, and rows that are sources. Returns a row per point and a column per source.
+/// \ingroup PkgCanonicalPose3Ref computes distances on an oriented 2-manifold, possibly with
+/// boundary and several components. The arguments are its points, its triangles as triples of rows,
+/// and the rows of the sources. Returns one row per point and one column per source.
 using Distances_function = std::function<Eigen::MatrixXd(
   const Point_matrix& points, const std::vector<std::array<std::size_t, 3>>& triangles,
   const std::vector<std::size_t>& sources)>;
@@ -35,18 +35,19 @@ using Distances_function = std::function<Eigen::MatrixXd(
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief measures distances on a polygon soup, repaired as for the one call.
+\brief computes distances on a polygon soup, repaired as for the one call.
 
 \param points \f$ n \times 3 \f$, positions.
 \param polygons sequences of rows of `points`.
 \param sources rows of `points`.
 \param options `geodesics`, `solver` and `number_of_threads` are used.
-\param function if set, this measures instead.
+\param function if set, computes the distances instead.
 
-\returns an \f$ n \times s \f$ matrix: a row per point, a column per source; infinite where there is no way. Where a
-         vertex was split, its distance is that of its first copy.
+\returns an \f$ n \times s \f$ matrix: one row per point, one column per source; infinite if there
+       is no path. The distance of a vertex that was split is that of its first copy.
 
-\throws std::invalid_argument if a source is not a row, a point belongs to no face, or see `repair_surface()`.
+\throws std::invalid_argument if a source is not a row or a point is isolated; see also
+       `repair_surface()`.
 
 \sa `Heat_geodesics_3`
 */

@@ -32,16 +32,16 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief makes a mesh of points and triangles, such as those of a `Repaired_surface_3`. Vertices and faces come in their
-order.
+\brief creates a mesh from points and triangles, such as those of a `Repaired_surface_3`. Vertices
+and faces are in the given order.
 
 \tparam TriangleMesh a model of `MutableFaceGraph` with an internal point property map
 
 \param points \f$ n \times 3 \f$, positions.
 \param triangles triples of rows of `points`.
 
-\throws std::invalid_argument if a triangle names a row that does not exist, or where the triangles are not an oriented
-       2-manifold; the message names the triangle.
+\throws std::invalid_argument if a triangle has an invalid row, or the triangles are not an oriented
+       2-manifold; the message states the index of the triangle.
 
 <em>Complexity:</em> linear.
 */

@@ -39,28 +39,28 @@ Embedded_body_3 mesh_3_body_of_clean_surface(Point_matrix points,
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief fills a clean closed surface with tetrahedra of nearly equal size by \cgal's Mesh_3, and
+\brief fills a clean closed surface with tetrahedra of nearly equal size, using Mesh_3 of \cgal, and
 embeds the surface in them.
 
-The number of cells does not depend on the number of faces, and the boundary of the cells is not the
-surface but close to it. A vertex of the surface is a combination of the vertices of the cell that
-contains it; if it is outside of all of them, of a cell nearby, of whose points it is an affine
-combination with small coefficients. Nothing is random: the same surface gives the same body.
+The number of cells does not depend on the number of faces, and the boundary of the cells only
+approximates the surface. A vertex of the surface is a combination of the vertices of the cell that
+contains it; if it is outside of all cells, it is an affine combination with small coefficients of
+the vertices of a nearby cell. The body is deterministic.
 
-`canonical_pose_3()` offers this body only to programs that link the target `Canonical_pose_3::mesh_3`:
-without `Canonical_pose_3::compiled` Mesh_3 takes long to compile.
+`canonical_pose_3()` provides this body only if the program links the target
+`Canonical_pose_3::mesh_3`, since Mesh_3 takes long to compile without `Canonical_pose_3::compiled`.
 
 \param points \f$ n \times 3 \f$, positions.
 \param triangles triples of rows of `points`.
-\param length_scale \f$ L \f$, the length that `cell_size` refers to, in the unit of the points;
-       usually the largest geodesic distance.
-\param cell_size bound on the radius of the spheres around the cells, and on those around the faces
-       of their boundary, as a fraction of \f$ L \f$. The boundary is within a tenth of it.
+\param length_scale \f$ L \f$, the length to which `cell_size` is relative, in the unit of the
+       points; usually the largest geodesic distance.
+\param cell_size bound on the circumradii of the cells, and of the faces of their boundary, as a
+       fraction of \f$ L \f$. The distance to the boundary is at most a tenth of it.
 
-\throws std::invalid_argument if `diagnose()` finds a defect, the message names it and an element;
-        also if the cells would be smaller than a thousandth of the surface.
-\throws std::runtime_error if the surface is too thin for cells of this size: a part of it is lost,
-        or all of it.
+\throws std::invalid_argument if `diagnose()` finds a defect, stating the defect and an element;
+       also if the cells would be smaller than a thousandth of the surface.
+\throws std::runtime_error if the surface is too thin for cells of this size, so that all or part of
+       it is lost.
 
 <em>Complexity:</em> that of `diagnose()` and of Mesh_3, close to linear in the number of cells (1 s
 for 26 000 vertices and cells of \f$ L/60 \f$).

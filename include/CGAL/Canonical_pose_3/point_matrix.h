@@ -35,20 +35,20 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief Points as numbers: row `i` holds the three Cartesian coordinates of point `i`, in the unit of
-the input. For a mesh, row `i` is the `i`-th vertex of the range `vertices(tmesh)`; removed vertices
-have no row.
+\brief A matrix of points: row `i` holds the three Cartesian coordinates of point `i`, in the unit
+of the input. For a mesh, row `i` corresponds to the `i`-th vertex of the range `vertices(tmesh)`;
+removed vertices have no row.
 */
 using Point_matrix = Eigen::Matrix<double, Eigen::Dynamic, 3>;
 
 namespace internal {
 
-// the kernel of the points stored in a property map
+// the kernel of the value type of a property map
 template <class VertexPointMap>
 using Kernel_of_point_map =
   typename Kernel_traits<typename boost::property_traits<VertexPointMap>::value_type>::Kernel;
 
-// the same, looked up only where it is needed: points of one's own have no kernel
+// the same, instantiated only if required: user-defined point types have no kernel
 template <class VertexPointMap>
 struct Lazy_kernel_of_point_map
 {
@@ -92,8 +92,8 @@ inline void check_finite(const Point_matrix& points)
 }
 
 // Multiplies the points by a power of two, so that the largest coordinate lies in [1,2), and
-// returns the exponent that undoes it. Neither squares nor products of coordinates can overflow
-// afterwards, and points that differ by a power of two become the same bytes.
+// returns the exponent that undoes it. Squares and products of coordinates cannot overflow
+// afterwards, and point sets that differ by a power of two become bitwise equal.
 inline int normalize(Point_matrix& points)
 {
   const double largest = points.size() > 0 ? points.cwiseAbs().maxCoeff() : 0.;
@@ -116,12 +116,12 @@ inline int normalize(Point_matrix& points)
         `Traits::Point_3` as value type
 \tparam Traits a model of `CanonicalPoseTraits_3`
 
-\param tmesh the mesh, whose range of vertices gives the order of the rows
+\param tmesh the mesh; its range of vertices determines the order of the rows
 \param vertex_point_map the point of each vertex
 \param traits the traits that read the coordinates of a point
 
 \returns a matrix with one row per vertex
-\throws std::invalid_argument naming the first vertex with a coordinate that is not finite
+\throws std::invalid_argument stating the index of the first vertex with a non-finite coordinate
 
 \par Complexity Linear in the number of vertices.
 */
@@ -155,7 +155,7 @@ Point_matrix point_matrix(const TriangleMesh& tmesh, VertexPointMap vertex_point
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief reads the points of all vertices of `tmesh` from its own property map `vertex_point`.
+\brief reads the points of all vertices of `tmesh` from its internal property map `vertex_point`.
 
 Equivalent to the overload above with `get(vertex_point, tmesh)` as property map.
 */
@@ -176,11 +176,11 @@ Point_matrix point_matrix(const TriangleMesh& tmesh)
 \tparam Traits a model of `CanonicalPoseTraits_3`
 
 \param points one row per vertex of `tmesh`, in the order of `vertices(tmesh)`
-\param tmesh the mesh, which is not changed unless `vertex_point_map` is its own
+\param tmesh the mesh, which is not modified unless `vertex_point_map` is its internal map
 \param vertex_point_map receives the points
 \param traits the traits that construct a point from its coordinates
 
-\pre `points` has as many rows as `tmesh` has vertices (removed ones not counted).
+\pre `points` has as many rows as `tmesh` has vertices (not counting removed ones).
 
 \par Complexity Linear in the number of vertices.
 */

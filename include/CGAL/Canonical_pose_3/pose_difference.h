@@ -26,7 +26,7 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// The points in such a unit that the root mean square distance to their centroid is 1.
+// Scales the points such that the root mean square distance to their centroid is 1.
 inline Point_matrix in_unit_of_gyration(Point_matrix points)
 {
   for(Eigen::Index i = 0; i < points.rows(); ++i)
@@ -63,17 +63,18 @@ inline void check_poses_correspond(const Point_matrix& a, const Point_matrix& b)
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief returns how much two poses of corresponding points differ, whatever their position, orientation and
-scale.
+\brief returns how much two poses of corresponding points differ, independently of their position,
+orientation and scale.
 
 It is the root mean square distance of corresponding points after the best rigid motion
-\cgalCite{cgal:canonical-k-sbrrsv-76}; both poses are first scaled to a radius of gyration (root mean square
-distance to the centroid) of 1. Hence 0 is congruent, and \f$ \sqrt 2 \f$ the largest value.
+\cgalCite{cgal:canonical-k-sbrrsv-76}; both poses are first scaled to a radius of gyration (root
+mean square distance to the centroid) of 1. The value is 0 for congruent poses and at most
+\f$ \sqrt 2 \f$.
 
 \param a \f$ n \times 3 \f$, one pose.
 \param b \f$ n \times 3 \f$, the other one.
-\param may_be_reflected whether a mirror image counts as the same pose: the lesser difference of `a` and of its
-       mirror image is returned.
+\param may_be_reflected whether a mirror image is considered to be the same pose: the smaller
+       difference of `a` and of its mirror image is returned.
 
 \throws std::invalid_argument if the numbers of points differ or are 0, a coordinate is not finite, or all points of a
        pose are at the same position.
@@ -95,8 +96,8 @@ inline double pose_difference(const Point_matrix& a, const Point_matrix& b,
 
 \brief returns the mean of `pose_difference()` over all pairs of poses.
 
-\param poses at least two matrices of as many rows.
-\param may_be_reflected see `pose_difference()`; of each pair by itself.
+\param poses at least two matrices with the same number of rows.
+\param may_be_reflected see `pose_difference()`; applied to each pair independently.
 
 \throws std::invalid_argument as `pose_difference()`, and if there are fewer than two poses.
 */

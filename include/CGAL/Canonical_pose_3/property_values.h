@@ -27,12 +27,12 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief reads a number per element from a property map, in the order of a range, as
-`Options::matching_weights` and `Options::stiffness` hold them.
+\brief reads one number per element from a property map, in the order of a range, for
+`Options::matching_weights` and `Options::stiffness`.
 
-For a mesh the range is `vertices(tmesh)`. For a tetrahedral complex the vertices and cells come in
-the order of its `Tetrahedral_complex_traits_3`; of a complex of Mesh_3, say, cells in that of
-`c3t3.cells_in_complex()`.
+For a mesh, the range is `vertices(tmesh)`. For a tetrahedral complex, vertices and cells are in the
+order of its `Tetrahedral_complex_traits_3`; for a complex of Mesh_3, for instance, the cells are in
+the order of `c3t3.cells_in_complex()`.
 
 \tparam Range a range of keys of the map, or of iterators that convert to them
 \tparam PropertyMap a model of `ReadablePropertyMap` with numbers as values

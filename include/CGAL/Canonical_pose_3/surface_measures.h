@@ -32,8 +32,8 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief returns the share of each vertex in the area of a surface: a third of that of its triangles.
-The sum is 1.
+\brief returns the share of each vertex in the area of a surface, one third of the area of its
+triangles. The sum is 1.
 
 \param points \f$ n \times 3 \f$, positions.
 \param triangles triples of rows of `points`.
@@ -78,8 +78,8 @@ Eigen::VectorXd vertex_area_shares(const TriangleMesh& tmesh, VertexPointMap ver
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief returns the median over the edges of \f$ |\log(l'/l)| \f$, \f$ l \f$ and \f$ l' \f$ being the
-lengths of an edge at rest and in the pose. Edges of length 0 at rest are left out.
+\brief returns the median of \f$ |\log(l'/l)| \f$ over the edges, where \f$ l \f$ and \f$ l' \f$ are
+the lengths of an edge at rest and in the pose. Edges of length 0 at rest are ignored.
 
 \param rest \f$ n \times 3 \f$, positions at rest.
 \param pose \f$ n \times 3 \f$, positions in the pose.

@@ -28,32 +28,32 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief tells whether a target has the handedness in which the canonical pose is taken (positive), or
-its mirror image has (negative).
+\brief returns a number that is positive if the target has the handedness of the canonical pose, and
+negative if its mirror image has.
 
-The distances do not tell a target from its mirror image. The choice has to be the same for all
-poses of a shape, so it must not depend on the pose; the energy of the registration does, and
-differs by little. This is the sum of two numbers without unit that only depend on the target, both
-of which change their sign by reflection:
-- the volume enclosed by the surface in the target by that in the input. It decides for shapes such
-  as quadrupeds (magnitude 1.2 to 2 over their poses), whose target is inside out if it is mirrored.
-  It is taken as 0 where the input encloses no more than \f$ 10^{-6} A^{3/2} \f$, \f$ A \f$ being its
-  area, or than rounding its coordinates changes it by: a flat sheet has no inside (a closed sheet of
-  paper has, with \f$ 1.4 \cdot 10^{-4} A^{3/2} \f$);
+Distances do not distinguish a target from its mirror image. The choice must be the same for all
+poses of a shape, so it must not depend on the pose, unlike the energy of the registration, which
+moreover differs by little. The function returns the sum of two dimensionless numbers that depend
+only on the target and change their sign under reflection:
+- the volume enclosed by the surface in the target, relative to that in the input. It dominates for
+  shapes such as quadrupeds (magnitude 1.2 to 2 over their poses), whose target is inside out if it
+  is mirrored. It is set to 0 if the volume of the input is at most \f$ 10^{-6} A^{3/2} \f$, where
+  \f$ A \f$ is its area, or within the error of rounding its coordinates: a flat sheet has no inside
+  (a closed sheet of paper has, with \f$ 1.4 \cdot 10^{-4} A^{3/2} \f$);
 - the third moment \f$ \sum m_i x_i y_i z_i \f$ along the principal axes of the target, the longest
-  first, by the product of the standard deviations. It decides for shapes such as humans (magnitude
-  0.9 to 1.4 over their poses), whose target is twisted: of a twist and its mirror image neither is
-  inside out.
+  first, divided by the product of the standard deviations. It dominates for shapes such as humans
+  (magnitude 0.9 to 1.4 over their poses), whose target is twisted: neither a twist nor its mirror
+  image is inside out.
 
-An open surface encloses what the cone over it does, with the mean of all points as apex.
+The volume of an open surface is that of the cone over it, with the mean of all points as apex.
 
-Near 0 (shapes whose target is its own mirror image, as that of a bar) either choice gives about the
-same pose.
+If the number is close to 0 (for shapes whose target is its own mirror image, such as a bar), both
+choices lead to about the same pose.
 
 \param target \f$ n \times 3 \f$, target of each vertex.
 \param points \f$ n \times 3 \f$, points of the input.
 \param triangles triples of rows, oriented.
-\param weights \f$ n \f$ non-negative weights, for instance `vertex_area_shares()`.
+\param weights \f$ n \f$ nonnegative weights, for instance `vertex_area_shares()`.
 
 Target and input may be in any unit, the same for both.
 
@@ -70,7 +70,7 @@ double target_handedness(Point_matrix target, Point_matrix points,
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief is `target_handedness()` of a target of the vertices of a triangle mesh, weighted by
+\brief returns `target_handedness()` for a target of the vertices of a triangle mesh, weighted by
 `vertex_area_shares()`.
 
 \tparam TriangleMesh a model of `FaceListGraph`

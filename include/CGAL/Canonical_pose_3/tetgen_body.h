@@ -64,7 +64,7 @@ inline void fill_tetgen_input(const Point_matrix& points,
   }
 }
 
-// Precondition: the surface is clean (TetGen ends the process on some that are not).
+// Precondition: the surface is clean (TetGen may terminate the process otherwise).
 inline Conforming_body_3 tetgen_body_of_clean_surface(const Point_matrix& points,
                                                       const std::vector<Index_triangle>& triangles)
 {
@@ -105,18 +105,20 @@ inline Conforming_body_3 tetgen_body_of_clean_surface(const Point_matrix& points
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief fills a clean closed surface with tetrahedra by TetGen
+\brief fills a clean closed surface with tetrahedra, using TetGen
 \cgalCite{cgal:canonical-s-tdbqtmg-15}, without new vertices on the surface.
 
-The surface is examined first, since TetGen ends the process on many a defect. TetGen is under the
-AGPL; programs that include this header (target `Canonical_pose_3::tetgen`) are bound by it.
+The surface is examined first, since TetGen terminates the process on many defects. TetGen is
+licensed under the AGPL, which applies to programs that include this header (target
+`Canonical_pose_3::tetgen`).
 
 \tparam TriangleMesh a model of `FaceListGraph`
 \tparam VertexPointMap a model of `ReadablePropertyMap` with vertex descriptors as keys and points
        of a kernel as values
 
-\throws std::invalid_argument if `diagnose()` finds a defect; the message names it and an element.
-\throws std::runtime_error if TetGen gives up.
+\throws std::invalid_argument if `diagnose()` finds a defect; the message states the defect and an
+       element.
+\throws std::runtime_error if TetGen fails.
 
 <em>Complexity:</em> that of `diagnose()` and of TetGen, close to linear in practice (0.3 s for 26
 000 vertices).
