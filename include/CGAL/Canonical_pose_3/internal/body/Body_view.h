@@ -23,8 +23,8 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// A model of ElasticBody_3 that refers to another one, so that what takes long to compile is compiled
-// for one type.
+// A model of ElasticBody_3 that refers to another one, so that slow-compiling code is compiled for
+// a single type.
 class Body_view
 {
 public:

@@ -29,7 +29,7 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// A complex as numbers: row i is the i-th vertex of the traits' range.
+// A complex in indexed form: row i corresponds to the i-th vertex of the range of the traits.
 template <class Vertex_descriptor>
 struct Indexed_complex
 {

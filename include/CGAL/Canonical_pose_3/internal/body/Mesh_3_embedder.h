@@ -57,7 +57,7 @@ public:
     }
   }
 
-  // The complex and the points are 2^exponent times smaller than the body.
+  // The complex and the points are smaller than the body by a factor of 2^exponent.
   Embedded_body_3 body(const Point_matrix& points, const int exponent)
   {
     std::vector<Eigen::Triplet<double>> triplets;
@@ -93,7 +93,7 @@ private:
   {
     Cell_handle cell;
     Eigen::Vector4d coordinates;
-    double excess = std::numeric_limits<double>::infinity(); // 0: inside; else of the most negative
+    double excess = std::numeric_limits<double>::infinity(); // 0: inside; or of the most negative
   };
 
   static Eigen::Vector3d position(const Vertex_handle v)
@@ -114,8 +114,8 @@ private:
     return place;
   }
 
-  // The cell that contains the point; outside of the complex the best one among those around the
-  // place, in growing rings, until one is near enough.
+  // Returns the cell that contains the point; outside of the complex, the best one among growing
+  // rings of cells around the located cell, until one is close enough.
   Place find_place(const Eigen::Vector3d& point)
   {
     m_hint = m_triangulation.locate(
@@ -139,7 +139,7 @@ private:
     return best;
   }
 
-  // The cells that share a vertex with one of the cells given.
+  // Returns the cells that share a vertex with one of the given cells.
   std::vector<Cell_handle> cells_around(const std::vector<Cell_handle>& cells) const
   {
     std::vector<Cell_handle> result;

@@ -24,7 +24,7 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// The cells around each of the vertices of a body, in their order.
+// Returns the cells around each vertex of a body, in the order of the cells.
 inline Buckets<std::size_t> cells_of_vertices(const std::size_t number_of_vertices,
                                               const std::vector<std::array<int, 4>>& cells)
 {
@@ -35,7 +35,8 @@ inline Buckets<std::size_t> cells_of_vertices(const std::size_t number_of_vertic
   });
 }
 
-// The barycentric coordinates of a point with respect to the corners of a tetrahedron, whose sum is 1.
+// Returns the barycentric coordinates, with sum 1, of a point with respect to the corners of a
+// tetrahedron.
 inline Eigen::Vector4d barycentric_coordinates(const std::array<Eigen::Vector3d, 4>& corners,
                                                const Eigen::Vector3d& point)
 {

@@ -31,7 +31,7 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// The faces of cells: face k of cell t has the number 4 t + k.
+// The faces of cells: face k of cell t has index 4 t + k.
 class Cell_faces
 {
 public:
@@ -49,7 +49,8 @@ public:
     std::sort(m_faces.begin(), m_faces.end());
   }
 
-  // Calls f(begin, end) for each face, with the range of its occurrences, pairs of vertices and number.
+  // Calls f(begin, end) for each face, with the range of its occurrences, pairs of vertices and
+  // index.
   template <class Function>
   void for_each_face(const Function& f) const
   {
@@ -63,8 +64,8 @@ public:
     }
   }
 
-  // The faces of one cell only, in the order of their numbers. Those of more than two are an error unless they
-  // are allowed.
+  // Returns the faces of exactly one cell, in the order of their indices. Faces of more than two
+  // cells are an error unless allowed.
   std::vector<std::size_t> boundary(const bool are_branches_allowed = false) const
   {
     std::vector<std::size_t> result;
@@ -79,7 +80,7 @@ public:
     return result;
   }
 
-  // The vertices of a face, oriented outwards.
+  // Returns the vertices of a face, oriented outward.
   Index_triangle triangle(const Point_matrix& points, const std::size_t f) const
   {
     const std::array<int, 4>& c = m_cells[f / 4];
@@ -107,7 +108,7 @@ private:
   std::vector<std::pair<std::array<int, 3>, std::size_t>> m_faces;
 };
 
-// The faces that belong to one cell only, oriented outwards, in the order of the cells.
+// Returns the faces that belong to exactly one cell, oriented outward, in the order of the cells.
 inline std::vector<Index_triangle> boundary_triangles(const Point_matrix& points,
                                                       const std::vector<std::array<int, 4>>& cells,
                                                       const bool are_branches_allowed = false)
@@ -119,9 +120,9 @@ inline std::vector<Index_triangle> boundary_triangles(const Point_matrix& points
   return triangles;
 }
 
-// Splits vertices and edges at which the triangles are not a surface. On return the triangles name
-// rows of `origins`, which tells the vertex of the body that each row is a copy of; only vertices
-// of triangles have rows.
+// Splits non-manifold vertices and edges. On return, the triangles refer to rows of `origins`,
+// which stores the vertex of the body that each row is a copy of; only vertices of triangles have
+// rows.
 inline void make_boundary_manifold(std::vector<Index_triangle>& triangles,
                                    std::vector<std::size_t>& origins)
 {

@@ -40,7 +40,7 @@ using Mesh_3_domain = Polyhedral_mesh_domain_3<Indexed_mesh, Indexed_mesh_kernel
 using Mesh_3_triangulation = Mesh_triangulation_3<Mesh_3_domain, Default, Sequential_tag>::type;
 using Mesh_3_complex = Mesh_complex_3_in_triangulation_3<Mesh_3_triangulation>;
 
-// Points of the surface that are at least the spacing apart, and nowhere much farther.
+// Returns surface samples that are at least the spacing apart, and nowhere much farther.
 inline std::vector<Indexed_mesh::Point> sample_surface(const Point_matrix& points,
                                                        const std::vector<Index_triangle>& triangles,
                                                        const double spacing)
@@ -88,7 +88,7 @@ inline std::vector<Mesh_3_complex::Cell_handle> cells_in_complex(const Mesh_3_co
   return cells;
 }
 
-// Takes flat cells, and all but the largest of the parts that hold together by faces, out of the
+// Removes flat cells, and all but the largest of the parts connected through faces, from the
 // complex.
 inline void keep_largest_part(Mesh_3_complex& complex)
 {
@@ -123,8 +123,8 @@ inline void keep_largest_part(Mesh_3_complex& complex)
       complex.remove_from_complex(cell);
 }
 
-// Fills the surface. The refinement starts from samples of the surface: the few points that Mesh_3
-// would choose itself, seen from the middle, miss thin parts.
+// Fills the surface. The refinement starts from surface samples: the few initial points that Mesh_3
+// would choose by rays from the center miss thin parts.
 inline Mesh_3_complex mesh_3_complex(const Point_matrix& points,
                                      const std::vector<Index_triangle>& triangles,
                                      const double size)
@@ -143,7 +143,7 @@ inline Mesh_3_complex mesh_3_complex(const Point_matrix& points,
     complex.set_index(v, index);
   }
 
-  // Mesh_3 needs a start: a cell that counts as inside.
+  // Mesh_3 requires an initial cell inside.
   const auto cells = triangulation.finite_cell_handles();
   if(std::any_of(cells.begin(), cells.end(), [&](const Mesh_3_complex::Cell_handle cell) {
        return bool(domain.is_in_domain_object()(triangulation.dual(cell)));

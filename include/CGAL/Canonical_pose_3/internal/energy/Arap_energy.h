@@ -35,13 +35,13 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // The as-rigid-as-possible energy of the cells, sum_t w_t |F_t - R_t|^2 (w_t with stiffness), and
-// what its local and global steps need. Cells are computed with in packs. Each block of cells sums
-// its own part of sum_t w_t G_t^t R_t, in slots of its own, one per vertex that it touches; the parts
-// are summed per vertex. So the order of all sums is fixed.
+// the data of its local and global steps. Cells are processed in packs. Each block of cells sums
+// its part of sum_t w_t G_t^t R_t in its own slots, one per vertex of its cells; then the parts are
+// summed per vertex. The order of all sums is thus fixed.
 class Arap_energy
 {
 public:
-  // What a local step finds, besides the rotations.
+  // The results of a local step, except for the rotations.
   struct Evaluation
   {
     double energy = 0;
@@ -49,7 +49,7 @@ public:
     std::size_t inverted = 0;
   };
 
-  // `stiffness`: factors of the weights, or nothing.
+  // `stiffness`: factors of the weights, or empty.
   Arap_energy(const Point_matrix& rest, const std::vector<std::array<int, 4>>& cells,
               const Eigen::VectorXd& weights, const Eigen::VectorXd& stiffness,
               const Rotation_routines& rotations = default_rotation_routines())
@@ -58,8 +58,7 @@ public:
   {
     for(std::size_t i = 0; i < pack_size * m_packs.size(); ++i)
     {
-      const std::size_t t
-        = (std::min)(i, cells.size() - 1); // copies of weight 0 fill the last pack
+      const std::size_t t = (std::min)(i, cells.size() - 1); // copies of weight 0 pad the last pack
       Cell_pack& pack = m_packs[i / pack_size];
       const int lane = static_cast<int>(i % pack_size);
       Eigen::Matrix3d edges; // columns: the edges from vertex 3
@@ -97,7 +96,7 @@ public:
   Eigen::SparseMatrix<double> matrix(const double factor) const
   {
     const std::size_t n = m_slots_of_vertices.number_of_buckets();
-    // corner k of cell t has the number 4 t + k
+    // corner k of cell t has index 4 t + k
     const Buckets<std::size_t> corners_of_vertices(n, [&](const auto& put) {
       for(std::size_t c = 0; c < 4 * m_number_of_cells; ++c)
         put(static_cast<std::size_t>(m_packs[c / 4 / pack_size].vertices[c % 4][c / 4 % pack_size]),
@@ -164,7 +163,7 @@ private:
   {
     Matrix_3<Pack> gradients; // row k: gradient of the barycentric coordinate of vertex k
     Pack volumes;             // shares of the rest volume
-    Pack weights;             // the same times stiffness
+    Pack weights;             // volumes times stiffness
     std::array<std::array<int, pack_size>, 4> vertices;
     std::array<std::array<int, pack_size>, 4> slots;
   };
@@ -179,7 +178,7 @@ private:
     return result;
   }
 
-  // The entries of a row are added up in the order of the corners.
+  // The entries of a row are summed in the order of the corners.
   template <class Corners>
   void add_up(const Corners& corners, const double factor, Column_sums& column) const
   {
@@ -288,7 +287,7 @@ private:
   Rotation_routines m_rotations;
   std::size_t m_number_of_cells;
   std::vector<Cell_pack> m_packs;
-  std::vector<std::array<double, 3>> m_slots; // blocks one after the other
+  std::vector<std::array<double, 3>> m_slots; // of consecutive blocks
   std::vector<std::size_t> m_first_slot_of_block;
   Buckets<std::size_t> m_slots_of_vertices;
 };

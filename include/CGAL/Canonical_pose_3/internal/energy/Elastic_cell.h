@@ -33,7 +33,7 @@ inline Eigen::Matrix3d cofactors(const Eigen::Matrix3d& f)
   return result;
 }
 
-// The second derivative, for f column by column.
+// The second derivative, with f stored column by column.
 inline Matrix_9 determinant_hessian(const Eigen::Matrix3d& f)
 {
   Matrix_9 result = Matrix_9::Zero();
@@ -48,8 +48,8 @@ inline Matrix_9 determinant_hessian(const Eigen::Matrix3d& f)
   return result;
 }
 
-// The positive semi-definite matrix closest to a symmetric one. A template, so that it is
-// compiled where it is needed only: that takes seconds.
+// The positive semidefinite matrix closest to a symmetric one. A template, so that it is only
+// compiled where required, since that takes seconds.
 template <class Matrix>
 Matrix positive_part(const Matrix& m)
 {

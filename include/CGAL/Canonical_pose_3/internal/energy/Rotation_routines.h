@@ -22,7 +22,7 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// Eight numbers that are computed with at once.
+// Eight numbers that are processed at once.
 using Pack = Eigen::Array<double, 8, 1>;
 constexpr int pack_size = 8;
 
@@ -30,7 +30,7 @@ constexpr int pack_size = 8;
 template <class Real>
 using Matrix_3 = std::array<std::array<Real, 3>, 3>;
 
-// Applies a function of one matrix to one of eight.
+// Applies a function of a matrix to one of eight matrices.
 template <class Function>
 void for_lane(const Matrix_3<Pack>& f, Matrix_3<Pack>& r, const int lane, const Function& function)
 {
@@ -49,7 +49,7 @@ void rotations_by_traits(const Matrix_3<Pack>& f, Matrix_3<Pack>& r)
     for_lane(f, r, lane, rotation_by_traits<ClosestRotationTraits>);
 }
 
-// What finds the closest rotations, chosen at run time.
+// The routines that compute the closest rotations, chosen at run time.
 struct Rotation_routines
 {
   Eigen::Matrix3d (*one)(const Eigen::Matrix3d&);

@@ -26,7 +26,7 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// What the closed form below tells besides the rotation.
+// The results of the closed form below, except for the rotation.
 template <class Real>
 struct Rotation_root
 {
@@ -40,8 +40,8 @@ struct Rotation_root
 // root of
 //   p(x) = (x - s1 - s2 - s3) (x - s1 + s2 + s3) (x + s1 - s2 + s3) (x + s1 + s2 - s3)
 //        = x^4 - 2 |F|^2 x^2 - 8 det(F) x + |F|^4 - 4 |cof F|^2,
-// and R is its derivative with respect to F. Newton's method comes down to it from above, where p
-// is convex.
+// and R is its derivative with respect to F. Newton's method approaches the root from above, where
+// p is convex.
 template <class Real>
 Rotation_root<Real> rotation_by_root(const Matrix_3<Real>& f, Matrix_3<Real>& r)
 {
@@ -95,15 +95,17 @@ Rotation_root<Real> rotation_by_root(const Matrix_3<Real>& f, Matrix_3<Real>& r)
   return result;
 }
 
-// Whether the rotation is good to 1e-12. It is not where the root is nearly a double one, s2 + s3
-// small, or powers of it underflow or overflow. There, a step may even lead up, and far.
+// Whether the rotation is accurate to 1e-12. It is not if the root is nearly a double root (s2 + s3
+// is small), or if powers of it underflow or overflow. In these cases, a step may even increase x,
+// and by a lot.
 inline bool is_reliable(const double root, const double last_step, const double slope)
 {
   return slope > 0.03 * root * root * root && std::abs(last_step) <= 1e-8 * root && root > 1e-70;
 }
 
-// The rotation R (determinant +1) closest to m in the Frobenius norm: in closed form, and by a
-// singular value decomposition where that is not reliable. Some rotation if m is not finite.
+// Returns the rotation R (determinant +1) closest to m in the Frobenius norm: in closed form, or by
+// a singular value decomposition if that is not reliable. Returns an arbitrary rotation if m is not
+// finite.
 inline Eigen::Matrix3d closest_rotation(const Eigen::Matrix3d& m)
 {
   if(!m.allFinite())

@@ -26,15 +26,15 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// A face laid out in the plane with its corners at (0,0), (base,0), (x,y).
+// A face in the plane with corners at (0,0), (base,0), (x,y).
 struct Face_in_plane
 {
   std::array<int, 3> corners; // rows
   double base, x, y;
 };
 
-// Adds to `result` the integrals of the gradients of the hat functions times the field
-// -grad u / |grad u|, over all faces. Faces with constant u add nothing.
+// Adds to `result` the integrals over all faces of the products of the gradients of the hat
+// functions and the field -grad u / |grad u|. Faces with constant u contribute nothing.
 struct Unit_descent
 {
   template <class Vector>
@@ -62,14 +62,15 @@ struct Unit_descent
   }
 
 private:
-  // Makes the length of a vector 1/2; a vector that is 0 stays.
+  // Scales a vector to length 1/2, unless it is 0.
   template <class Vector>
   CGAL_CANONICAL_POSE_3_KERNEL static void normalize(typename Vector::Numbers& x,
                                                      typename Vector::Numbers& y)
   {
     using Numbers = typename Vector::Numbers;
     using Bits = typename Vector::Bits;
-    // Far from the source the squares underflow, the numbers do not: a power of two comes first.
+    // Far from the source, squares underflow, but the numbers do not: scale by a power of two
+    // first.
     const Numbers size_x = x < 0 ? -x : x, size_y = y < 0 ? -y : y;
     const Numbers largest = size_x < size_y ? size_y : size_x;
     Bits bits;
@@ -79,7 +80,7 @@ private:
     std::memcpy(&scale, &bits, sizeof(bits));
     x *= scale;
     y *= scale;
-    // The inverse root: half the exponent, and four Newton steps from an error of 4 percent.
+    // The inverse square root: half the exponent, and four Newton steps from an error of 4 percent.
     const Numbers square = x * x + y * y, half = 0.5 * square;
     std::memcpy(&bits, &square, sizeof(bits));
     bits = 0x5fe6eb50c7b537a9ULL - (bits >> 1);
@@ -93,13 +94,13 @@ private:
   }
 };
 
-// The direction of descent of functions on the faces, and its divergence.
+// The descent direction of functions on the faces, and its divergence.
 class Gradient_field
 {
 public:
   Gradient_field() = default;
 
-  // `places`: the row of each vertex in what is computed with.
+  // `places`: the row of each vertex in the matrices.
   Gradient_field(const Intrinsic_triangulation& triangulation, const std::vector<int>& places)
   {
     m_faces.reserve(static_cast<std::size_t>(triangulation.number_of_faces()));
@@ -123,7 +124,7 @@ public:
   }
 
 private:
-  // Faces in the order of their smallest rows, so that the rows are at hand.
+  // Faces in the order of their smallest rows, for locality of memory access.
   static std::vector<int> first_halfedges(const Intrinsic_triangulation& triangulation,
                                           const std::vector<int>& places)
   {

@@ -25,9 +25,8 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// The heat method on an intrinsic Delaunay triangulation: heat spreads for a short time from the
-// source, and the distance is the function whose gradient follows the directions of descent of the
-// heat.
+// The heat method on an intrinsic Delaunay triangulation: heat diffuses from the source for a short
+// time, and the distance is the function whose gradient follows the descent directions of the heat.
 class Heat_solver
 {
 public:

@@ -41,7 +41,8 @@ void for_each_neighbor(const Intrinsic_triangulation& triangulation, const Bucke
   }
 }
 
-// Length of the longest of the paths of fewest edges from `source`; no shortest path is longer.
+// Returns the length of the longest path among those with the fewest edges from `source`; no
+// shortest path is longer.
 inline double fewest_edges_radius(const Intrinsic_triangulation& triangulation,
                                   const Buckets<int>& corners, int source,
                                   std::vector<double>& distances)
@@ -64,8 +65,8 @@ inline double fewest_edges_radius(const Intrinsic_triangulation& triangulation,
   return radius;
 }
 
-// Length of the longest of the shortest paths along edges from `source`. No two vertices of the
-// component are farther apart on the surface than twice this number.
+// Returns the length of the longest of the shortest paths along edges from `source`. No two
+// vertices of the component are farther apart on the surface than twice this length.
 inline double edge_graph_radius(const Intrinsic_triangulation& triangulation,
                                 const Buckets<int>& corners, int source)
 {
@@ -82,7 +83,7 @@ inline double edge_graph_radius(const Intrinsic_triangulation& triangulation,
     queue.pop();
     if(distance > distances[static_cast<std::size_t>(v)])
       continue;
-    radius = distance; // settled in increasing order
+    radius = distance; // vertices are settled in increasing order
     for_each_neighbor(triangulation, corners, v, [&, d = distance](int w, double length) {
       if(d + length < distances[static_cast<std::size_t>(w)])
       {
@@ -95,8 +96,8 @@ inline double edge_graph_radius(const Intrinsic_triangulation& triangulation,
 }
 
 // The length h of each component whose square is the time step: the mean edge length, but at least
-// 1/300 of the radius of the edge graph. The heat decays at most like exp(-d/h), which a double
-// cannot hold beyond d/h = 708 or so, and no two vertices are then farther apart than 600 h.
+// 1/300 of the radius of the edge graph. The heat decays at most like exp(-d/h), which underflows
+// beyond d/h = 708 or so, and no two vertices are farther apart than 600 h.
 inline std::vector<double> heat_lengths(const Intrinsic_triangulation& triangulation,
                                         const Vertex_components& components)
 {

@@ -48,9 +48,10 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// Both matrices are block diagonal over the components of the mesh, and each component has a time
-// step of its own, see heat_lengths(). They have the same pattern, which is analyzed once, and are
-// factored side by side. Sources come eight at a time, one per lane, and such blocks side by side.
+// Both matrices are block diagonal over the components of the mesh, and each component has its own
+// time step, see heat_lengths(). They have the same sparsity pattern, which is analyzed once, and
+// are factored in parallel. Sources are processed in blocks of eight, one per lane, and blocks in
+// parallel.
 class Intrinsic_heat_solver final : public Heat_solver
 {
 public:
@@ -127,8 +128,8 @@ private:
                                + ")");
   }
 
-  // M + diag(t) L: symmetric, since t is constant on a component, and positive definite. A vertex
-  // without face, which has neither mass nor neighbors, gets a 1.
+  // M + diag(t) L: symmetric, since t is constant on a component, and positive definite. An
+  // isolated vertex, which has neither mass nor neighbors, gets a 1.
   Eigen::SparseMatrix<double> heat_matrix(const Eigen::SparseMatrix<double>& laplacian,
                                           const std::vector<double>& lengths) const
   {
@@ -147,9 +148,10 @@ private:
     return matrix;
   }
 
-  // Adds a positive number to one diagonal entry per component. This makes the matrix definite and
-  // leaves the solution alone: summed over the component, the equations say that the number times
-  // the value there is the sum of the right-hand side, which is 0 for a divergence.
+  // Adds a positive number to one diagonal entry per component. This makes the matrix positive
+  // definite without changing the solution: by summing the equations of the component, the number
+  // times the value at this vertex equals the sum of the right-hand side, which is 0 for a
+  // divergence.
   Eigen::SparseMatrix<double> pinned(Eigen::SparseMatrix<double> laplacian) const
   {
     for(int v : components().first_vertices())
@@ -181,7 +183,7 @@ private:
 #ifdef CGAL_LINKED_WITH_TBB
     tbb::enumerable_thread_specific<Workspace> workspaces;
     tbb::parallel_for(std::size_t(0), number_of_blocks, [&](std::size_t block) {
-      // a solver that waits for tasks of its own must not begin another block in this workspace
+      // a solver waiting for its own tasks must not start another block in this workspace
       tbb::this_task_arena::isolate([&] { call(block, workspaces.local()); });
     });
 #else
@@ -196,7 +198,7 @@ private:
     const std::size_t size = NUMBER_OF_LANES * m_places.size();
     workspace.heat.assign(size, 0.);
     workspace.potential.assign(size, 0.);
-    for(std::size_t k = 0; k < width; ++k) // heat of order 1 at the source
+    for(std::size_t k = 0; k < width; ++k) // heat on the order of 1 at the source
       lanes(workspace.heat, sources[k])[k] = m_heat_diagonal[sources[k]];
     m_heat->solve(workspace.heat, width);
     m_field.divergence_of_unit_descent(workspace.heat, workspace.potential);
@@ -204,14 +206,14 @@ private:
     finish(sources, width, workspace.potential);
   }
 
-  // From potentials to distances: 0 at the source, infinite on other components.
+  // Converts potentials to distances: 0 at the source, infinite on other components.
   void finish(const Eigen::Index* sources, std::size_t width, Lane_rows& rows) const
   {
     std::array<double, NUMBER_OF_LANES> offsets = {};
     for(std::size_t k = 0; k < width; ++k)
       offsets[k] = lanes(rows, sources[k])[k];
     const int exponent = m_surface.exponent();
-    // two factors, since one may be out of range
+    // two factors, since a single one may be out of range
     const double first_factor = std::ldexp(1., exponent / 2);
     const double second_factor = std::ldexp(1., exponent - exponent / 2);
     std::array<double, NUMBER_OF_LANES> sums = {};

@@ -26,7 +26,8 @@ namespace internal {
 // The energy of Garanzha et al., Foldover-free maps in 50 lines of code, ACM TOG 2021 (Equation 3), of
 // the deformation gradient F of a cell, d = det F:
 //   |F|^2 / (3 x^(2/3)) + (d^2 + 1) / (2 x)  with  x = (d + sqrt(epsilon^2 + d^2)) / 2 > 0.
-// It is 2 at rotations if epsilon is 0. The smaller epsilon, the more it costs to be inverted.
+// It is 2 at rotations if epsilon is 0. The smaller epsilon, the higher the energy of inverted
+// cells.
 class Foldover_free_energy
 {
 public:
@@ -47,8 +48,9 @@ public:
     return 2 * r.power / 3 * f + by_determinant * cofactors(f);
   }
 
-  // The Hessian matrix for F column by column without the second derivative of det F, and with as much
-  // added along the gradient of det F as makes it positive semi-definite.
+  // The Hessian matrix, with F stored column by column, without the second derivative of det F; a
+  // multiple of the outer product of the gradient of det F is added to make it positive
+  // semidefinite.
   Matrix_9 hessian(const Eigen::Matrix3d& f) const
   {
     const Regularised_determinant r(f.determinant(), m_epsilon);
@@ -72,7 +74,7 @@ private:
 
     Regularised_determinant(const double determinant, const double epsilon)
       : d(determinant), root(std::hypot(epsilon, d)),
-        x(d > 0 ? (d + root) / 2 : epsilon * epsilon / (2 * (root - d))), // without cancellation
+        x(d > 0 ? (d + root) / 2 : epsilon * epsilon / (2 * (root - d))), // avoids cancellation
         power(std::pow(x, -2. / 3))
     {}
   };

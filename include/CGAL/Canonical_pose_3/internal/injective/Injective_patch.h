@@ -35,16 +35,16 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// A part of a body some of whose vertices, the first m ones, are free to move while all others keep
-// their places. At positions d ahead of the start, the energy is
+// A part of a body whose first m vertices are free to move while all others are fixed. At
+// displacements d from the start, the energy is
 //   d^t A d / 2 + d^t g + sum_t w_t (p(F_t) - trace(R_t^t F_t)),
-// half of that of a registration up to a constant: A and g hold all quadratic terms, the |F_t|^2 of
-// the cells among them. The penalty p is a `Foldover_free_energy` or an `Inversion_barrier`.
+// half of that of a registration up to a constant: A and g contain all quadratic terms, including
+// the |F_t|^2 of the cells. The penalty p is a `Foldover_free_energy` or an `Inversion_barrier`.
 class Injective_patch
 {
 public:
-  // `points`: the free ones first. `matrix` and `gradient`: A, with an entry wherever a cell connects
-  // two vertices, and g.
+  // `points`: the free ones first. `matrix` and `gradient`: A, with an entry for any two vertices
+  // of a cell, and g.
   Injective_patch(Point_matrix points, std::vector<Elastic_cell> cells,
                   Eigen::SparseMatrix<double> matrix, Point_matrix gradient,
                   const Rotation_routines& rotations, const Factor_maker factor_maker)
@@ -56,10 +56,10 @@ public:
       m_total_weight += cell.weight;
   }
 
-  // First free vertices, then fixed ones.
+  // Free vertices first, then fixed ones.
   const Point_matrix& points() const { return m_points; }
 
-  // Turns inverted and flat cells right side out, as many of them as it can.
+  // Untangles as many inverted and flat cells as possible.
   void remove_foldovers()
   {
     double epsilon = 1;
@@ -71,8 +71,8 @@ public:
     }
   }
 
-  // Lowers the energy as far as the barrier allows, unless a cell is inverted or flat, in at most `steps`
-  // steps. Returns whether that is done: the last step was tiny.
+  // Decreases the energy as far as the barrier allows, in at most `steps` steps, unless a cell is
+  // inverted or flat. Returns whether it has converged, that is, the last step was tiny.
   bool descend_to_the_barrier(const int steps)
   {
     if(!(least_determinant() > 0))
@@ -131,8 +131,8 @@ private:
     return result;
   }
 
-  // A step of Newton's method; returns by how much the energy went down, nothing if the step could not be
-  // computed.
+  // A step of Newton's method; returns the decrease of the energy, or nothing if the step could not
+  // be computed.
   template <class Penalty>
   std::optional<double> descend(const Penalty& penalty)
   {
@@ -143,7 +143,7 @@ private:
     {
       step = newton_step(penalty, g);
     }
-    catch(const std::runtime_error&) // too badly conditioned
+    catch(const std::runtime_error&) // too ill-conditioned
     {
       return std::nullopt;
     }
@@ -173,7 +173,8 @@ private:
     return step.reshaped(3, free()).transpose();
   }
 
-  // Positive definite; the coordinates of a vertex lie side by side. The rotations count as constant.
+  // Positive definite; the coordinates of a vertex are contiguous. The rotations are considered
+  // constant.
   template <class Penalty>
   Eigen::SparseMatrix<double> hessian(const Penalty& penalty) const
   {
@@ -181,7 +182,7 @@ private:
     result.resizeNonZeros(9 * m_matrix.nonZeros());
     const int* const begin = m_matrix.outerIndexPtr();
     const int* const rows = m_matrix.innerIndexPtr();
-    // the place of row 3 i of column 3 j + b for the entry e = (i, j) of A
+    // the storage index of row 3 i of column 3 j + b for the entry e = (i, j) of A
     const auto place = [&](const int e, const int j, const int b) {
       return 9 * begin[j] + 3 * (b * (begin[j + 1] - begin[j]) + e - begin[j]);
     };

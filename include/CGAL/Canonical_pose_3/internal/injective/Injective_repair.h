@@ -37,15 +37,15 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// Turns inverted and flat cells of a registered body right side out where they are, in patches of rings
-// around them, see `Injective_patch`; those that are left are tried again in larger ones. As a last
-// resort all starts from the rest pose, where no cell is inverted. In the end the energy of all patches
-// is lowered.
+// Untangles inverted and flat cells of a registered body locally, in patches of rings around them,
+// see `Injective_patch`; remaining ones are tried again in larger patches. As a last resort, entire
+// components start from the rest pose, where no cell is inverted. Finally, the energy of all
+// patches is decreased.
 class Injective_repair
 {
 public:
-  // `matrix`: of the registration, which must outlive this; `cell_factor`: of the term of the cells, as
-  // in `matrix`.
+  // `matrix`: that of the registration, which must outlive this object; `cell_factor`: factor of
+  // the cell term, as in `matrix`.
   Injective_repair(const Arap_energy& arap, const double cell_factor,
                    const Eigen::SparseMatrix<double>& matrix, const Factor_maker factor_maker)
     : m_rotations(arap.rotations()), m_factor_maker(factor_maker), m_matrix(matrix)
@@ -56,15 +56,15 @@ public:
       cell.weight *= cell_factor;
   }
 
-  // What became of the body.
+  // The outcome of the repair.
   struct Outcome
   {
-    std::size_t vertices_from_rest = 0; // those that started anew from the rest pose
-    bool is_minimal = true;             // the energy is as low as the barrier allows
+    std::size_t vertices_from_rest = 0; // vertices that restarted from the rest pose
+    bool is_minimal = true;             // the energy is minimal, given the barrier
   };
 
-  // `right_hand_side`: of the registration without the term of the cells; `rest`: the rest pose, near
-  // which `points` need not be.
+  // `right_hand_side`: that of the registration without the cell term; `rest`: the rest pose, which
+  // may be far from `points`.
   Outcome operator()(const Point_matrix& right_hand_side, const Point_matrix& rest,
                      Point_matrix& points) const
   {
@@ -83,7 +83,7 @@ public:
       if(is_growing)
         for_each_patch(is_free, right_hand_side, points,
                        [](Injective_patch& patch) { patch.remove_foldovers(); });
-      else // whole components
+      else // entire components
         for(std::size_t v = 0; v < is_free.size(); ++v)
           if(is_free[v])
           {
@@ -91,7 +91,7 @@ public:
             ++outcome.vertices_from_rest;
           }
     }
-    // from the rest pose it is a long way
+    // the rest pose is far from the minimum
     const int steps = outcome.vertices_from_rest > 0 ? STEPS_FROM_REST : STEPS_OF_A_PATCH;
     std::atomic<bool> is_minimal = true;
     for_each_patch(was_free, right_hand_side, points, [&](Injective_patch& patch) {
@@ -115,7 +115,7 @@ private:
     return result;
   }
 
-  // Adds the vertices of all cells with one of the vertices; returns whether there were any.
+  // Adds the vertices of all cells that have one of the vertices; returns whether any were added.
   bool grow(std::vector<bool>& vertices) const
   {
     const std::vector<bool> old = vertices;
@@ -127,7 +127,8 @@ private:
     return vertices != old;
   }
 
-  // Calls the function for each patch, vertices that the matrix connects, and takes over its points.
+  // Calls the function for each patch (vertices connected through the matrix), and copies its
+  // points back.
   template <class Function>
   void for_each_patch(const std::vector<bool>& is_free, const Point_matrix& right_hand_side,
                       Point_matrix& points, const Function& function) const
@@ -156,13 +157,13 @@ private:
     const Buckets<std::size_t> cells(number_of_patches, [&](const auto& put) {
       for(std::size_t t = 0; t < m_cells.size(); ++t)
         for(const int v : m_cells[t].vertices)
-          if(patch_of[v] >= 0) // then the other vertices are fixed or in the same patch
+          if(patch_of[v] >= 0) // the other vertices are then fixed or in the same patch
           {
             put(patch_of[v], t);
             break;
           }
     });
-    // reads and writes points of this patch, and reads fixed ones
+    // reads and writes points of this patch, and reads fixed points
     const auto change = [&](const int p) {
       Injective_patch patch = make_patch(vertices[p], cells[p], right_hand_side, points);
       function(patch);

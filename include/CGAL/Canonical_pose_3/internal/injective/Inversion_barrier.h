@@ -47,7 +47,7 @@ public:
     return (-1 / (y * y) + 3 - 2 * y) / ACTIVE_BELOW * cofactors(f);
   }
 
-  // The positive semi-definite matrix closest to the Hessian matrix, for F column by column.
+  // The positive semidefinite matrix closest to the Hessian matrix, with F stored column by column.
   template <class Matrix_3>
   Matrix_9 hessian(const Matrix_3& f) const
   {

@@ -30,7 +30,8 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// Throws when no face has an area. A face counts as flat when rounding alone explains its height.
+// Throws if all faces have zero area. A face is considered flat if its height is within rounding
+// errors.
 inline void check_some_area(const Face_corners& corners, const Point_matrix& points)
 {
   if(corners.origins.empty())
@@ -48,12 +49,12 @@ inline void check_some_area(const Face_corners& corners, const Point_matrix& poi
   throw std::invalid_argument("face 0 is degenerate, and so are all the others");
 }
 
-// The intrinsic Delaunay triangulation of a surface, with its nearly degenerate faces made up for,
-// and with lengths around 1.
+// The intrinsic Delaunay triangulation of a surface, with nearly degenerate faces mollified, and
+// with lengths around 1.
 class Delaunay_surface
 {
 public:
-  // Throws `std::invalid_argument` when no face has an area.
+  // Throws `std::invalid_argument` if all faces have zero area.
   Delaunay_surface(const Face_corners& corners, Point_matrix points)
     : m_exponent(normalize(points)), m_triangulation(triangulation(corners, points)),
       m_components(m_triangulation)

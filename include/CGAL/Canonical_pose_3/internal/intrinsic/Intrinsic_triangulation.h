@@ -33,11 +33,11 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// A triangulation known by its edge lengths only. Face `f` has the halfedges 3f, 3f+1, 3f+2 in this
-// order; halfedge `h` starts at vertex `origin(h)`, runs along the face's side of length
-// `length(h)`, and `twin(h)` is the other side of its edge, or -1 at the border. It is a
-// Delta-complex: after flips, a vertex may be its own neighbor, two edges may have the same two
-// ends, and two sides of one face may be glued to one another. Nothing here excludes that.
+// A triangulation defined by its edge lengths. Face `f` has the halfedges 3f, 3f+1, 3f+2 in this
+// order; halfedge `h` starts at vertex `origin(h)` and has length `length(h)`, and `twin(h)` is the
+// opposite halfedge, or -1 at the border. It is a Delta-complex: after flips, a vertex may be its
+// own neighbor, two edges may have the same endpoints, and two edges of a face may be glued to each
+// other.
 class Intrinsic_triangulation
 {
 public:
@@ -67,11 +67,11 @@ public:
   double length(int h) const { return m_lengths[static_cast<std::size_t>(h)]; }
   bool is_border(int h) const { return twin(h) < 0; }
 
-  // one halfedge stands for each edge
+  // one halfedge represents each edge
   bool is_edge_representative(int h) const { return twin(h) < h; }
 
   // Kahan's ordering of Heron's formula. The slack of the triangle inequality is kept positive, so
-  // that the area is positive for positive lengths, whatever was rounded before.
+  // that the area is positive for positive lengths, regardless of rounding.
   double twice_area(int f) const
   {
     std::array<double, 3> s = {length(3 * f), length(3 * f + 1), length(3 * f + 2)};
@@ -99,16 +99,16 @@ public:
     return opposite_cotangent(h) + (is_border(h) ? 0. : opposite_cotangent(twin(h)));
   }
 
-  // Where the third corner of the face of `h` lies, when `h` runs from (0,0) to (length(h),0).
+  // The position of the third corner of the face of `h` if `h` runs from (0,0) to (length(h),0).
   std::pair<double, double> apex(int h) const
   {
     const double a = length(h), b = length(next(h)), c = length(previous(h));
     return {0.5 * (a + ((c - b) / a) * (c + b)), twice_area(h / 3) / a};
   }
 
-  // An edge is locally Delaunay when the sum of its opposite angles is at most pi, that is, when
-  // its cotangent sum is not negative. The tolerance keeps cocircular pairs from flipping to and
-  // fro.
+  // An edge is locally Delaunay if the sum of its opposite angles is at most pi, that is, if its
+  // cotangent sum is nonnegative. The tolerance keeps cocircular pairs from flipping back and
+  // forth.
   bool is_locally_delaunay(int h) const
   {
     if(is_border(h) || twin(h) / 3 == h / 3)
@@ -117,15 +117,15 @@ public:
     return u + v >= -DELAUNAY_TOLERANCE * (1 + std::abs(u) + std::abs(v));
   }
 
-  // Adds one number to the lengths of all edges of a component, the smallest that gives every face
-  // of it a triangle inequality with slack `relative_slack` times the mean edge length of the
-  // component (Sharp & Crane 2020). Components without nearly degenerate face stay untouched.
-  // Returns the number of components changed.
+  // Adds the same number to the lengths of all edges of a component, the smallest one such that all
+  // its faces satisfy the triangle inequality with slack `relative_slack` times the mean edge
+  // length of the component (Sharp & Crane 2020). Components without nearly degenerate faces do not
+  // change. Returns the number of modified components.
   int mollify(const std::vector<int>& component_of_vertex, int number_of_components,
               double relative_slack = MOLLIFICATION_SLACK)
   {
     auto means = mean_edge_lengths(component_of_vertex, number_of_components);
-    // a component whose points all coincide has no length of its own
+    // a component whose points all coincide has no length scale
     std::replace(means.begin(), means.end(), 0., 1.);
     std::vector<double> missing(means.size(), 0.);
     for(int h = 0; h < number_of_halfedges(); ++h)
@@ -140,7 +140,7 @@ public:
       std::count_if(missing.begin(), missing.end(), [](double d) { return d > 0; }));
   }
 
-  // Mean over the edges, one number per component; 0 for a component without edge.
+  // Mean over the edges, one number per component; 0 for a component without edges.
   std::vector<double> mean_edge_lengths(const std::vector<int>& component_of_vertex,
                                         int number_of_components) const
   {
@@ -160,9 +160,9 @@ public:
   }
 
   // Flips edges until all are locally Delaunay (Bobenko & Springborn 2007; Fisher et al. 2007) and
-  // returns the number of flips. The number is finite in exact arithmetic; rounding cannot be
-  // excluded from undoing a flip between nearly cocircular faces of very uneven size, so it is also
-  // bounded, far above what any mesh needs. The triangulation is valid whenever the loop stops.
+  // returns the number of flips. The number is finite in exact arithmetic; since rounding may undo
+  // a flip between nearly cocircular faces of very different sizes, it is also bounded, far above
+  // the number required by any mesh. The triangulation is valid whenever the loop stops.
   std::size_t flip_to_delaunay()
   {
     const std::size_t bound = 10000 + 100 * m_origins.size();
@@ -186,9 +186,9 @@ public:
     return flips;
   }
 
-  // Replaces the edge of `h` by the other diagonal of its two faces, laid out in the plane.
+  // Replaces the edge of `h` by the other diagonal of its two faces, unfolded into the plane.
   // \pre The edge has two different faces, whose union is strictly convex at the ends of the edge:
-  // true of every edge that is not locally Delaunay.
+  // this holds for every edge that is not locally Delaunay.
   void flip(int h)
   {
     const int t = twin(h);
@@ -204,7 +204,7 @@ public:
     set(t, below, h, diagonal);
   }
 
-  // Total area; the sum of one positive number per face.
+  // Total area, the sum of one positive number per face.
   double area() const
   {
     double sum = 0;
@@ -229,7 +229,7 @@ private:
     m_lengths[static_cast<std::size_t>(h)] = length_of_h;
   }
 
-  // Moves all four at once, since they may be twins of one another.
+  // Moves all four at once, since they may be twins of each other.
   void move_halfedges(const std::array<int, 4>& from, const std::array<int, 4>& to)
   {
     const auto moved = [&](int h) {
@@ -257,7 +257,7 @@ private:
   std::vector<double> m_lengths;
 };
 
-// The row of each vertex: its number in the range of vertices.
+// The row of each vertex: its index in the range of vertices.
 template <class TriangleMesh>
 auto number_vertices(const TriangleMesh& tmesh)
 {
@@ -275,8 +275,8 @@ struct Face_corners
   std::vector<int> twins;
 };
 
-// Every face starts at its vertex of smallest row, so that meshes that differ only in the halfedge
-// stored with a face, as a mesh and its copy of another type do, give the same bytes.
+// Every face starts at its vertex with the smallest row, so that meshes that differ only in the
+// halfedge stored with a face, such as a mesh and its copy of another type, yield the same bytes.
 // `vertex_rows`: readable property map from vertices to rows.
 template <class TriangleMesh, class VertexRowMap>
 Face_corners face_corners(const TriangleMesh& tmesh, VertexRowMap vertex_rows)
@@ -312,7 +312,7 @@ Face_corners face_corners(const TriangleMesh& tmesh, VertexRowMap vertex_rows)
   return corners;
 }
 
-// Lengths of the sides of the faces, of which twins get the same bytes.
+// Lengths of the halfedges; those of twins are bitwise equal.
 inline std::vector<double> side_lengths(const Face_corners& corners, const Point_matrix& points)
 {
   std::vector<double> lengths(corners.origins.size());

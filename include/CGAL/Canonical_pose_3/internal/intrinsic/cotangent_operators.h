@@ -30,7 +30,7 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // Lumped mass: n positive numbers, a third of the area of the faces around a vertex; they sum to
-// the area. 0 at a vertex without face.
+// the area. 0 at an isolated vertex.
 inline Eigen::VectorXd lumped_mass(const Intrinsic_triangulation& triangulation)
 {
   Eigen::VectorXd mass
@@ -42,13 +42,13 @@ inline Eigen::VectorXd lumped_mass(const Intrinsic_triangulation& triangulation)
 
 // Cotangent Laplacian: n x n, sparse, full symmetric, positive SEMIdefinite (the sign of -Delta);
 // constants on a component are its kernel. Entry (i,j) is minus half the sum of the cotangents
-// opposite to the edges between i and j: not positive inside an intrinsic Delaunay triangulation.
-// Integrated, not pointwise: u'Lu is the Dirichlet energy, the integral of |grad u|^2.
-// All diagonal entries are stored, also those that are 0.
+// opposite to the edges between i and j: nonpositive in the interior of an intrinsic Delaunay
+// triangulation. Integrated, not pointwise: u'Lu is the Dirichlet energy, the integral of
+// |grad u|^2. All diagonal entries are stored, including zeros.
 inline Eigen::SparseMatrix<double> cotangent_laplacian(const Intrinsic_triangulation& triangulation)
 {
   const std::size_t n = triangulation.number_of_vertices();
-  const auto is_taken = [&](int h) { // an edge from a vertex to itself sees no difference
+  const auto is_taken = [&](int h) { // loops contribute nothing
     return triangulation.is_edge_representative(h)
            && triangulation.origin(h) != triangulation.target(h);
   };
@@ -85,7 +85,7 @@ inline Eigen::SparseMatrix<double> cotangent_laplacian(const Intrinsic_triangula
     laplacian.startVec(column);
     double* value = nullptr;
     for(auto it = first; it != last; ++it)
-      if(it != first && it->first == (it - 1)->first) // two edges with the same ends
+      if(it != first && it->first == (it - 1)->first) // two edges with the same endpoints
         *value += it->second;
       else
         *(value = &laplacian.insertBack(it->first, column)) = it->second;

@@ -21,8 +21,8 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// The corners of the faces around each vertex, that is, the halfedges with this origin. Across them,
-// along `next` and `previous`, lie all of its neighbors, also at the border.
+// The corners of the faces around each vertex, that is, the halfedges with this origin. Their
+// `next` and `previous` halfedges lead to all its neighbors, including those at the border.
 inline Buckets<int> vertex_corners(const Intrinsic_triangulation& triangulation)
 {
   return Buckets<int>(triangulation.number_of_vertices(), [&](const auto& put) {

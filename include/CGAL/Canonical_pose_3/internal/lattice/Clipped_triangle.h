@@ -33,7 +33,7 @@ public:
 
   bool is_empty() const { return m_corners.empty(); }
 
-  // The corners of the bounding box of what is left.
+  // The corners of the bounding box of the remaining part.
   Eigen::Vector3d low() const
   {
     Eigen::Vector3d result = m_corners.front();
@@ -49,7 +49,7 @@ public:
     return result;
   }
 
-  // Leaves what lies from `low` to `high`.
+  // Clips to the range from `low` to `high`.
   void clip(const int axis, const double low, const double high)
   {
     cut(axis, low, 1);
@@ -57,7 +57,8 @@ public:
   }
 
 private:
-  // A plane adds a corner, or, where rounding dents a sliver, half as many as there are: 4, 6, 9, 13.
+  // A plane adds one corner or, if rounding dents a sliver, up to half as many as before: 4, 6, 9,
+  // 13.
   using Corners = boost::container::static_vector<Eigen::Vector3d, 13>;
 
   void cut(const int axis, const double border, const double sign)

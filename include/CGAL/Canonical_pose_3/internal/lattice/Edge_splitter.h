@@ -27,8 +27,8 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// Splits edges at their middle until none is longer than `longest`. The surface stays as it is, also where
-// it is no manifold: faces on an edge share its middle.
+// Splits edges at their midpoints until none is longer than `longest`. The shape of the surface
+// does not change, even where it is not manifold: all faces of an edge share its midpoint.
 class Edge_splitter
 {
 public:
@@ -41,13 +41,14 @@ public:
       ;
   }
 
-  // The edge that each new vertex is the middle of, in the order of the new vertices; its ends come before.
+  // For each new vertex, the edge of which it is the midpoint; the endpoints of the edge have
+  // smaller indices.
   const std::vector<Edge>& edges() const { return m_edges; }
 
 private:
   static constexpr std::size_t NONE = static_cast<std::size_t>(-1);
 
-  // Returns whether there was anything to split.
+  // Returns whether any edge was split.
   bool split_all(Row_points& points, std::vector<Index_triangle>& triangles)
   {
     m_middles.clear();
@@ -81,7 +82,7 @@ private:
     return found->second;
   }
 
-  // Cuts off the corners between two middles; what is left has one middle, or none.
+  // Cuts off the corners between two midpoints; the rest has at most one midpoint.
   void split(Index_triangle t, const Row_points& points, std::vector<Index_triangle>& parts)
   {
     std::array<std::size_t, 3> m; // of the edge from corner k
@@ -95,7 +96,7 @@ private:
       parts.push_back({m[0], m[1], m[2]});
       return;
     }
-    // the edge from corner k has no middle, or it alone has one
+    // no edge has a midpoint, or only the edge from corner k
     std::size_t k = 0;
     while(number < 3 && (m[k] == NONE) != (number == 1))
       ++k;

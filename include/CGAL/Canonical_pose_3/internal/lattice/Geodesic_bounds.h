@@ -25,19 +25,19 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // Lower bounds of the geodesic distance between vertices by the triangle inequality: the largest
-// difference of their distances to a landmark. The first landmarks, which are far apart, do for it.
+// difference of their distances to a landmark. The first landmarks, which are far apart, suffice.
 class Geodesic_bounds
 {
 public:
-  // `distances`: a row per vertex, a column per landmark; `unit`: bounds are returned in it.
+  // `distances`: one row per vertex, one column per landmark; `unit`: the unit of the bounds.
   Geodesic_bounds(const Eigen::MatrixXd& distances, const double unit)
     : m_distances(
       (distances.leftCols((std::min)(distances.cols(), NUMBER_OF_LANDMARKS)) / unit).cast<float>())
   {}
 
-  // Appends a vertex in the middle of each edge, of which ends may be such vertices themselves; `points`: all
-  // of them, in the unit of the bounds. If a landmark is seen from both ends through faces that unfold into
-  // a plane, its distance is that of the middle of the side of a triangle.
+  // Appends the midpoint of each edge, whose endpoints may be such midpoints themselves; `points`:
+  // all points, in the unit of the bounds. If a landmark is visible from both endpoints through
+  // faces that unfold into a plane, its distance is the length of the median of a triangle.
   void add_middles(const std::vector<std::pair<std::size_t, std::size_t>>& edges,
                    const Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>& points)
   {

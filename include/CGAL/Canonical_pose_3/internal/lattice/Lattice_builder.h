@@ -41,7 +41,7 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// Makes the lattice of a surface, in the frame of its principal axes and in units of L.
+// Creates the lattice of a surface, in the frame of its principal axes and in units of L.
 class Lattice_builder
 {
 public:
@@ -84,7 +84,7 @@ public:
 private:
   static constexpr double SMALLEST_SPACING = 1. / 120, LARGEST_SPACING = 1. / 60;
   static constexpr double LARGEST_NUMBER_OF_SAMPLES = 5e6, LARGEST_NUMBER_OF_PARTS = 1e6;
-  static constexpr double LARGEST_NUMBER_OF_CUBES = 2e7; // in the box around the surface
+  static constexpr double LARGEST_NUMBER_OF_CUBES = 2e7; // in the bounding box of the surface
   static constexpr double SUITABLE_NUMBER_OF_CUBES = 7000;
 
   static void check(const Eigen::MatrixXd& distances, const double spacing)
@@ -104,7 +104,7 @@ private:
            || number_of_samples(m_surface, triangles, spacing) > LARGEST_NUMBER_OF_SAMPLES;
   }
 
-  // The surface in its own frame, in units of L.
+  // Transforms the surface to the frame of its principal axes, in units of L.
   void place(const Point_matrix& points, const std::vector<std::array<std::size_t, 3>>& triangles)
   {
     const Eigen::VectorXd shares = vertex_area_shares(points, triangles);
@@ -128,7 +128,8 @@ private:
                                   + " belongs to no triangle");
   }
 
-  // Parts of the solid are told apart by a corner of each face: it must not lie far from the rest.
+  // Parts of the solid are distinguished by one corner of each face, which must represent the
+  // entire face.
   void split_faces(double longest_edge, std::vector<std::array<std::size_t, 3>>& triangles,
                    Geodesic_bounds& bounds)
   {
@@ -138,7 +139,8 @@ private:
     bounds.add_middles(splitter.edges(), m_surface);
   }
 
-  // Half of what only a tenth of the chords is shorter than, in bounds, but not too many cubes.
+  // Half the length that nine tenths of the chords exceed, within bounds, and without too many
+  // cubes.
   double suitable_spacing(const std::vector<Chord>& chords,
                           const std::vector<std::array<std::size_t, 3>>& triangles,
                           const std::vector<std::array<std::size_t, 3>>& caps) const
@@ -164,7 +166,8 @@ private:
     return result;
   }
 
-  // The six ways from corner 0 of a cube along its sides to corner 7 are the tetrahedra (Kuhn).
+  // The tetrahedra correspond to the six paths along edges from corner 0 of a cube to corner 7
+  // (Kuhn).
   static const std::array<std::array<int, 4>, 6>& corners_of_tetrahedra()
   {
     static const std::array<std::array<int, 4>, 6> corners
@@ -195,7 +198,7 @@ private:
     }
   }
 
-  // The share of a cube that lies inside: of a few points, those behind the nearest face.
+  // Returns the share of a cube that is inside, estimated by the points behind the nearest face.
   double filled_share(const Lattice_pieces& pieces, const int cell, const std::vector<int>& faces,
                       const std::vector<std::array<std::size_t, 3>>& triangles) const
   {
@@ -255,7 +258,7 @@ private:
         = copies.nodes()[copies.copy_of(static_cast<std::size_t>(cell), face_of_vertex[v])];
       const Eigen::Vector3d place
         = pieces.in_cells(point) - Eigen::Vector3d(coordinates[0], coordinates[1], coordinates[2]);
-      std::array<int, 3> axes = {0, 1, 2}; // by falling coordinate: the way to corner 7
+      std::array<int, 3> axes = {0, 1, 2}; // by decreasing coordinate: the path to corner 7
       std::sort(axes.begin(), axes.end(), [&](const int a, const int b) {
         return place[a] != place[b] ? place[a] > place[b] : a < b;
       });

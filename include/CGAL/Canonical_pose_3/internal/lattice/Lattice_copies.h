@@ -30,9 +30,9 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // Copies of the cubes of a lattice, one for each part of the solid that passes through a cube, and
-// the nodes that copies of neighboring cubes share where a part goes from one to the other
-// (virtual nodes, Molino et al. 2004). Parts are told apart by geodesics: two pieces are of the same
-// part if they lie about as near to one another on the surface as through the solid.
+// the nodes shared by copies of neighboring cubes where a part extends from one to the other
+// (virtual nodes, Molino et al. 2004). Parts are distinguished by geodesics: two pieces belong to
+// the same part if their distance on the surface is similar to that through the solid.
 class Lattice_copies
 {
 public:
@@ -46,17 +46,17 @@ public:
 
   std::size_t number_of_nodes() const { return m_number_of_nodes; }
 
-  // the copies that make up the body
+  // the copies that form the body
   const std::vector<std::size_t>& held() const { return m_held; }
 
-  // per copy: its cube and its eight nodes; bit k of the place of a node tells its side along axis k
+  // per copy: its cube and its eight nodes; bit k of the index of a node is its side along axis k
   const std::vector<int>& cells() const { return m_cells; }
   const std::vector<std::array<int, 8>>& nodes() const { return m_nodes; }
 
-  // The faces of a copy that pass through its cube themselves.
+  // The faces of a copy that intersect its cube.
   const std::vector<int>& faces(const std::size_t copy) const { return m_faces[copy]; }
 
-  // The copy that holds a piece of `face` in `cell`.
+  // The copy that contains a piece of `face` in `cell`.
   std::size_t copy_of(const std::size_t cell, const std::size_t face) const
   {
     const auto piece
@@ -66,8 +66,8 @@ public:
   }
 
 private:
-  // The pieces that stand for a class of them: those with the shortest way to the surface, of these
-  // those with the shortest chord.
+  // The representatives of a class of pieces: those nearest to the surface, and among these those
+  // with the shortest chord.
   using Samples = std::vector<Lattice_piece>;
   static constexpr std::size_t NUMBER_OF_SAMPLES = 4;
 
@@ -77,7 +77,7 @@ private:
     std::vector<Samples> samples;
   };
 
-  // An end of a chord, and the way from there to a cube.
+  // An end of a chord, and its distance to a cube.
   struct End
   {
     std::size_t vertex;
@@ -85,8 +85,8 @@ private:
   };
   using Ends = boost::container::static_vector<End, 2>;
 
-  // The nearer end of the chord of a piece, or both if they are about as near. There is one at least; of
-  // a chord that ends on a cap it is the beginning.
+  // The nearer end of the chord of a piece, or both if they are about equally near. There is at
+  // least one; for a chord that ends on a cap, it is the start.
   Ends ends(const Lattice_piece& p) const
   {
     const bool has_exit = p.exit_vertex != Lattice_piece::NONE;
@@ -105,8 +105,8 @@ private:
     return m_bounds(a.vertex, b.vertex) <= 1.2 * (a.way + b.way + m_pieces.spacing());
   }
 
-  // In the middle of long chords one end proves little (it may be where two fingers meet): then both
-  // have to agree. Those of short ones cannot be asked to, as on the two sides of a sheet.
+  // In the middle of long chords, one end is not conclusive (it may be where two fingers touch), so
+  // both must agree. This cannot be required for short chords, for instance those of a sheet.
   bool are_near(const Lattice_piece& p, const Lattice_piece& q) const
   {
     const Ends of_p = ends(p), of_q = ends(q);
@@ -130,7 +130,7 @@ private:
     });
   }
 
-  // Numbers the sets of [0, n) by their first members.
+  // Numbers the subsets of [0, n) in the order of their first elements.
   static std::size_t number_classes(Disjoint_sets& sets, const std::size_t n,
                                     std::vector<std::size_t>& number)
   {
@@ -169,7 +169,7 @@ private:
     return samples;
   }
 
-  // Pieces of a cube are united if their faces have a vertex in common, then by distance.
+  // Pieces of a cube are merged if their faces share a vertex, then by distance.
   Cell_classes classify(const std::size_t cell) const
   {
     const Lattice_piece* const pieces = m_pieces.begin(cell);
@@ -241,7 +241,7 @@ private:
   }
 
   // Calls f(a, b) for the copies of two neighboring cubes that belong together: a face or chord
-  // passes through both, or they are near one another.
+  // passes through both, or they are near each other.
   template <class Function>
   void for_each_bridge(const std::size_t cell, const std::size_t next, const Function& f)
   {
@@ -308,8 +308,8 @@ private:
       }
   }
 
-  // Lists the copies that are connected with the surface. A chord of which a part was forgotten may
-  // leave others.
+  // Lists the copies that are connected to the surface. Chords that were partly discarded may leave
+  // others.
   void hold(Disjoint_sets& corners)
   {
     Disjoint_sets parts(8 * m_cells.size());
@@ -334,7 +334,7 @@ private:
   std::vector<Samples> m_samples;
   std::vector<std::vector<int>> m_faces;
   std::vector<std::size_t> m_first_copy;    // of each cube
-  std::vector<std::size_t> m_copy_of_piece; // by its place
+  std::vector<std::size_t> m_copy_of_piece; // by its index
   std::vector<std::array<int, 8>> m_nodes;
   std::vector<std::size_t> m_held;
   std::size_t m_number_of_nodes = 0;

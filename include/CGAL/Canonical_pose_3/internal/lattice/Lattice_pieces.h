@@ -28,7 +28,7 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// A cube of the lattice that a face, or a chord that begins on it, passes through. Lengths are those
+// A cube of the lattice that intersects a face or a chord starting on it. Lengths are measured
 // along the chord, in the unit of the points.
 struct Lattice_piece
 {
@@ -36,7 +36,7 @@ struct Lattice_piece
 
   int cell;
   int face;
-  int exit_vertex = NONE;                           // where the chord ends
+  int exit_vertex = NONE;                           // the end of the chord
   float depth = 0;                                  // from the face to the cube
   float rest = std::numeric_limits<float>::max();   // from the cube to the end of the chord
   float length = std::numeric_limits<float>::max(); // of the chord
@@ -57,19 +57,19 @@ public:
     sort(collect(chords));
   }
 
-  // the number of cubes, most of them without a piece
+  // the number of cubes, most of them without pieces
   std::size_t size() const { return m_pieces.number_of_buckets(); }
   const Lattice_piece* begin(const std::size_t cell) const { return m_pieces[cell].begin(); }
   const Lattice_piece* end(const std::size_t cell) const { return begin(cell) + m_count[cell]; }
 
-  // numbers of pieces lie below this, not all of them are used
+  // upper bound of the indices of pieces, not all of which are used
   std::size_t number_of_places() const { return m_pieces.values().size(); }
   std::size_t place(const Lattice_piece* const piece) const
   {
     return static_cast<std::size_t>(piece - m_pieces.values().data());
   }
 
-  // distance of the numbers of two cubes that are neighbors along an axis
+  // difference of the indices of two cubes that are neighbors along an axis
   int stride(const int axis) const
   {
     return axis == 0 ? m_cells[1] * m_cells[2] : axis == 1 ? m_cells[2] : 1;
@@ -118,7 +118,7 @@ private:
     return blocks;
   }
 
-  // From the first corner from sample to sample, and from the last one to each corner.
+  // Walks from the first corner from sample to sample, and from the last sample to each corner.
   void walk_face(const std::size_t f, std::vector<Lattice_piece>& pieces) const
   {
     const Index_triangle& t = m_triangles[f];
@@ -146,8 +146,8 @@ private:
     });
   }
 
-  // Calls visit(cell, begin, end) for the cubes from a to b, each a neighbor of the one before;
-  // begin and end, from 0 to 1, tell the part of the way that lies in it.
+  // Calls visit(cell, begin, end) for the cubes from a to b, each a neighbor of the previous one;
+  // begin and end, from 0 to 1, are the part of the segment inside it.
   template <class Function>
   void walk(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Function& visit) const
   {
@@ -178,7 +178,7 @@ private:
     }
   }
 
-  // Sorts the pieces by cube and face; those of the same become one.
+  // Sorts the pieces by cube and face, and merges those with the same cube and face.
   void sort(const Blocks& blocks)
   {
     const std::size_t n = static_cast<std::size_t>(m_cells[0])
@@ -221,8 +221,8 @@ private:
     m_count[cell] = static_cast<std::size_t>(without_long_chords(first, out) - first);
   }
 
-  // Where there are short chords, those that are far longer run along a limb and tell little of it.
-  // They are forgotten.
+  // Where there are short chords, far longer ones run along a limb and provide little information.
+  // They are discarded.
   template <class Iterator>
   Iterator without_long_chords(const Iterator first, const Iterator last) const
   {
@@ -263,7 +263,7 @@ private:
   Eigen::Vector3d m_low;
   std::array<int, 3> m_cells;
   Buckets<Lattice_piece> m_pieces;  // of the cubes
-  std::vector<std::size_t> m_count; // of those that are left after merging
+  std::vector<std::size_t> m_count; // of the pieces that remain after merging
 };
 
 } // namespace internal

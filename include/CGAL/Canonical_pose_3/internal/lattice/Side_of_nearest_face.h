@@ -27,12 +27,12 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// Tells whether points lie behind the nearest of a few faces. Where an edge or a vertex is nearest, its
-// faces are equally near: then the one that the point sees most directly counts.
+// Determines whether points are behind the nearest of a few faces. If an edge or a vertex is
+// nearest, its faces are equally near, and the one that faces the point most directly is used.
 class Side_of_nearest_face
 {
 public:
-  // `tolerance`: distances that differ by less count as equal.
+  // `tolerance`: distances that differ by less are considered equal.
   Side_of_nearest_face(const Row_points& points, const std::vector<Index_triangle>& triangles,
                        const std::vector<int>& faces, const double tolerance)
     : m_tolerance(tolerance)
@@ -45,7 +45,7 @@ public:
                             c = points.row(static_cast<Eigen::Index>(t[2]));
       const Eigen::Vector3d normal = (b - a).cross(c - a).stableNormalized();
       if(normal.isZero(0))
-        continue; // a face without area has no side; its neighbors are as near
+        continue; // a face without area has no side; its neighbors are equally near
       const Eigen::Vector3d centroid = (a + b + c) / 3;
       const double radius
         = std::sqrt((std::max)({(a - centroid).squaredNorm(), (b - centroid).squaredNorm(),

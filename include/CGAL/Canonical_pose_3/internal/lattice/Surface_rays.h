@@ -32,8 +32,8 @@ namespace internal {
 
 using Row_points = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
 
-// Finds where rays meet triangles, by a uniform grid over them. (CGAL's tree takes longer to build
-// than all the rays that a body needs.)
+// Intersects rays with triangles, using a uniform grid. (Building CGAL's AABB tree takes longer
+// than all ray queries of a body.)
 class Surface_rays
 {
 public:
@@ -51,8 +51,9 @@ public:
     fill_cells();
   }
 
-  // Calls visit(hit) in the order of distance for the hits beyond distance 0, except those on
-  // `own_face`, until it returns false. `direction` has length 1, `origin` lies among the triangles.
+  // Calls visit(hit) for the hits at positive distances, in the order of distance, except those on
+  // `own_face`, until it returns false. `direction` has length 1, `origin` is inside the bounding
+  // box.
   template <class Visitor>
   void trace(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction,
              const std::size_t own_face, const Visitor& visit) const
@@ -76,7 +77,7 @@ public:
       double end = next.minCoeff(&axis);
       const int next_row = cell[axis] + step[axis];
       const bool is_last = next_row < 0 || next_row >= m_cells[axis];
-      if(is_last) // a face on the border may be hit a rounding error behind it
+      if(is_last) // a face on the border may be hit slightly behind it due to rounding
         end = std::numeric_limits<double>::infinity();
       hits.clear();
       for(const std::size_t f : m_faces_of_cells[index(cell)])
@@ -97,8 +98,8 @@ public:
 private:
   static constexpr double TRIANGLE_SIZES_PER_CELL = 3;
   static constexpr double CELLS_PER_TRIANGLE = 8;
-  static constexpr double ENTRIES_PER_TRIANGLE = 32; // of the lists of the cells, but for a factor
-  static constexpr double MARGIN = 1e-6;             // of a cell, well above rounding
+  static constexpr double ENTRIES_PER_TRIANGLE = 32; // of the lists of the cells, up to a factor
+  static constexpr double MARGIN = 1e-6;             // of a cell, well above rounding errors
   static constexpr double SLACK = 1e-9;              // of a triangle
   static constexpr std::size_t CELLS_OF_SMALL_BOX = 64;
 
@@ -136,7 +137,7 @@ private:
     });
   }
 
-  // The cells of a range of rows along the three axes.
+  // A range of cells along the three axes.
   struct Box
   {
     std::array<int, 3> low, high;
@@ -161,7 +162,7 @@ private:
     return box;
   }
 
-  // Cells that a triangle comes near to. Its bounding box may have many more.
+  // Calls the function for the cells close to a triangle; its bounding box may have many more.
   template <class Function>
   void for_each_cell(const Index_triangle& t, const Function& f) const
   {
@@ -174,7 +175,7 @@ private:
       for_each_cell_in_slabs(box, Clipped_triangle(a, b, c), f);
   }
 
-  // Cells of the bounding box of a triangle that its plane comes near to.
+  // Calls the function for the cells of the bounding box of a triangle that are close to its plane.
   template <class Function>
   void for_each_cell_near_plane(const Box& box, const Index_triangle& t, const Function& f) const
   {
@@ -193,8 +194,8 @@ private:
         }
   }
 
-  // Cuts the triangle by the slabs of cells along the longest axis of the box, each part by the rows along
-  // the next axis; what is left says how far along the shortest axis.
+  // Clips the triangle to slabs of cells along the longest axis of the box, and each part to rows
+  // along the next axis; the result gives the range along the shortest axis.
   template <class Function>
   void for_each_cell_in_slabs(const Box& box, const Clipped_triangle& triangle,
                               const Function& f) const
@@ -231,7 +232,7 @@ private:
     }
   }
 
-  // Moeller & Trumbore 1997, with some slack at the sides, so that no ray slips between two faces.
+  // Moeller & Trumbore 1997, with some slack at the edges, so that no ray slips between two faces.
   void intersect(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction,
                  const std::size_t face, const double begin, const double end,
                  std::vector<Hit>& hits) const

@@ -33,24 +33,23 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// A point of a face, and the way from there through the solid, against the normal, to where it is
-// left.
+// A surface sample, and the segment from there through the solid, against the normal, to the exit.
 struct Chord
 {
   std::size_t face;
   Eigen::Vector3d start, end;
   double length;
-  std::optional<std::size_t> exit_vertex; // of the face that is hit; none on a cap
+  std::optional<std::size_t> exit_vertex; // of the face that is hit; none for a cap
 };
 
-// A point of a face.
+// A point on a face.
 struct Surface_sample
 {
   std::size_t face;
   Eigen::Vector3d point;
 };
 
-// The points of a face, a row and a column of them at least every `step`.
+// Samples a face by rows and columns of points at most `step` apart.
 template <class Function>
 void for_each_sample(const Row_points& points, const Index_triangle& t, const double step,
                      const Function& f)
@@ -83,7 +82,7 @@ void for_each_sample(const Row_points& points, const Index_triangle& t, const do
   }
 }
 
-// A bound on the number of samples of all faces beyond one per face.
+// A bound on the number of samples of all faces in addition to one per face.
 inline double number_of_samples(const Row_points& points,
                                 const std::vector<Index_triangle>& triangles, const double step)
 {
@@ -99,15 +98,15 @@ inline double number_of_samples(const Row_points& points,
   return sum;
 }
 
-// Chooses points on the surface, about one per cube of the given side and per direction of the
-// normal (one of six): the one nearest to the middle of the cube, so that the choice does not depend
-// on the order of the faces.
+// Chooses surface samples, about one per cube of the given edge length and per direction of the
+// normal (one of six): the one nearest to the center of the cube, so that the choice does not
+// depend on the order of the faces.
 inline std::vector<Surface_sample> sample_surface(const Row_points& points,
                                                   const std::vector<Index_triangle>& triangles,
                                                   const double side)
 {
   using Cube = std::array<int, 4>;                         // and direction
-  using Ranked_sample = std::pair<double, Surface_sample>; // by the distance from the middle
+  using Ranked_sample = std::pair<double, Surface_sample>; // by the distance to the center
   std::unordered_map<Cube, Ranked_sample, boost::hash<Cube>> nearest;
   for(std::size_t f = 0; f < triangles.size(); ++f)
   {
@@ -137,9 +136,10 @@ inline std::vector<Surface_sample> sample_surface(const Row_points& points,
   return chosen;
 }
 
-// Where the way from a sample against the normal leaves the part of the solid that the sample bounds.
-// Mostly that is the first exit. Where parts of the solid overlap, exits of others come in between:
-// then it is the first one whose face is not much farther by geodesics than straight on.
+// Finds where the ray from a sample against the normal leaves the part of the solid bounded by the
+// sample. Usually this is the first exit. Where parts of the solid overlap, exits of other parts
+// may come first: then it is the first exit whose face is not much farther by geodesics than along
+// the ray.
 class Exit_search
 {
 public:
@@ -163,7 +163,7 @@ public:
     if(!exit || is_plausible(sample, *exit))
       return exit;
 
-    // the sample may lie inside other parts of the solid, which have to be left, too
+    // the sample may be inside other parts of the solid, which the ray must exit, too
     depth = 1;
     m_rays.trace(sample.point, -inward, sample.face, [&](const Hit& hit) {
       depth += hit.is_exit ? 1 : -1;
@@ -198,7 +198,7 @@ private:
   const std::vector<Index_triangle>& m_triangles;
 };
 
-// Finds the chords of samples. Unit of length: the largest geodesic distance.
+// Computes the chords of samples. Unit of length: the largest geodesic distance.
 class Chord_finder
 {
 public:
@@ -210,7 +210,7 @@ public:
   Chord_finder(const Chord_finder&) = delete;
   Chord_finder& operator=(const Chord_finder&) = delete;
 
-  // Samples without exit (near a hole that has no cap) have no chord.
+  // Samples without exit (near a hole without cap) have no chord.
   std::vector<Chord> operator()(const std::vector<Surface_sample>& samples) const
   {
     std::vector<std::vector<Chord>> blocks(number_of_blocks(samples.size()));
@@ -257,7 +257,7 @@ private:
   const Exit_search m_search;
 };
 
-// Every k-th chord, k such that their total length is bounded.
+// Returns every k-th chord, with k such that their total length is bounded.
 inline std::vector<Chord> thinned(std::vector<Chord> chords, const double total_length)
 {
   double sum = 0;

@@ -29,7 +29,7 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// What `Tetrahedral_arap_registrar_3` does, for any body, rotations and solver; see there.
+// The implementation of `Tetrahedral_arap_registrar_3` for any body, rotations and solver.
 class Arap_registration
 {
 public:

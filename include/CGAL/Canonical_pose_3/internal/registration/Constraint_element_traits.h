@@ -23,13 +23,13 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// What `Constraint_list_3` and the one call have to know of the elements of a constraint; specialized
-// beside each of them, with
-//   const char* name             what it is called in messages,
-//   pointers_to_vertices(e)      an array of pointers to the vertices that it names,
-//   std::string defect(e)        which of its own numbers is out of bounds; empty if none is,
-// and, if the list is to remember something about each element from one iteration to the next,
-//   State                        what that is, as it is at first if default-constructed.
+// The traits of the elements of a constraint for `Constraint_list_3` and the one call; specialized
+// next to each element, with
+//   const char* name             its name in messages,
+//   pointers_to_vertices(e)      an array of pointers to its vertices,
+//   std::string defect(e)        describes an out-of-range value; empty if there is none,
+// and, if the list stores a state of each element between iterations,
+//   State                        its type, whose default-constructed value is the initial state.
 template <class Element>
 struct Constraint_element_traits;
 
@@ -48,7 +48,7 @@ struct Constraint_element_state<Traits, std::void_t<typename Traits::State>>
   using type = typename Traits::State;
 };
 
-// The base of those for elements of two vertices p and q.
+// The base of the traits of elements with two vertices p and q.
 struct Vertex_pair_traits
 {
   template <class Element>
@@ -58,7 +58,7 @@ struct Vertex_pair_traits
   }
 };
 
-// The defect of an element whose vertices must differ.
+// Returns the defect of an element whose vertices must differ.
 template <class Element>
 std::string coincidence_of_vertices(const Element& e)
 {

@@ -23,19 +23,19 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// Directions of descent by limited-memory BFGS with a constant factored matrix in the place of the
-// Hessian matrix: the last steps and the changes of the gradient along them correct it.
+// Descent directions by limited-memory BFGS. The initial Hessian matrix is a constant factored
+// matrix, which is corrected by the last steps and the changes of the gradient along them.
 class Quasi_newton_direction
 {
 public:
-  // `window`: number of steps that are remembered.
+  // `window`: number of stored steps.
   explicit Quasi_newton_direction(const int window) : m_memory(window) {}
 
   bool has_memory() const { return m_used > 0; }
 
   void forget() { m_used = 0; }
 
-  // Tells that the gradient changed by `change` along `step`.
+  // Stores that the gradient changed by `change` along `step`.
   template <class Step, class Change>
   void remember(const Step& step, const Change& change)
   {
@@ -56,7 +56,7 @@ public:
   void apply(Eigen::MatrixXd& direction, const Solve& solve) const
   {
     std::vector<double> weights(m_used);
-    for(std::size_t k = 0; k < m_used; ++k) // from the newest on
+    for(std::size_t k = 0; k < m_used; ++k) // starting with the newest
     {
       const Pair& pair = newest(k);
       weights[k] = pair.step.cwiseProduct(direction).sum() / pair.curvature;
@@ -83,7 +83,7 @@ private:
     return m_memory[(m_next + m_memory.size() - 1 - k) % m_memory.size()];
   }
 
-  std::vector<Pair> m_memory; // a ring
+  std::vector<Pair> m_memory; // a ring buffer
   std::size_t m_next = 0, m_used = 0;
 };
 

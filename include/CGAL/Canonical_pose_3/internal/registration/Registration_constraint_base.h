@@ -23,7 +23,8 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// Lets the registrar hold constraints of any type; see the concept `RegistrationConstraint_3`.
+// The base that allows the registrar to hold constraints of any type, see the concept
+// `RegistrationConstraint_3`.
 class Registration_constraint_base
 {
 public:

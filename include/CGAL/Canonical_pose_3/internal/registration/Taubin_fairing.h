@@ -25,8 +25,8 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // Fairing of the boundary of a body (Taubin 1995): v <- v + step * (mean of the neighbors - v),
-// with the steps lambda > 0 and mu < 0 in turn, so that the shape does not shrink. Vertices inside
-// stay.
+// with alternating steps lambda > 0 and mu < 0, so that the shape does not shrink. Interior
+// vertices do not move.
 class Taubin_fairing
 {
 public:
@@ -38,7 +38,7 @@ public:
         for(int other = 1; other < 3; ++other)
           entries.emplace_back(static_cast<int>(t[k]), static_cast<int>(t[(k + other) % 3]), 1.);
     m_umbrella.resize(rest.rows(), rest.rows());
-    // An edge of two faces comes twice, but counts once.
+    // An edge of two faces occurs twice, but counts once.
     m_umbrella.setFromTriplets(entries.begin(), entries.end(), [](double a, double) { return a; });
     for(Eigen::Index v = 0; v < m_umbrella.outerSize(); ++v)
     {

@@ -37,8 +37,8 @@ inline double checked_length_scale(const double length_scale)
   return length_scale;
 }
 
-// Throws unless there are no factors or n of them, finite, positive ones or, where zeros are allowed,
-// nonnegative ones that are not all 0. `what` and `element` name them in messages.
+// Throws unless there are either no factors or n finite factors that are positive or, if zeros are
+// allowed, nonnegative and not all 0. Messages refer to them by `what` and `element`.
 inline void check_factors(const Eigen::VectorXd& factors, const Eigen::Index n,
                           const std::string& what, const std::string& element,
                           const bool zeros_are_allowed)
@@ -64,8 +64,8 @@ inline const Eigen::VectorXd& checked_stiffness(const Eigen::VectorXd& stiffness
   return stiffness;
 }
 
-// Tells for each vertex of the body whether its component carries a surface vertex of positive weight. The
-// matrix of the registration is positive definite if and only if each does.
+// Returns for each vertex of the body whether its component has a surface vertex of positive
+// weight. The matrix of the registration is positive definite if and only if all components do.
 template <class ElasticBody>
 std::vector<bool> held_vertices(const ElasticBody& body, const Eigen::VectorXd& weights)
 {
@@ -86,7 +86,7 @@ std::vector<bool> held_vertices(const ElasticBody& body, const Eigen::VectorXd& 
   return is_held;
 }
 
-// A surface vertex that a component of the body carries although none there has a positive weight.
+// Returns a surface vertex of a body component whose surface vertices all have weight 0.
 template <class ElasticBody>
 std::optional<std::size_t> surface_vertex_of_loose_component(const ElasticBody& body,
                                                              const Eigen::VectorXd& weights)
@@ -111,7 +111,7 @@ void check_that_components_are_held(const ElasticBody& body, const Eigen::Vector
                                 + " carries no surface vertex of positive weight");
 }
 
-// Returns the weights with sum 1.
+// Returns the weights, scaled to sum 1.
 template <class ElasticBody>
 Eigen::VectorXd checked_matching_weights(const ElasticBody& body, const Eigen::VectorXd& weights)
 {

@@ -37,7 +37,7 @@ Eigen::RowVector3d difference(const Element& element, const Point_matrix& points
   return result;
 }
 
-// What is prescribed, where it is a member of the elements.
+// The prescribed value, if it is a member of the elements.
 template <class Element>
 auto given(const std::vector<Element>& elements, Eigen::RowVector3d Element::*member)
 {

@@ -32,8 +32,9 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// Finds the cell that has most of the body vertices in which the corners of a triangle are embedded, among those
-// around the vertex with the largest share in the first corner.
+// Among the cells around the body vertex with the largest entry in the embedding of the first
+// corner of a triangle, finds the cell with the most body vertices in which its corners are
+// embedded.
 template <class ElasticBody>
 class Cell_of_triangle
 {
@@ -85,8 +86,8 @@ private:
   Buckets<std::size_t> m_cells_of_vertex;
 };
 
-// Number of surface faces whose normal turned by more than 90 degrees against the rotation of their
-// cell.
+// Returns the number of surface faces whose normal is rotated by more than 90 degrees relative to
+// the rotation of their cell.
 template <class ElasticBody>
 std::size_t flipped_faces(const ElasticBody& body, const std::vector<Index_triangle>& triangles,
                           const Point_matrix& rest, const Point_matrix& pose,

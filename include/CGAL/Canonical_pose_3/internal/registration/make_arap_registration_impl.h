@@ -40,7 +40,7 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// Energies, matrix and factor; the local and global steps.
+// Energies, matrix and factor; local and global steps.
 class Body_registration final : public Arap_registration
 {
 public:
@@ -156,8 +156,8 @@ public:
   }
 
 private:
-  // Beyond this rank a factorization is cheaper than the solves for an update and the products with it
-  // in the iterations of one registration (measured on the armadillo in a body of TetGen).
+  // Beyond this rank, a factorization is cheaper than the solves for an update and the products
+  // with it in all iterations of a registration (measured on the armadillo in a body of TetGen).
   static constexpr std::size_t MOST_RANK_OF_AN_UPDATE = 32;
 
   template <class Function>
@@ -212,8 +212,8 @@ private:
     return m_embedding_transposed * surface_embedded;
   }
 
-  // Updates the factor for the difference between the constraints that it was made with and the
-  // present ones. Returns false if a new factorization is cheaper or more accurate.
+  // Updates the factor by the difference between the constraints at its factorization and the
+  // current ones. Returns false if a new factorization is cheaper or more accurate.
   bool update_factor()
   {
     const Eigen::SparseMatrix<double> change = m_constraint_matrix - m_factored_constraint_matrix;
@@ -241,7 +241,7 @@ private:
     return v;
   }
 
-  // Local step: finds surface, rotations and energies at v.
+  // Local step: computes surface, rotations and energies at v.
   void evaluate(const Point_matrix& v, Registration_summary& summary)
   {
     transposed_product(m_embedding_transposed, v, m_surface);
@@ -262,8 +262,8 @@ private:
     summary.volume_ratio = arap.volume_ratio;
   }
 
-  // For surface and rotations of the last local step, the right-hand side minus what the constraints
-  // have on the left-hand side.
+  // Returns the right-hand side for the surface and rotations of the last local step, minus the
+  // left-hand side terms of the constraints.
   const Point_matrix& right_hand_side()
   {
     find_surface_terms();
@@ -272,7 +272,7 @@ private:
     return m_right_hand_side;
   }
 
-  // Its terms that do not depend on rotations.
+  // Computes the terms that do not depend on rotations.
   void find_surface_terms()
   {
     m_right_hand_side = m_target_term;
@@ -290,20 +290,20 @@ private:
     }
   }
 
-  // Half the gradient of the energy at v, where the last local step was.
+  // Computes half the gradient of the energy at v, the position of the last local step.
   void half_gradient(const Point_matrix& v, Point_matrix& result)
   {
-    transposed_product(m_matrix, v, result); // which is symmetric
+    transposed_product(m_matrix, v, result); // the matrix is symmetric
     result -= right_hand_side();
   }
 
-  // Turns inverted cells right side out, from the last local step on.
+  // Untangles inverted cells, starting from the last local step.
   void repair(Point_matrix& v, Registration_summary& summary)
   {
     timed(summary, "global_steps", [&] {
       find_surface_terms();
       Eigen::SparseMatrix<double> matrix = m_matrix;
-      if(!m_constraints.empty()) // which go to the left-hand side
+      if(!m_constraints.empty()) // they are part of the left-hand side
       {
         const Eigen::SparseMatrix<double> constraints = brought_to_body(m_constraint_matrix);
         matrix += constraints;
@@ -326,7 +326,7 @@ private:
                                  + " cells are inverted although none should be");
   }
 
-  // The largest way of a surface vertex when the body moves by `step`.
+  // Returns the largest displacement of a surface vertex if the body moves by `step`.
   double largest_move(const Eigen::MatrixXd& step) const
   {
     Point_matrix moves;
@@ -334,7 +334,7 @@ private:
     return std::sqrt(moves.rowwise().squaredNorm().maxCoeff());
   }
 
-  // Returns whether to go on after an iteration that moved the body by `step`.
+  // Returns whether to continue after an iteration that moved the body by `step`.
   bool visit(const Registration_visitor& visitor, const Registration_summary& summary,
              const Eigen::MatrixXd& step) const
   {
@@ -423,9 +423,9 @@ private:
   Arap_energy m_arap;
   std::optional<Taubin_fairing> m_fairing;
   std::vector<std::unique_ptr<Registration_constraint_base>> m_constraints;
-  std::optional<std::vector<std::size_t>> m_factored_revisions; // none: constraints came or went
+  std::optional<std::vector<std::size_t>> m_factored_revisions; // none: list of constraints changed
   Eigen::SparseMatrix<double> m_matrix;                         // without constraints
-  // on the surface: now, and in the factor without its update
+  // on the surface: current ones, and those in the factor without its update
   Eigen::SparseMatrix<double> m_constraint_matrix, m_factored_constraint_matrix;
   Factor_maker m_factor_maker;
   Updated_factor m_factor;

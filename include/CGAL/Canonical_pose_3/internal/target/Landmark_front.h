@@ -28,14 +28,14 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// Fronts that spread from one source after the other, each as far as it lowers the distance to the
-// nearest source. They pass along edges, and through faces from two corners that they have reached,
-// as if the source lay straight behind the side between them (Novotni & Klein 2002). Distances are
-// nearly those on the surface, and good enough to compare vertices by.
+// Fronts that propagate from one source after the other, each as long as it decreases the distance
+// to the nearest source. They propagate along edges, and through faces from two reached corners,
+// assuming that the source is straight behind the edge between them (Novotni & Klein 2002).
+// Distances approximate those on the surface, well enough to compare vertices.
 class Landmark_front
 {
 public:
-  // `triangulation`, which should be Delaunay, must live as long as this object.
+  // `triangulation`, which should be Delaunay, must outlive this object.
   explicit Landmark_front(const Intrinsic_triangulation& triangulation)
     : m_triangulation(triangulation), m_corners(vertex_corners(triangulation)),
       m_vertices(triangulation.number_of_vertices())
@@ -44,7 +44,8 @@ public:
       m_apices.push_back(triangulation.apex(h));
   }
 
-  // Lowers `nearest`, one number per vertex, to the distances from `source` where these are smaller.
+  // Decreases `nearest`, one number per vertex, to the distances from `source` if these are
+  // smaller.
   void lower(Eigen::Index source, Eigen::VectorXd& nearest)
   {
     ++m_front;
@@ -77,7 +78,7 @@ public:
 private:
   struct Vertex
   {
-    double distance = 0; // by the last front that reached it
+    double distance = 0; // of the last front that reached it
     int reached_by = 0, settled_by = 0;
     bool is_lower = false;
   };
@@ -95,7 +96,7 @@ private:
     m_queue.emplace(distance, v);
   }
 
-  // From both ends of side `h` to the third corner of its face, `v`.
+  // Propagates from both ends of halfedge `h` to the third corner `v` of its face.
   void cross(int h, int v)
   {
     const Vertex &from = at(m_triangulation.origin(h)), &to = at(m_triangulation.target(h));
@@ -119,7 +120,7 @@ private:
 
   const Intrinsic_triangulation& m_triangulation;
   Buckets<int> m_corners;
-  std::vector<std::pair<double, double>> m_apices; // of the faces over their sides
+  std::vector<std::pair<double, double>> m_apices; // of the faces above their halfedges
   std::vector<Vertex> m_vertices;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> m_queue;
   int m_front = 0;

@@ -39,7 +39,7 @@ CGAL_CANONICAL_POSE_3_INLINE Point_matrix align_target(const Point_matrix& targe
     moved.col(2) *= -1;
   const Eigen::Matrix3d covariance
     = (points.rowwise() - point_mean).transpose() * share.asDiagonal() * moved;
-  // Normalized, as the models compare determinants and entries with absolute bounds.
+  // Normalized, since the models compare determinants and entries to absolute bounds.
   const double size = covariance.cwiseAbs().maxCoeff();
   const Eigen::Matrix3d rotation
     = size > 0 ? internal::rotation_by_traits<Deformation_Eigen_closest_rotation_traits_3>(

@@ -22,8 +22,8 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// Each of n vertices has a distance to each landmark, of which there are n at most: no more than fit into
-// memory, and no more landmarks than can be embedded.
+// Checks that the distances of n vertices to at most n landmarks fit into memory, and that the
+// landmarks can be embedded.
 inline void check_number_of_landmarks(const std::size_t number_of_landmarks, const std::size_t n)
 {
   constexpr std::size_t largest_number = 4096, largest_number_of_distances = std::size_t(1) << 29;

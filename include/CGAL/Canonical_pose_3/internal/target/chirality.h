@@ -21,9 +21,9 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// sum m x y z along the principal axes, the longest first, taken as a right-handed frame, by the
-// product of the standard deviations; 0 for flat points. Reversing two axes does not change it,
-// reversing one or three changes the sign.
+// Returns sum m x y z along the principal axes, the longest first, as a right-handed frame, divided
+// by the product of the standard deviations; 0 for flat point sets. Reversing two axes does not
+// change it, reversing one or three changes the sign.
 inline double chirality(const Point_matrix& points, const Eigen::VectorXd& weights)
 {
   const Principal_axes frame(points, weights);

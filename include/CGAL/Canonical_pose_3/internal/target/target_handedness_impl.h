@@ -30,9 +30,9 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// Whether the triangles enclose so little that the sign of their volume is chance: what rounding the
-// coordinates can change it by, or what noise in single precision does to a flat sheet.
-// `six_volumes`: `signed_volume()` of the same.
+// Whether the enclosed volume is so small that its sign is arbitrary: within the effect of rounding
+// the coordinates, or of noise in single precision on a flat sheet. `six_volumes`:
+// `signed_volume()` of the triangles.
 inline bool is_volume_negligible(const double six_volumes, const Point_matrix& points,
                                  const std::vector<std::array<std::size_t, 3>>& triangles)
 {

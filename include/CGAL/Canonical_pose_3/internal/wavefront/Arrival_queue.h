@@ -25,18 +25,18 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// The beams on their way, by the time of their arrival; at equal times by the place where they are
-// kept, which depends on nothing but the order of the calls.
+// The active beams, ordered by arrival time; ties are broken by storage index, which only depends
+// on the order of the calls.
 class Arrival_queue
 {
 public:
-  // the distances of a beam to evenly spaced points of its side, both ends included
+  // the distances of a beam to evenly spaced points of its side, including both ends
   using Samples = std::array<double, 4>;
 
   struct Arrival
   {
-    int halfedge; // over which the beam enters the face
-    bool is_late; // it has been put off once
+    int halfedge; // through which the beam enters the face
+    bool is_late; // it has been postponed once
     Samples at;
     Beam beam;
   };
@@ -55,7 +55,7 @@ public:
     m_free_places.pop_back();
   }
 
-  // of the next one
+  // arrival time of the next beam
   double time() const { return m_queue.top().first; }
 
   Arrival pop()
@@ -74,7 +74,7 @@ public:
   }
 
 private:
-  using Entry = std::pair<double, int>; // time and place
+  using Entry = std::pair<double, int>; // time and index
 
   std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> m_queue;
   std::vector<Arrival> m_arrivals;

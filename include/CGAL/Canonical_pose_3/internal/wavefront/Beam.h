@@ -21,10 +21,10 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// The wave that enters a face over one of its sides, in the frame in which the side runs from (0,0)
-// to (length,0) with the face above: up to three virtual sources, each of which lights a piece of
-// the side, from the origin on. To each point of its piece the distance of a source is the length of
-// a path on the surface, or more.
+// The wave that enters a face through one of its sides, in the frame in which the side runs from
+// (0,0) to (length,0) with the face above: up to three virtual sources, each of which lights a
+// piece of the side, starting from the origin. The distance of a source to each point of its piece
+// is at least the length of a path on the surface.
 class Beam
 {
 public:
@@ -37,7 +37,7 @@ public:
   double begin(int i) const { return i == 0 ? 0. : end(i - 1); }
   double end(int i) const { return m_ends[index(i)]; }
 
-  // Adds a source that lights the side from where it is dark up to `end`, if this is a piece.
+  // Adds a source that lights the remaining side up to `end`, if this piece is not empty.
   void push_back(const Virtual_source& source, double end)
   {
     if(!(end > begin(m_size)))
@@ -49,7 +49,7 @@ public:
       drop_one();
   }
 
-  // Gives the first piece to the next source; the last one, to the one before.
+  // Assigns the first piece to the next source, or the last piece to the previous one.
   void drop_front() { remove(0, 0); }
   void drop_back() { remove(m_size - 1, m_size - 2); }
 
@@ -62,14 +62,14 @@ public:
     return (*this)[i].distance(t, 0.);
   }
 
-  // Whether source `i` lies on the path to source `i` + 1, or else the other way round.
+  // Whether source `i` is on the path to source `i` + 1, or vice versa.
   bool is_earlier(int i) const { return (*this)[i].base < (*this)[i + 1].base; }
 
-  // The one of the two that lies on the path to the other. Its rays bound what it lights; the other
-  // stands where they end.
+  // The source that is on the path to the other. Its rays bound the region that it lights; the
+  // other source is at their boundary.
   const Virtual_source& earlier(int i) const { return (*this)[is_earlier(i) ? i : i + 1]; }
 
-  // The source that lights a point above the side, seen through the side.
+  // The source that lights a point above the side through the side.
   int lights(double x, double y) const
   {
     int i = 0;
@@ -81,8 +81,8 @@ public:
 private:
   static std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
-  // Gives the piece of a source to a neighbor to which its path leads: paths grow longer by a
-  // detour, never too short. Does so where they grow the least.
+  // Assigns the piece of a source to a neighbor on its path: paths become longer by a detour, never
+  // too short. Chooses the source with the smallest detour.
   void drop_one()
   {
     int pair = 0;
@@ -92,7 +92,7 @@ private:
     remove(is_earlier(pair) ? pair : pair + 1, pair);
   }
 
-  // Removes a source, and the end between pieces `border` and `border` + 1.
+  // Removes a source, and the border between pieces `border` and `border` + 1.
   void remove(int source, int border)
   {
     for(int i = source; i + 1 < m_size; ++i)
@@ -102,8 +102,8 @@ private:
     --m_size;
   }
 
-  // by how much the later of the sources `i` and `i` + 1 is farther from the far end of the piece of
-  // the earlier one
+  // how much longer the path to the far end of the piece of the earlier of the sources `i` and `i`
+  // + 1 becomes through the later one
   double detour(int i) const
   {
     const double t = is_earlier(i) ? begin(i) : end(i + 1);

@@ -20,7 +20,7 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // How a beam passes the third corner of the face that it has entered: either one of its sources
-// lights the corner, or an end of the side hides it, around which the path then bends.
+// lights the corner, or the corner is hidden by an end of the side, around which the path bends.
 class Beam_passage
 {
 public:
@@ -46,16 +46,16 @@ public:
     return (m_is_left && m_is_origin_flat) || (m_is_right && m_is_target_flat);
   }
 
-  // distance to the corner as if nothing hid it
+  // distance to the corner if it were not hidden
   double straight() const { return m_straight; }
 
-  // the beam on the next side, from the corner to the target of the side
+  // the beam on the next side, from the corner to the target of this side
   Beam over_next(const Unfolded_side& exit) const
   {
     return over(exit, m_is_right ? m_beam.size() : m_source, m_beam.size());
   }
 
-  // the beam on the previous side, from the origin of the side to the corner
+  // the beam on the previous side, from the origin of this side to the corner
   Beam over_previous(const Unfolded_side& exit) const
   {
     return over(exit, 0, m_is_left ? 0 : m_source + 1);

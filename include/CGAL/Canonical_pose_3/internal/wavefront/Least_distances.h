@@ -24,8 +24,8 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// For each halfedge, the least distances that any beam over it had to evenly spaced points of it,
-// both ends included.
+// For each halfedge, the smallest distances of any beam through it to evenly spaced points on it,
+// including both ends.
 class Least_distances
 {
 public:
@@ -46,8 +46,7 @@ public:
     return result;
   }
 
-  // Whether one of the distances is the least so far; less than before by more than rounding, if
-  // `relative_gain` says so.
+  // Whether one of the distances is the smallest so far, by a relative margin of `relative_gain`.
   bool are_least(int h, const Samples& at, double relative_gain) const
   {
     const Samples& least = m_least[static_cast<std::size_t>(h)];
@@ -66,7 +65,7 @@ public:
       least[i] = (std::min)(least[i], at[i]);
   }
 
-  // Back to infinity, in time proportional to what was lowered.
+  // Resets to infinity, in time proportional to the number of decreased distances.
   void reset()
   {
     for(int h : m_touched)

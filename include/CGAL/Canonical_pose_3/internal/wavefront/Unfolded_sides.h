@@ -24,13 +24,13 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// The faces of an intrinsic triangulation, ready to be laid out in the plane one after the other:
-// for each halfedge all that a wave needs that enters the face over it.
+// The faces of an intrinsic triangulation, prepared for unfolding into the plane one after the
+// other: for each halfedge, the data for a wave that enters the face through it.
 class Unfolded_sides
 {
 public:
-  // The halfedge runs from (0,0) to (length,0); the third corner of its face lies at
-  // (apex_x,apex_y), apex_y > 0.
+  // The halfedge runs from (0,0) to (length,0); the third corner of its face is at (apex_x,apex_y),
+  // apex_y > 0.
   struct Side
   {
     double length, apex_x, apex_y;
@@ -64,12 +64,12 @@ public:
   static int previous(int h) { return Intrinsic_triangulation::previous(h); }
   int target(int h) const { return (*this)[next(h)].origin; }
 
-  // Whether the faces around the vertex make up a full turn: then the surface is a piece of the
-  // plane there, and the vertex no obstacle to straight lines on either side.
+  // Whether the angles around the vertex sum to 360 degrees: then the surface is locally a plane,
+  // and the vertex does not obstruct straight lines on either side.
   bool is_flat(int vertex) const { return m_is_flat[index(vertex)] != 0; }
 
-  // The sides over which a wave leaves the face that it entered over h: next(h) and previous(h), run
-  // from the other end, as their twins are, in the frame of h.
+  // The sides through which a wave leaves the face that it entered through h: next(h) and
+  // previous(h), reversed like their twins, in the frame of h.
   Unfolded_side next_side(int h) const
   {
     const Side &side = (*this)[h], &exit = (*this)[next(h)];
@@ -84,7 +84,7 @@ public:
 
   bool is_border(int vertex) const { return m_is_border[index(vertex)] != 0; }
 
-  // Calls f(h) for the halfedges that start at the vertex, in their order.
+  // Calls f(h) for the halfedges that start at the vertex, in increasing order.
   template <class Function>
   void for_each_outgoing(int vertex, const Function& f) const
   {
@@ -95,8 +95,8 @@ public:
 private:
   static std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
-  // Faces near to one another get near numbers, whatever they had before: a wave over a large
-  // surface is bound by the memory that it touches.
+  // Nearby faces get similar indices, since a wave over a large surface is limited by memory
+  // access.
   static std::vector<int> breadth_first_numbers(const Intrinsic_triangulation& triangulation)
   {
     std::vector<int> numbers(index(triangulation.number_of_faces()), -1), order;

@@ -20,9 +20,9 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// A source as it is seen from a face: where the true source, or the vertex at which the path bent
-// last, lies when the faces on the way are laid out in the plane, and the length of the path up to
-// there. Also whether this vertex is a flat one, at which no shortest path bends.
+// A source as seen from a face: the position of the true source, or of the vertex at which the path
+// bent last, when the faces on the path are unfolded into the plane, and the length of the path up
+// to there. Also whether this vertex is flat, so that no shortest path bends there.
 struct Virtual_source
 {
   double x, y, base;
@@ -34,12 +34,11 @@ struct Virtual_source
     return base + std::sqrt(dx * dx + dy * dy);
   }
 
-  // Where the segment to a point above the x axis crosses it; the source does not lie above.
+  // Where the segment to a point above the x axis crosses it; the source is not above the axis.
   double crossing(double px, double py) const { return x + (px - x) * (y / (y - py)); }
 };
 
-// A side of a face in the frame of another: the point where it begins, its unit direction and its
-// length.
+// A side of a face in the frame of another: its start, its unit direction and its length.
 struct Unfolded_side
 {
   double x, y, direction_x, direction_y, length;
@@ -48,17 +47,18 @@ struct Unfolded_side
   Virtual_source in_frame(const Virtual_source& source) const
   {
     const double dx = source.x - x, dy = source.y - y;
-    // rounding must not lift a source above the side that it lights
+    // rounding must not move a source above the side that it lights
     return {direction_x * dx + direction_y * dy,
             (std::min)(direction_x * dy - direction_y * dx, 0.), source.base, source.is_flat};
   }
 
-  // how far along this side the ray from the source through (t,0) arrives, within [0,length]
+  // the position along this side, within [0,length], where the ray from the source through (t,0)
+  // arrives
   double arrival(const Virtual_source& source, double t) const
   {
     const double rx = t - source.x, ry = -source.y;
     const double at = ((t - x) * ry + y * rx) / (direction_x * ry - direction_y * rx);
-    // a ray along the side has no arrival: whatever is chosen, distances stay lengths of paths
+    // a ray parallel to the side does not arrive: for any choice, distances are lengths of paths
     return at >= 0 ? (std::min)(at, length) : at < 0 ? 0. : length;
   }
 };

@@ -30,25 +30,24 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// A wave that runs over the faces from a source, by increasing distance, and lowers the distances of
-// the vertices to which it finds a shorter path.
-//
-// What crosses a side is a beam, which lights the whole of it. In the face behind, the beam reaches
-// the third corner and leaves over the two other sides. Where a corner hides a part of them, the
-// path bends there, and the corner becomes a source. A side keeps no beams, only the least distances
-// so far of four of its points: a beam goes on if it is the best at one of them. Hence at most four
-// beams matter to a side, and memory and, in practice, time are linear, up to the queue.
+// A wave that propagates over the faces from a source, by increasing distance, and decreases the
+// distances of the vertices to which it finds a shorter path. A beam crosses a side and lights all
+// of it. In the next face, the beam reaches the third corner and leaves through the two other
+// sides. If a corner hides a part of them, the path bends there, and the corner becomes a source.
+// Sides do not store beams, only the smallest distances so far of four of their points: a beam is
+// propagated if it is the best at one of them. Hence at most four beams per side matter, and memory
+// and, in practice, time are linear, up to the queue.
 class Wavefront
 {
 public:
-  // `sides` must live as long as this object
+  // `sides` must outlive this object
   explicit Wavefront(const Unfolded_sides& sides)
     : m_sides(&sides), m_least(sides.number_of_halfedges())
   {}
 
-  // Lowers the distances to those from `source` where these are less. The wave stops where it
-  // lowers nothing, so that a source near others costs no more than the vertices nearer to it.
-  // `distances`: of each vertex, +infinity if there is no source yet
+  // Decreases the distances to those from `source` if these are smaller. The wave stops where it
+  // does not decrease any distance, so a source near others only visits the vertices nearer to it.
+  // `distances`: one number per vertex, initially +infinity
   void lower(int source, Eigen::VectorXd& distances) { lower(std::vector<int>{source}, distances); }
 
   // the same for several sources at once
@@ -63,15 +62,15 @@ public:
         settle(distances);
       else
         arrive(distances);
-    // the next wave starts on a clean surface
+    // prepares for the next wave
     m_least.reset();
     m_queue.reset();
   }
 
 private:
-  // below it, two beams from one source differ by rounding
+  // below it, differences of two beams from the same source are rounding errors
   static constexpr double TOLERANCE = 1e-13;
-  // up to it, two distances are those from the same source, whichever way was taken
+  // up to it, two distances are considered those from the same source along different paths
   static constexpr double SAME = 1e-11;
 
   using Arrival = Arrival_queue::Arrival;
@@ -88,8 +87,8 @@ private:
     }
   };
 
-  // A vertex that was reached along an edge is a source: no beam may have what lies behind in its
-  // light, if the vertex is one of two ears of the surface, say.
+  // A vertex that was reached along an edge is a source: possibly no beam lights the faces behind
+  // it, for instance if the vertex is one of two ears of the surface.
   void settle(Eigen::VectorXd& distances)
   {
     const Reached reached = m_vertices.top();
@@ -107,7 +106,7 @@ private:
       cross(arrival, distances);
   }
 
-  // `is_bent`: by a path whose last piece is an edge
+  // `is_bent`: by a path whose last segment is an edge
   void lower_to(double distance, int vertex, bool is_bent, Eigen::VectorXd& distances)
   {
     if(!(distance < distances[vertex] * (1 - (is_bent ? TOLERANCE : 0.))))
@@ -116,7 +115,8 @@ private:
     m_vertices.push({distance, vertex, is_bent});
   }
 
-  // From a vertex to its neighbors, and a beam into the faces behind each of its own.
+  // Propagates from a vertex to its neighbors, and sends a beam through the opposite side of each
+  // of its faces.
   void leave(int vertex, bool shines, Eigen::VectorXd& distances)
   {
     const double base = distances[vertex];
@@ -133,7 +133,7 @@ private:
     });
   }
 
-  // Puts the beam that enters a face over `h` into the queue, if it is worth it.
+  // Inserts the beam that enters a face through `h` into the queue, unless it is useless.
   void enter(int h, const Beam& beam, const Eigen::VectorXd& distances)
   {
     if(h < 0 || beam.size() == 0)
@@ -146,8 +146,8 @@ private:
     m_queue.push((std::max)(arrival.at.front(), arrival.at.back()), arrival);
   }
 
-  // A bend is no bend if its source sees the end of the side, too: around a vertex at which the
-  // surface is flat, both ways lead to the same distance. Without it, planes were not exact.
+  // A bend is removed if its source also sees the end of the side: around a vertex at which the
+  // surface is flat, both paths have the same length. Otherwise, planes would not be exact.
   void widen(Arrival& arrival, const Eigen::VectorXd& distances)
   {
     Beam& beam = arrival.beam;
@@ -167,8 +167,8 @@ private:
 
   static bool is_same(double d, double e) { return d >= e * (1 - SAME) && d <= e * (1 + SAME); }
 
-  // Whether no shortest path crosses the side in this beam, since one along the side to its far end
-  // is shorter (Xin & Wang 2009).
+  // Whether no shortest path crosses the side in this beam, since a path along the side to its far
+  // end is shorter (Xin & Wang 2009).
   bool is_dominated(int h, const Arrival_queue::Samples& at, const Eigen::VectorXd& distances) const
   {
     const auto& side = (*m_sides)[h];
@@ -176,7 +176,7 @@ private:
            || distances[m_sides->target(h)] + side.length < at.front();
   }
 
-  // From one side of a face to its third corner and to the two other sides.
+  // Propagates from one side of a face to its third corner and to the two other sides.
   void cross(const Arrival& arrival, Eigen::VectorXd& distances)
   {
     const int h = arrival.halfedge;
@@ -199,7 +199,7 @@ private:
       put_off(arrival, over_end);
       return;
     }
-    // beyond the corner, a bend is of use only if it lies on the shortest path to the corner
+    // beyond the corner, a bend is useful only if it is on the shortest path to the corner
     const bool turns = over_end <= distance * (1 + TOLERANCE);
     if(!passage.is_right() || turns)
       enter(next.twin, passage.over_next(m_sides->next_side(h)), distances);
@@ -207,7 +207,7 @@ private:
       enter(previous.twin, passage.over_previous(m_sides->previous_side(h)), distances);
   }
 
-  // Until then, the corner may have been reached the other way round a flat vertex: see `widen()`.
+  // Until then, the corner may be reached on the other side of a flat vertex, see `widen()`.
   void put_off(Arrival arrival, double time)
   {
     arrival.is_late = true;

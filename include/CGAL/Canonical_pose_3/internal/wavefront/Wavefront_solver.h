@@ -54,7 +54,7 @@ public:
       result.col(static_cast<Eigen::Index>(k)) = scaled(column, m_exponent);
     };
 #ifdef CGAL_LINKED_WITH_TBB
-    // a wave forgets: which thread ran which ones before changes no byte
+    // waves keep no state: results do not depend on which thread runs which wave
     tbb::enumerable_thread_specific<Wavefront> waves([this] { return wavefront(); });
     tbb::parallel_for(std::size_t(0), sources.size(),
                       [&](std::size_t k) { fill(waves.local(), k); });

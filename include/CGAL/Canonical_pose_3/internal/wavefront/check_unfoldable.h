@@ -53,9 +53,10 @@ inline std::vector<double> sizes_of_components(const std::vector<int>& origins,
   return result;
 }
 
-// Throws `Face_defect` that names the first face that CGAL's shortest paths cannot unfold: they
-// come out infinite, or end the program, where heights or sizes differ by more than about 1e-15 (found by
-// trials), and squares of squared lengths must not vanish. `points`: normalized.
+// Throws a `Face_defect` with the first face that CGAL's shortest paths cannot unfold: they become
+// infinite, or terminate the program, if heights or sizes differ by a factor of more than about
+// 1e15 (determined experimentally), and squares of squared lengths must not vanish. `points`:
+// normalized.
 inline void check_unfoldable(const Face_corners& corners, const Point_matrix& points)
 {
   constexpr double least_height = 1e-14, least_size = 1e-14, least_length = 1e-60;
