@@ -64,6 +64,22 @@ TEST(Heat_geodesics_input, null_vertex)
   EXPECT_THROW(Heat(mesh).distances(Mesh::null_vertex()), CGAL::Precondition_exception);
 }
 
+TEST(Heat_geodesics_input, time_step_factors_out_of_bounds)
+{
+  const Mesh mesh = icosphere<Mesh>(1, 1.);
+  const auto said = [&](double factor) {
+    return message_of<std::invalid_argument>([&] { Heat(mesh, mesh.points(), Kernel(), factor); });
+  };
+  for(double factor : {0., -1., -INF, INF, std::numeric_limits<double>::quiet_NaN(), 1.1e6})
+  {
+    EXPECT_NE(said(factor).find("the time step factor is "), std::string::npos) << factor;
+    EXPECT_EQ(message_of<std::invalid_argument>([&] { Heat(mesh, factor); }), said(factor));
+  }
+  EXPECT_EQ(said(-1.), "the time step factor is -1, not positive and at most 1e6");
+  for(double factor : {std::numeric_limits<double>::denorm_min(), 1e6})
+    EXPECT_EQ(said(factor), "nothing");
+}
+
 // On a right triangle with legs 1 there is one face, no inner edge, and the gradient of the heat is
 // constant: the distance is a linear function that is 0 at the source and equal at the two others,
 // hence 1/sqrt(2).

@@ -52,9 +52,9 @@ The distance is an approximation: its error goes to 0 with the edge length, and 
 1 to 5 percent. It is not exactly symmetric, and not exactly a metric. Use `Exact_geodesics_3` where
 this matters and time does not. What flips cannot mend is a surface whose *vertices* lie much denser
 in one direction than in the other: from about 15 to 1 on, the steps of the heat no longer reach
-across the gaps, and distances come out far too short. Remesh such a surface. (A longer time step
-would mend it, but nothing that we measured tells these surfaces from uneven ones on which a longer
-step makes distances worse.)
+across the gaps, and distances come out far too short. Remesh such a surface, or take a longer time
+step. (The default is the same for all surfaces: nothing that we measured tells these from uneven
+ones on which a longer step makes distances worse.)
 
 <em>Boundary.</em> No heat leaves through it (Neumann). The average with the solution that is 0 on
 the boundary, which would cost a third factorization, was no better: on a square of \f$ 100^2 \f$
@@ -62,11 +62,15 @@ cells, over five sources from the center to a corner, the mean errors are 0.73 p
 0.98 percent with the average; on half of an icosphere of 5 levels 0.61 and 0.82 percent. Only on
 very coarse patches (\f$ 20^2 \f$ cells: 2.6 and 1.9 percent) it is the other way round.
 
-<em>Time step.</em> The square of \f$ h \f$, the mean edge length of the connected component after
-the flips, or 1/300 of the longest of the shortest paths along edges from the first vertex of the
-component, if this is more: it keeps the heat, which decays like \f$ \exp(-d/h) \f$, within the
-range of `double` everywhere, on meshes of any size. Compact surfaces need it from about a hundred
-thousand vertices on, long thin ones earlier.
+<em>Time step.</em> \f$ t = h^2 \f$, where \f$ h \f$ is \f$ \sqrt{c} \f$ times the mean edge length of
+the connected component after the flips, or 1/300 of the longest of the shortest paths along edges
+from the first vertex of the component, if this is more: it keeps the heat, which decays like
+\f$ \exp(-d/h) \f$, within the range of `double` everywhere, on meshes of any size. With
+\f$ c = 1 \f$, compact surfaces need it from about a hundred thousand vertices on, long thin ones
+earlier. The <em>time step factor</em> \f$ c \f$ is a parameter of the constructors; it has no unit
+and is 1 by default. The larger it is, the smoother are the distances: kinks where shortest paths from
+two sides meet, and the influence of the boundary, are spread over a width of some \f$ h \f$. With
+much less than 1, errors no longer go to 0 with the edge length.
 
 <em>Units and determinism.</em> Any unit will do. Multiplying all coordinates by a power of two
 multiplies all distances by it, to the last bit. Distances do not depend on the number of threads,
@@ -118,10 +122,10 @@ public:
 
   /*!
   flips to intrinsic Delaunay and factors both systems, with the points of the mesh's own property
-  map `vertex_point`.
+  map `vertex_point`; else as the other constructor.
   */
-  explicit Heat_geodesics_3(const TriangleMesh& tmesh)
-    : Heat_geodesics_3(tmesh, get(vertex_point, tmesh))
+  explicit Heat_geodesics_3(const TriangleMesh& tmesh, const double time_step_factor = 1)
+    : Heat_geodesics_3(tmesh, get(vertex_point, tmesh), Geometry(), time_step_factor)
   {}
 
   /*!
@@ -131,7 +135,10 @@ public:
          object. Its points are read here only: moving them later changes nothing.
   \param vertex_point_map the point of each vertex, in any unit
   \param traits reads the coordinates of the points
+  \param time_step_factor the time step by the square of the mean edge length; positive and at most
+         1e6, with which the heat has nearly evened out on meshes of any size
 
+  \throws std::invalid_argument if `time_step_factor` is out of these bounds or not a number
   \throws std::invalid_argument if the mesh has no face, or no face with an area, or a face that is
           not a triangle, or a vertex with a coordinate that is not finite. The message names face
           or vertex by its number in the range of faces or vertices.
@@ -141,22 +148,25 @@ public:
   \f$ n \f$ vertices, in \f$ O(n \log n) \f$ memory.
   */
   Heat_geodesics_3(const TriangleMesh& tmesh, Point_map vertex_point_map,
-                   const Geometry& traits = Geometry())
-    : Heat_geodesics_3(tmesh, vertex_point_map, traits, internal::make_lane_factor<FactorTraits>)
+                   const Geometry& traits = Geometry(), const double time_step_factor = 1)
+    : Heat_geodesics_3(tmesh, vertex_point_map, traits, internal::make_lane_factor<FactorTraits>,
+                       time_step_factor)
   {}
 
   /// \cond SKIP_IN_MANUAL
   // By a solver chosen at run time.
   Heat_geodesics_3(const TriangleMesh& tmesh, Point_map vertex_point_map, const Geometry& traits,
-                   const internal::Lane_factor_maker factor_maker)
+                   const internal::Lane_factor_maker factor_maker,
+                   const double time_step_factor = 1)
     : m_tmesh(&tmesh), m_rows(internal::number_vertices(tmesh)),
       m_solver(internal::make_heat_solver(internal::face_corners(tmesh, m_rows),
                                           point_matrix(tmesh, vertex_point_map, traits),
-                                          factor_maker))
+                                          time_step_factor, factor_maker))
   {}
 
-  explicit Heat_geodesics_3(const TriangleMesh&&) = delete;
-  Heat_geodesics_3(const TriangleMesh&&, Point_map, const Geometry& = Geometry()) = delete;
+  explicit Heat_geodesics_3(const TriangleMesh&&, double = 1) = delete;
+  Heat_geodesics_3(const TriangleMesh&&, Point_map, const Geometry& = Geometry(), double = 1)
+    = delete;
   /// \endcond
 
   Heat_geodesics_3(const Heat_geodesics_3&) = delete;

@@ -41,8 +41,10 @@ public:
   virtual Eigen::VectorXd distance_to_nearest(const std::vector<Eigen::Index>& sources) const = 0;
 };
 
+// `time_step_factor`: the time step by the square of the mean edge length; see heat_lengths().
+// Throws `std::invalid_argument` if it is out of its bounds, or when no face has an area.
 std::unique_ptr<Heat_solver> make_heat_solver(const Face_corners& corners,
-                                              const Point_matrix& points,
+                                              const Point_matrix& points, double time_step_factor,
                                               Lane_factor_maker factor_maker);
 
 } // namespace internal

@@ -16,10 +16,13 @@
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <limits>
 #include <queue>
+#include <sstream>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -95,13 +98,26 @@ inline double edge_graph_radius(const Intrinsic_triangulation& triangulation,
   return radius;
 }
 
-// The length h of each component whose square is the time step: the mean edge length, but at least
-// 1/300 of the radius of the edge graph. The heat decays at most like exp(-d/h), which underflows
-// beyond d/h = 708 or so, and no two vertices are farther apart than 600 h.
+inline void check_time_step_factor(const double factor)
+{
+  if(factor > 0 && factor <= 1e6)
+    return;
+  std::ostringstream message;
+  message << "the time step factor is " << factor << ", not positive and at most 1e6";
+  throw std::invalid_argument(message.str());
+}
+
+// The length h of each component whose square is the time step: the mean edge length times the root
+// of `time_step_factor`, but at least 1/300 of the radius of the edge graph. The heat decays at most
+// like exp(-d/h), which underflows beyond d/h = 708 or so, and no two vertices are then farther
+// apart than 600 h.
 inline std::vector<double> heat_lengths(const Intrinsic_triangulation& triangulation,
-                                        const Vertex_components& components)
+                                        const Vertex_components& components,
+                                        const double time_step_factor)
 {
   auto lengths = triangulation.mean_edge_lengths(components.of_vertices(), components.size());
+  for(double& length : lengths)
+    length *= std::sqrt(time_step_factor);
   const Buckets<int> corners = vertex_corners(triangulation);
   std::vector<double> distances(triangulation.number_of_vertices(),
                                 (std::numeric_limits<double>::infinity)());

@@ -56,13 +56,13 @@ class Intrinsic_heat_solver final : public Heat_solver
 {
 public:
   Intrinsic_heat_solver(const Face_corners& corners, const Point_matrix& points,
-                        const Lane_factor_maker factor_maker)
+                        const double time_step_factor, const Lane_factor_maker factor_maker)
     : m_surface(corners, points), m_heat(factor_maker())
   {
     const Eigen::SparseMatrix<double> laplacian = cotangent_laplacian(triangulation());
     std::vector<double> lengths;
     in_parallel([&] { check(m_heat->analyze(laplacian), "heat equation cannot be analyzed"); },
-                [&] { lengths = heat_lengths(triangulation(), components()); });
+                [&] { lengths = heat_lengths(triangulation(), components(), time_step_factor); });
     m_poisson = m_heat->copy();
     m_places = m_heat->places();
     in_parallel(
@@ -244,9 +244,10 @@ private:
 
 CGAL_CANONICAL_POSE_3_INLINE std::unique_ptr<Heat_solver>
 make_heat_solver(const Face_corners& corners, const Point_matrix& points,
-                 const Lane_factor_maker factor_maker)
+                 const double time_step_factor, const Lane_factor_maker factor_maker)
 {
-  return std::make_unique<Intrinsic_heat_solver>(corners, points, factor_maker);
+  check_time_step_factor(time_step_factor);
+  return std::make_unique<Intrinsic_heat_solver>(corners, points, time_step_factor, factor_maker);
 }
 
 } // namespace internal
