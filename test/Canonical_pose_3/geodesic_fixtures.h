@@ -19,6 +19,8 @@
 
 #include <Eigen/Core>
 
+#include <cmath>
+#include <cstddef>
 #include <iterator>
 #include <stdexcept>
 #include <string>
@@ -45,6 +47,26 @@ inline std::vector<Mesh::Vertex_index> sources_on_ball(const Mesh& mesh)
   sources.push_back(sources.front());
   return sources;
 }
+
+/// A mesh with a point map besides its own, whose points lie elsewhere.
+struct Mesh_with_points
+{
+  using Point_map = Mesh::Property_map<Mesh::Vertex_index, Kernel::Point_3>;
+
+  explicit Mesh_with_points(const Mesh& original)
+    : mesh(original),
+      points(mesh.add_property_map<Mesh::Vertex_index, Kernel::Point_3>("true").first)
+  {
+    for(const auto v : mesh.vertices())
+    {
+      const Kernel::Point_3 p = points[v] = mesh.point(v);
+      mesh.point(v) = Kernel::Point_3(std::exp(3 * p.x()), 0.1 * p.y(), p.z() * p.z());
+    }
+  }
+
+  Mesh mesh;
+  Point_map points;
+};
 
 /// Mean of |d - e| / e over the rows with e > 0.
 inline double mean_relative_error(const Eigen::VectorXd& d, const Eigen::VectorXd& e)

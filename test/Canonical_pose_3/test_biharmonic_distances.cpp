@@ -9,6 +9,7 @@
 #include "geodesic_fixtures.h"
 
 #include <CGAL/Canonical_pose_3/Biharmonic_distances_3.h>
+#include <CGAL/Canonical_pose_3/front_landmarks.h>
 #include <CGAL/Polyhedron_3.h>
 
 #include <Eigen/Dense>
@@ -155,4 +156,18 @@ TEST(Biharmonic_distances, refuse_by_name)
   mesh.point(Mesh::Vertex_index(3)) = Kernel::Point_3(0, NAN, 0);
   EXPECT_NE(message_of<std::invalid_argument>([&] { Biharmonic{mesh}; }).find("vertex 3"),
             std::string::npos);
+}
+
+// The fronts run on the points that the distances were made with, whatever those of the mesh are.
+TEST(Biharmonic_distances, landmarks_by_fronts_on_own_points)
+{
+  const Mesh mesh = torus<Mesh>(40, 20, 2., 0.7);
+  const Mesh_with_points other(mesh);
+  const CGAL::Canonical_pose_3::Biharmonic_distances_3<Mesh, Mesh_with_points::Point_map> geodesics(
+    other.mesh, other.points);
+  const auto expected = CGAL::Canonical_pose_3::front_landmarks(
+    CGAL::Canonical_pose_3::Biharmonic_distances_3<Mesh>(mesh), 12, vertex(mesh, 5));
+  const auto found = CGAL::Canonical_pose_3::front_landmarks(geodesics, 12, vertex(other.mesh, 5));
+  EXPECT_EQ(found.landmarks, expected.landmarks);
+  EXPECT_EQ(found.distances, expected.distances);
 }

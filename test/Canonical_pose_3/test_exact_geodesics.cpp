@@ -9,6 +9,7 @@
 #include "geodesic_fixtures.h"
 
 #include <CGAL/Canonical_pose_3/Exact_geodesics_3.h>
+#include <CGAL/Canonical_pose_3/front_landmarks.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Simple_cartesian.h>
@@ -185,4 +186,18 @@ TEST(Exact_geodesics, bad_input)
              b = grid.add_vertex(Kernel::Point_3(4, 1, 0));
   grid.add_face(vertex(grid, 3), a, b, vertex(grid, 7));
   EXPECT_EQ(refusal(grid), "face 6 is not a triangle");
+}
+
+// The fronts run on the points that the distances were made with, whatever those of the mesh are.
+TEST(Exact_geodesics, landmarks_by_fronts_on_own_points)
+{
+  const Mesh mesh = torus<Mesh>(40, 20, 2., 0.7);
+  const Mesh_with_points other(mesh);
+  const CGAL::Canonical_pose_3::Exact_geodesics_3<Mesh, Mesh_with_points::Point_map> geodesics(
+    other.mesh, other.points);
+  const auto expected = CGAL::Canonical_pose_3::front_landmarks(
+    CGAL::Canonical_pose_3::Exact_geodesics_3<Mesh>(mesh), 12, vertex(mesh, 5));
+  const auto found = CGAL::Canonical_pose_3::front_landmarks(geodesics, 12, vertex(other.mesh, 5));
+  EXPECT_EQ(found.landmarks, expected.landmarks);
+  EXPECT_EQ(found.distances, expected.distances);
 }

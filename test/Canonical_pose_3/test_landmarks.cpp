@@ -169,6 +169,22 @@ TEST(Front_landmarks, halve_a_strip)
   EXPECT_NEAR(std::abs(x(fields.landmarks[4]) - 32.), 16., 1.);
 }
 
+// A model may show points that are not those of the mesh.
+TEST(Front_landmarks, run_on_the_points_of_the_distances)
+{
+  struct Distances_between_points : Straight_distances
+  {
+    CP::Point_matrix points() const { return others; }
+    CP::Point_matrix others;
+  };
+  const Mesh mesh = Canonical_pose_test::strip<Mesh>(64, 1);
+  Distances_between_points geodesics{{mesh}, CP::point_matrix(mesh)};
+  geodesics.others.col(0) = geodesics.others.col(0).array().square() / 64;
+  const auto fields = CP::front_landmarks(geodesics, 3, Mesh::Vertex_index(0));
+  ASSERT_EQ(fields.landmarks.size(), 3u);
+  EXPECT_NEAR(geodesics.others(static_cast<Eigen::Index>(fields.landmarks[2]), 0), 32., 1.);
+}
+
 TEST(Front_landmarks, more_than_there_are_vertices)
 {
   const Mesh mesh = Canonical_pose_test::icosphere<Mesh>(0, 1.);

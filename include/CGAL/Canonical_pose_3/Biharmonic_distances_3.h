@@ -135,12 +135,12 @@ public:
   Biharmonic_distances_3(const TriangleMesh& tmesh, Point_map vertex_point_map,
                          const std::size_t number_of_eigenfunctions = 100,
                          const Geometry& traits = Geometry())
-    : m_tmesh(&tmesh), m_rows(internal::number_vertices(tmesh))
+    : m_tmesh(&tmesh), m_rows(internal::number_vertices(tmesh)),
+      m_points(point_matrix(tmesh, vertex_point_map, traits))
   {
     if(number_of_eigenfunctions == 0)
       throw std::invalid_argument("the number of eigenfunctions is 0");
-    const internal::Delaunay_surface surface(internal::face_corners(tmesh, m_rows),
-                                             point_matrix(tmesh, vertex_point_map, traits));
+    const internal::Delaunay_surface surface(internal::face_corners(tmesh, m_rows), m_points);
     m_exponent = surface.exponent();
     m_component = surface.components().of_vertices();
     embed(surface, static_cast<Eigen::Index>(number_of_eigenfunctions));
@@ -164,6 +164,9 @@ public:
 
   /// returns the mesh.
   const TriangleMesh& triangle_mesh() const { return *m_tmesh; }
+
+  /// returns the points that the distances were computed with, one row per vertex.
+  const Point_matrix& points() const { return m_points; }
 
   /*!
   returns the index of `v` in the range `vertices(tmesh)`, its row in the results.
@@ -300,6 +303,7 @@ private:
 
   const TriangleMesh* m_tmesh;
   Row_map m_rows;
+  Point_matrix m_points;
   int m_exponent = 0;           // distances are multiplied by 2 to this power
   std::vector<int> m_component; // of each row
   Embedding m_embedding;

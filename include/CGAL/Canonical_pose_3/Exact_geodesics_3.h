@@ -151,10 +151,11 @@ public:
   */
   Exact_geodesics_3(const TriangleMesh& tmesh, Point_map vertex_point_map,
                     const Geometry& traits = Geometry())
-    : m_tmesh(&tmesh), m_rows(internal::number_vertices(tmesh))
+    : m_tmesh(&tmesh), m_rows(internal::number_vertices(tmesh)),
+      m_points(point_matrix(tmesh, vertex_point_map, traits))
   {
     const internal::Face_corners corners = internal::face_corners(tmesh, m_rows);
-    Point_matrix matrix = point_matrix(tmesh, vertex_point_map, traits);
+    Point_matrix matrix = m_points;
     m_exponent = internal::normalize(matrix);
     std::vector<Kernel::Point_3> points;
     for(Eigen::Index i = 0; i < matrix.rows(); ++i)
@@ -179,6 +180,9 @@ public:
 
   /// returns the mesh.
   const TriangleMesh& triangle_mesh() const { return *m_tmesh; }
+
+  /// returns the points that the distances were computed with, one row per vertex.
+  const Point_matrix& points() const { return m_points; }
 
   /*!
   returns the index of `v` in the range `vertices(tmesh)`, its row in the results.
@@ -369,6 +373,7 @@ private:
 
   const TriangleMesh* m_tmesh;
   Row_map m_rows;
+  Point_matrix m_points;
   int m_exponent = 0; // distances are multiplied by 2 to this power
   Copy m_copy;
   std::vector<Copied_vertex> m_copied; // of each row

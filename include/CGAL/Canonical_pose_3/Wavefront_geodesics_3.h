@@ -128,12 +128,13 @@ public:
          not a triangle, or a vertex with a non-finite coordinate. The message states the index of
          the face or vertex.
 
-  <em>Complexity:</em> linear in practice; about 230 bytes per vertex are stored.
+  <em>Complexity:</em> linear in practice; about 250 bytes per vertex are stored.
   */
   Wavefront_geodesics_3(const TriangleMesh& tmesh, Point_map vertex_point_map,
                         const Geometry& traits = Geometry())
     : m_tmesh(&tmesh), m_rows(internal::number_vertices(tmesh)),
-      m_solver(internal::face_corners(tmesh, m_rows), point_matrix(tmesh, vertex_point_map, traits))
+      m_points(point_matrix(tmesh, vertex_point_map, traits)),
+      m_solver(internal::face_corners(tmesh, m_rows), m_points)
   {}
 
   /// \cond SKIP_IN_MANUAL
@@ -152,6 +153,9 @@ public:
 
   /// returns the mesh.
   const TriangleMesh& triangle_mesh() const { return *m_tmesh; }
+
+  /// returns the points that the distances were computed with, one row per vertex.
+  const Point_matrix& points() const { return m_points; }
 
   /*!
   returns the index of `v` in the range `vertices(tmesh)`, its row in the results.
@@ -243,6 +247,7 @@ private:
 
   const TriangleMesh* m_tmesh;
   Row_map m_rows;
+  Point_matrix m_points;
   internal::Wavefront_solver m_solver;
 };
 

@@ -18,6 +18,11 @@
 #include <CGAL/assertions.h>
 #include <CGAL/iterator.h>
 
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <boost/graph/graph_traits.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>

@@ -22,7 +22,6 @@
 
 #include <Eigen/Core>
 
-#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -32,6 +31,20 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 namespace internal {
+
+// The points that the distances were made with: those of the geodesics, if they show them.
+template <class GeodesicDistances>
+auto landmark_points(const GeodesicDistances& geodesics, int)
+  -> decltype(Point_matrix(geodesics.points()))
+{
+  return geodesics.points();
+}
+
+template <class GeodesicDistances>
+Point_matrix landmark_points(const GeodesicDistances& geodesics, ...)
+{
+  return point_matrix(geodesics.triangle_mesh());
+}
 
 // The surface that the fronts run on: that of the geodesics, if they show it.
 template <class GeodesicDistances>
@@ -45,7 +58,8 @@ template <class GeodesicDistances>
 Intrinsic_triangulation landmark_triangulation(const GeodesicDistances& geodesics, ...)
 {
   const auto& tmesh = geodesics.triangle_mesh();
-  return Delaunay_surface(face_corners(tmesh, number_vertices(tmesh)), point_matrix(tmesh))
+  return Delaunay_surface(face_corners(tmesh, number_vertices(tmesh)),
+                          landmark_points(geodesics, 0))
     .triangulation();
 }
 
@@ -88,8 +102,9 @@ Otherwise it does the same as `farthest_point_landmarks()`.
 
 \tparam GeodesicDistances a model of `GeodesicDistances_3` whose mesh is a model of `FaceListGraph`,
         oriented, 2-manifold, and made of triangles. The fronts run on the surface with the points
-        of the mesh's property map `vertex_point`; with `Heat_geodesics_3`, on the one that it was
-        constructed with.
+        that its member function `points()` returns, a `Point_matrix`, and without one with those of
+        the mesh's property map `vertex_point`. With the models of this package, it is always the
+        surface that they were constructed with.
 \tparam VertexOutputIterator a model of `OutputIterator` that takes vertex descriptors
 
 \param geodesics the distances.
