@@ -11,11 +11,11 @@
 #define CGAL_CANONICAL_POSE_3_INTERNAL_INTRINSIC_VERTEX_COMPONENTS_H
 
 #include <CGAL/Canonical_pose_3/internal/intrinsic/Intrinsic_triangulation.h>
+#include <CGAL/Canonical_pose_3/internal/support/Disjoint_sets.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 
 #include <Eigen/Core>
 
-#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -29,29 +29,14 @@ class Vertex_components
 {
 public:
   explicit Vertex_components(const Intrinsic_triangulation& triangulation)
-    : m_component(triangulation.number_of_vertices())
   {
-    std::vector<int> parent(m_component.size());
-    for(std::size_t i = 0; i < parent.size(); ++i)
-      parent[i] = static_cast<int>(i);
-    const auto root = [&parent](int i) {
-      for(auto k = static_cast<std::size_t>(i); parent[k] != i; k = static_cast<std::size_t>(i))
-        i = parent[k] = parent[static_cast<std::size_t>(parent[k])];
-      return i;
-    };
+    Disjoint_sets sets(triangulation.number_of_vertices());
     for(int h = 0; h < triangulation.number_of_halfedges(); ++h)
-    {
-      const int i = root(triangulation.origin(h)), j = root(triangulation.target(h));
-      parent[static_cast<std::size_t>((std::max)(i, j))] = (std::min)(i, j);
-    }
-    for(std::size_t i = 0; i < parent.size(); ++i)
-    {
-      const int r = root(static_cast<int>(i));
-      if(r == static_cast<int>(i))
-        m_first_vertices.push_back(r);
-      m_component[i]
-        = r == static_cast<int>(i) ? size() - 1 : m_component[static_cast<std::size_t>(r)];
-    }
+      sets.unite(static_cast<std::size_t>(triangulation.origin(h)),
+                 static_cast<std::size_t>(triangulation.target(h)));
+    const Component_labels labels = label_components(sets);
+    m_component.assign(labels.of_items.begin(), labels.of_items.end());
+    m_first_vertices.assign(labels.first_items.begin(), labels.first_items.end());
   }
 
   int size() const { return static_cast<int>(m_first_vertices.size()); }

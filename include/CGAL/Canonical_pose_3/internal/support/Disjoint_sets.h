@@ -27,6 +27,8 @@ namespace internal {
 class Disjoint_sets
 {
 public:
+  static constexpr std::size_t NONE = std::size_t(-1);
+
   explicit Disjoint_sets(const std::size_t n)
     : m_rank(n, 0), m_parent(n), m_sets(m_rank.data(), m_parent.data())
   {
@@ -35,6 +37,7 @@ public:
   Disjoint_sets(const Disjoint_sets&) = delete;
   Disjoint_sets& operator=(const Disjoint_sets&) = delete;
 
+  std::size_t number_of_members() const { return m_parent.size(); }
   void unite(const std::size_t a, const std::size_t b) { m_sets.union_set(a, b); }
   std::size_t representative(const std::size_t a) { return m_sets.find_set(a); }
 
@@ -42,6 +45,43 @@ private:
   std::vector<std::size_t> m_rank, m_parent;
   boost::disjoint_sets<std::size_t*, std::size_t*> m_sets;
 };
+
+// Which of the items belong together.
+struct Component_labels
+{
+  std::vector<std::size_t> of_items;    // from 0, in the order of the first items
+  std::vector<std::size_t> first_items; // of each label
+};
+
+// Labels items by the sets of their members: `member(item)` is in the set of the item. Items of member
+// Disjoint_sets::NONE get that for a label.
+template <class Function>
+Component_labels label_components(Disjoint_sets& sets, const std::size_t number_of_items,
+                                  const Function& member)
+{
+  Component_labels result;
+  result.of_items.assign(number_of_items, Disjoint_sets::NONE);
+  std::vector<std::size_t> label_of_set(sets.number_of_members(), Disjoint_sets::NONE);
+  for(std::size_t i = 0; i < number_of_items; ++i)
+  {
+    if(member(i) == Disjoint_sets::NONE)
+      continue;
+    std::size_t& label = label_of_set[sets.representative(member(i))];
+    if(label == Disjoint_sets::NONE)
+    {
+      label = result.first_items.size();
+      result.first_items.push_back(i);
+    }
+    result.of_items[i] = label;
+  }
+  return result;
+}
+
+// Labels the members themselves.
+inline Component_labels label_components(Disjoint_sets& sets)
+{
+  return label_components(sets, sets.number_of_members(), [](const std::size_t i) { return i; });
+}
 
 } // namespace internal
 } // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
