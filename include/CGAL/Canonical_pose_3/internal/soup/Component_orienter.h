@@ -14,6 +14,7 @@
 #include <CGAL/Canonical_pose_3/internal/soup/Loop_triangulation.h>
 #include <CGAL/Canonical_pose_3/internal/soup/Manifold_builder.h>
 #include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
+#include <CGAL/Canonical_pose_3/internal/soup/label_patches.h>
 #include <CGAL/Canonical_pose_3/internal/soup/twice_area.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
@@ -61,33 +62,22 @@ private:
 
   void find_components()
   {
-    std::vector<std::size_t>& component = m_surface.component_of_triangle;
-    component.assign(m_surface.triangles.size(), NONE);
     using Rank = std::tuple<double, std::size_t, std::size_t>; // -area, smallest vertex, component
     std::vector<Rank> ranks;
-    std::vector<std::size_t> triangles;
-    for(std::size_t seed = 0; seed < component.size(); ++seed)
-    {
-      if(component[seed] != NONE)
-        continue;
-      Rank rank(0, NONE, ranks.size());
-      triangles.assign(1, seed);
-      component[seed] = ranks.size();
-      for(std::size_t done = 0; done < triangles.size(); ++done)
+    // Components of equal areas may differ by rounding: that of a sum in the order of the walk.
+    const auto rank = [&](const std::vector<std::size_t>& triangles) {
+      double area = 0;
+      std::size_t smallest = NONE;
+      for(const std::size_t t : triangles)
       {
-        const std::size_t t = triangles[done];
-        std::get<0>(rank) -= twice_area(m_points, m_surface.triangles[t]);
-        for(std::size_t side = 3 * t; side < 3 * t + 3; ++side)
-        {
-          std::get<1>(rank) = (std::min)(std::get<1>(rank), vertex(side));
-          if(m_twins[side] == NONE || component[m_twins[side] / 3] != NONE)
-            continue;
-          component[m_twins[side] / 3] = ranks.size();
-          triangles.push_back(m_twins[side] / 3);
-        }
+        const Index_triangle& corners = m_surface.triangles[t];
+        area += twice_area(m_points, corners);
+        smallest = (std::min)(smallest, *std::min_element(corners.begin(), corners.end()));
       }
-      ranks.push_back(rank);
-    }
+      ranks.emplace_back(-area, smallest, ranks.size());
+    };
+    m_surface.component_of_triangle = label_patches(
+      m_twins, [](std::size_t, bool) {}, rank);
     std::sort(ranks.begin(), ranks.end());
     std::vector<std::size_t> number(ranks.size());
     for(std::size_t i = 0; i < ranks.size(); ++i)
@@ -95,7 +85,7 @@ private:
       number[std::get<2>(ranks[i])] = i;
       m_double_area.push_back(-std::get<0>(ranks[i]));
     }
-    for(std::size_t& c : component)
+    for(std::size_t& c : m_surface.component_of_triangle)
       c = number[c];
     m_surface.number_of_components = ranks.size();
   }

@@ -13,6 +13,8 @@
 #include <CGAL/Canonical_pose_3/internal/support/Buckets.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 
+#include <boost/range/iterator_range.hpp>
+
 #include <algorithm>
 #include <cstddef>
 #include <utility>
@@ -23,14 +25,18 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// The corners of polygons, numbered face by face. Side c runs from the vertex of corner c to that of
-// the next corner of the face.
+// The corners of polygons, numbered face by face, and their edges. Side c runs from the vertex of
+// corner c to that of the next corner of the face.
 class Corner_table
 {
 public:
+  static constexpr std::size_t NONE = std::size_t(-1); // no corner, and no side
+
+  // Sides of the same two ends, in their order.
+  using Edge = boost::iterator_range<const std::size_t*>;
+
   template <class Polygons>
   Corner_table(const std::size_t number_of_vertices, const Polygons& polygons)
-    : m_number_of_vertices(number_of_vertices)
   {
     m_first.reserve(polygons.size() + 1);
     for(const auto& polygon : polygons)
@@ -40,6 +46,7 @@ public:
       m_face.resize(m_vertex.size(), m_first.size() - 1);
     }
     m_first.push_back(m_vertex.size());
+    sort_sides(number_of_vertices);
   }
 
   std::size_t number_of_corners() const { return m_vertex.size(); }
@@ -50,42 +57,52 @@ public:
     return c + 1 == m_first[m_face[c] + 1] ? m_first[m_face[c]] : c + 1;
   }
   std::size_t target(const std::size_t c) const { return m_vertex[next(c)]; }
+  // Returns the smaller and the larger end of side c.
+  std::pair<std::size_t, std::size_t> ends(const std::size_t c) const
+  {
+    return std::minmax({m_vertex[c], target(c)});
+  }
   // Returns the corner of v, which is an end of side c.
-  std::size_t end(const std::size_t c, const std::size_t v) const
+  std::size_t corner_of_end(const std::size_t c, const std::size_t v) const
   {
     return m_vertex[c] == v ? c : next(c);
   }
 
-  // Calls f(sides) once for each edge, with a vector of its sides in their order; edges come by
-  // their smaller vertex, then by their larger. Sides from a vertex to itself are left out.
+  // Calls f(edge) for each edge, by its smaller end, then by its larger. Sides from a vertex to
+  // itself are left out.
   template <class Function>
   void for_each_edge(const Function& f) const
   {
-    using End_and_side = std::pair<std::size_t, std::size_t>; // the larger end
-    Buckets<End_and_side> sides_of_smaller_ends(m_number_of_vertices, [&](const auto& put) {
-      for(std::size_t c = 0; c < m_vertex.size(); ++c)
-        if(m_vertex[c] != target(c))
-          put((std::min)(m_vertex[c], target(c)),
-              End_and_side((std::max)(m_vertex[c], target(c)), c));
-    });
-    std::vector<std::size_t> sides;
-    for(std::size_t v = 0; v < m_number_of_vertices; ++v)
-    {
-      const auto around = sides_of_smaller_ends[v];
-      std::sort(around.begin(), around.end());
-      for(auto it = around.begin(); it != around.end();)
-      {
-        const std::size_t w = it->first;
-        for(sides.clear(); it != around.end() && it->first == w; ++it)
-          sides.push_back(it->second);
-        f(static_cast<const std::vector<std::size_t>&>(sides));
-      }
-    }
+    for(std::size_t e = 1; e < m_first_of_edge.size(); ++e)
+      f(Edge(m_sides.data() + m_first_of_edge[e - 1], m_sides.data() + m_first_of_edge[e]));
   }
 
 private:
-  std::size_t m_number_of_vertices;
+  void sort_sides(const std::size_t number_of_vertices)
+  {
+    using End_and_side = std::pair<std::size_t, std::size_t>; // the larger end
+    Buckets<End_and_side> sides_of_smaller_ends(number_of_vertices, [&](const auto& put) {
+      for(std::size_t c = 0; c < m_vertex.size(); ++c)
+        if(m_vertex[c] != target(c))
+          put(ends(c).first, End_and_side(ends(c).second, c));
+    });
+    m_sides.reserve(sides_of_smaller_ends.values().size());
+    for(std::size_t v = 0; v < number_of_vertices; ++v)
+    {
+      const auto around = sides_of_smaller_ends[v];
+      std::sort(around.begin(), around.end());
+      for(auto it = around.begin(); it != around.end(); ++it)
+      {
+        if(it == around.begin() || it->first != (it - 1)->first)
+          m_first_of_edge.push_back(m_sides.size());
+        m_sides.push_back(it->second);
+      }
+    }
+    m_first_of_edge.push_back(m_sides.size());
+  }
+
   std::vector<std::size_t> m_first, m_vertex, m_face;
+  std::vector<std::size_t> m_sides, m_first_of_edge; // edge by edge
 };
 
 } // namespace internal

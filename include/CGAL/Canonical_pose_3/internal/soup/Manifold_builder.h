@@ -11,7 +11,9 @@
 #define CGAL_CANONICAL_POSE_3_INTERNAL_SOUP_MANIFOLD_BUILDER_H
 
 #include <CGAL/Canonical_pose_3/Repaired_surface_3.h>
+#include <CGAL/Canonical_pose_3/internal/soup/Corner_table.h>
 #include <CGAL/Canonical_pose_3/internal/soup/Side_pairing.h>
+#include <CGAL/Canonical_pose_3/internal/soup/Soup_topology.h>
 #include <CGAL/Canonical_pose_3/internal/soup/Triangle_soup.h>
 #include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
 #include <CGAL/Canonical_pose_3/internal/support/Disjoint_sets.h>
@@ -34,19 +36,25 @@ namespace internal {
 class Manifold_builder
 {
 public:
-  static constexpr std::size_t NONE = Side_pairing::NONE;
+  static constexpr std::size_t NONE = Corner_table::NONE;
 
-  // `points`: normalized.
-  Manifold_builder(const Point_matrix& points, Triangle_soup soup)
-    : m_points(points), m_soup(std::move(soup))
+  // `topology`: of the triangles of its soup.
+  explicit Manifold_builder(const Soup_topology<std::vector<Index_triangle>>& topology)
+    : m_topology(topology), m_points(topology.soup.points()), m_soup(topology.soup.triangles())
   {}
 
   // Sets triangles, face_of_triangle, origins and representatives.
   void run(Repaired_surface_3& result)
   {
-    drop_duplicates(m_soup.triangles);
+    drop_if(m_topology.is_duplicate);
     check_area();
-    pair_sides();
+    if(m_soup.triangles.size() == m_topology.faces.size())
+      pair_sides(m_topology.corners, m_topology.places);
+    else // the topology has the sides of the duplicates, too
+    {
+      const Corner_table corners(number_of_rows(), m_soup.triangles);
+      pair_sides(corners, places_of_boundary(m_points, corners));
+    }
     find_fans();
     cut_edges_that_coincide();
     make_vertices(result);
@@ -63,12 +71,11 @@ public:
 private:
   std::size_t row(const std::size_t c) const { return m_soup.triangles[c / 3][c % 3]; }
 
-  // `triangles` may name places instead of rows.
-  void drop_duplicates(const std::vector<Index_triangle>& triangles)
+  std::size_t number_of_rows() const { return static_cast<std::size_t>(m_points.rows()); }
+
+  void drop_if(const std::vector<bool>& is_dropped)
   {
-    const std::vector<bool> is_duplicate
-      = is_duplicate_face(static_cast<std::size_t>(m_points.rows()), triangles);
-    m_soup.keep_if([&](const std::size_t t) { return !is_duplicate[t]; });
+    m_soup.keep_if([&](const std::size_t t) { return !is_dropped[t]; });
   }
 
   void check_area() const
@@ -78,18 +85,17 @@ private:
       throw std::invalid_argument("the surface has no area: all its faces are degenerate");
   }
 
-  void pair_sides()
+  // Sewn triangles have other edges.
+  void pair_sides(const Corner_table& corners, std::vector<std::size_t> places)
   {
-    const Side_pairing pairing(m_points, m_soup.triangles);
-    m_place = places_of_boundary(m_points, pairing.boundary_vertices());
-    std::vector<Index_triangle> placed = placed_triangles();
+    m_place = std::move(places);
+    const std::vector<Index_triangle> placed = placed_triangles();
     if(placed == m_soup.triangles)
-      return take(pairing);
+      return take(Side_pairing(m_points, corners));
     m_soup.keep_if([&](const std::size_t t) { return !names_a_vertex_twice(placed[t]); });
-    drop_duplicates(placed_triangles());
+    drop_if(is_duplicate_face(number_of_rows(), placed_triangles()));
     check_area();
-    placed = placed_triangles();
-    take(Side_pairing(m_points, placed));
+    take(Side_pairing(m_points, Corner_table(number_of_rows(), placed_triangles())));
   }
 
   std::vector<Index_triangle> placed_triangles() const
@@ -166,7 +172,7 @@ private:
   // Rows that share a fan become one, the smallest.
   std::vector<std::size_t> representatives() const
   {
-    const std::size_t n = m_place.size();
+    const std::size_t n = number_of_rows();
     Disjoint_sets rows(n);
     std::vector<bool> has_corner(n, false);
     for(std::size_t c = 0; c < m_fan.size(); ++c)
@@ -177,12 +183,10 @@ private:
     for(std::size_t v = 0; v < n; ++v)
       if(!has_corner[v]) // all its faces have been dropped
         rows.unite(v, m_place[v]);
-    std::vector<std::size_t> smallest(n, NONE), result(n);
-    for(std::size_t v = 0; v < n; ++v)
-    {
-      std::size_t& s = smallest[rows.representative(v)];
-      result[v] = s = (std::min)(s, v);
-    }
+    const Component_labels labels = label_components(rows);
+    std::vector<std::size_t> result;
+    for(const std::size_t label : labels.of_items)
+      result.push_back(labels.first_items[label]);
     return result;
   }
 
@@ -221,6 +225,7 @@ private:
     }
   }
 
+  const Soup_topology<std::vector<Index_triangle>>& m_topology;
   const Point_matrix& m_points;
   Triangle_soup m_soup;
   std::vector<std::size_t> m_place, m_twin;

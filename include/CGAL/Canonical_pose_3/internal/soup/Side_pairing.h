@@ -11,7 +11,7 @@
 #define CGAL_CANONICAL_POSE_3_INTERNAL_SOUP_SIDE_PAIRING_H
 
 #include <CGAL/Canonical_pose_3/internal/soup/Corner_table.h>
-#include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
+#include <CGAL/Canonical_pose_3/internal/soup/label_patches.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
@@ -40,35 +40,30 @@ namespace internal {
 class Side_pairing
 {
 public:
-  static constexpr std::size_t NONE = std::size_t(-1);
+  static constexpr std::size_t NONE = Corner_table::NONE;
 
-  Side_pairing(const Point_matrix& points, const std::vector<Index_triangle>& triangles)
-    : m_points(points), m_triangles(triangles),
-      m_corners(static_cast<std::size_t>(points.rows()), triangles),
-      m_twin(m_corners.number_of_corners(), NONE), m_is_flipped(triangles.size(), false)
+  // `corners`: of triangles.
+  Side_pairing(const Point_matrix& points, const Corner_table& corners)
+    : m_points(points), m_corners(corners), m_twin(corners.number_of_corners(), NONE),
+      m_is_flipped(corners.number_of_corners() / 3, false)
   {
-    m_corners.for_each_edge([&](const std::vector<std::size_t>& sides) {
-      if(sides.size() == 1)
-        for(const std::size_t v : {m_corners.vertex(sides[0]), m_corners.target(sides[0])})
-          m_boundary_vertices.push_back(v);
-      else if(sides.size() == 2)
+    m_corners.for_each_edge([&](const Corner_table::Edge& sides) {
+      if(sides.size() == 2)
         make_twins(sides[0], sides[1]);
-      else
-        m_complex_edges.push_back(sides);
+      else if(sides.size() > 2)
+        m_complex_edges.emplace_back(sides.begin(), sides.end());
     });
     find_patches();
     find_patches_with_boundary();
     for(const std::vector<std::size_t>& sides : m_complex_edges)
       pair_around(sides);
-    for(std::size_t t = 0; t < triangles.size(); ++t)
+    for(std::size_t t = 0; t < m_patch.size(); ++t)
       m_is_flipped[t] = m_is_flipped[t] != is_turned(m_patch[t]);
   }
 
   // Twin of each side, or NONE. Side 3t+k of triangle t runs from its corner k to the next.
   const std::vector<std::size_t>& twins() const { return m_twin; }
   bool is_flipped(const std::size_t triangle) const { return m_is_flipped[triangle]; }
-  // Ends of the edges of one side, each vertex maybe several times.
-  const std::vector<std::size_t>& boundary_vertices() const { return m_boundary_vertices; }
   // Edges of more than two sides.
   const std::vector<std::vector<std::size_t>>& complex_edges() const { return m_complex_edges; }
 
@@ -100,39 +95,24 @@ private:
 
   void find_patches()
   {
-    m_patch.assign(m_triangles.size(), NONE);
-    std::vector<std::size_t> patch; // its triangles, those before `done` with their neighbors
-    for(std::size_t seed = 0; seed < m_triangles.size(); ++seed)
-    {
-      if(m_patch[seed] != NONE)
-        continue;
-      patch.assign(1, seed);
-      m_patch[seed] = m_root.size();
-      std::size_t flipped = 0;
-      for(std::size_t done = 0; done < patch.size(); ++done)
-        for(std::size_t side = 3 * patch[done]; side < 3 * patch[done] + 3; ++side)
-        {
-          const std::size_t twin = m_twin[side];
-          if(twin == NONE)
-            continue;
-          const bool fit = is_forward(side) != is_forward(twin);
-          if(m_patch[twin / 3] == NONE)
-          {
-            m_patch[twin / 3] = m_root.size();
-            m_is_flipped[twin / 3] = !fit;
-            flipped += fit ? 0 : 1;
-            patch.push_back(twin / 3);
-          }
-          else if(!fit)
-            m_twin[side] = m_twin[twin] = NONE;
-        }
-      if(2 * flipped > patch.size())
+    const auto orient = [&](const std::size_t side, const bool is_new) {
+      const std::size_t twin = m_twin[side];
+      const bool fit = is_forward(side) != is_forward(twin);
+      if(is_new)
+        m_is_flipped[twin / 3] = !fit;
+      else if(!fit)
+        m_twin[side] = m_twin[twin] = NONE;
+    };
+    m_patch = label_patches(m_twin, orient, [&](const std::vector<std::size_t>& patch) {
+      const auto flipped = std::count_if(
+        patch.begin(), patch.end(), [&](const std::size_t t) -> bool { return m_is_flipped[t]; });
+      if(2 * static_cast<std::size_t>(flipped) > patch.size())
         for(const std::size_t t : patch)
           m_is_flipped[t] = !m_is_flipped[t];
       m_root.push_back(m_root.size());
       m_size.push_back(patch.size());
       m_is_turned.push_back(false);
-    }
+    });
   }
 
   void find_patches_with_boundary()
@@ -176,8 +156,7 @@ private:
   {
     const auto point
       = [&](const std::size_t v) { return m_points.row(static_cast<Eigen::Index>(v)).transpose(); };
-    const std::size_t v = (std::min)(m_corners.vertex(sides[0]), m_corners.target(sides[0]));
-    const std::size_t w = (std::max)(m_corners.vertex(sides[0]), m_corners.target(sides[0]));
+    const std::size_t v = m_corners.ends(sides[0]).first, w = m_corners.ends(sides[0]).second;
     const Eigen::Vector3d axis = (point(w) - point(v)).stableNormalized();
     const auto arm = [&](const std::size_t side) -> Eigen::Vector3d {
       return (point(m_corners.vertex(m_corners.next(m_corners.next(side)))) - point(v))
@@ -256,11 +235,9 @@ private:
   }
 
   const Point_matrix& m_points;
-  const std::vector<Index_triangle>& m_triangles;
-  const Corner_table m_corners;
+  const Corner_table& m_corners;
   std::vector<std::size_t> m_twin;
   std::vector<bool> m_is_flipped;
-  std::vector<std::size_t> m_boundary_vertices;
   std::vector<std::vector<std::size_t>> m_complex_edges;
   std::vector<std::size_t> m_patch; // of each triangle
   std::vector<bool> m_has_boundary; // of each patch

@@ -13,6 +13,7 @@
 #include <CGAL/Canonical_pose_3/Diagnosis_3.h>
 #include <CGAL/Canonical_pose_3/internal/soup/Corner_table.h>
 #include <CGAL/Canonical_pose_3/internal/soup/Self_intersections.h>
+#include <CGAL/Canonical_pose_3/internal/soup/Soup_topology.h>
 #include <CGAL/Canonical_pose_3/internal/soup/Triangle_soup.h>
 #include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
 #include <CGAL/Canonical_pose_3/internal/support/Disjoint_sets.h>
@@ -36,28 +37,27 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // The examinations of diagnose(), one function each, the worst defect first.
-template <class Polygons>
+template <class Faces>
 class Soup_diagnosis
 {
 public:
-  // What `polygons` names must have been checked.
-  Soup_diagnosis(const Point_matrix& points, const Polygons& polygons)
-    : m_points(points), m_polygons(polygons),
-      m_corners(static_cast<std::size_t>(points.rows()), polygons),
-      m_components(static_cast<std::size_t>(points.rows())), m_is_degenerate(polygons.size(), false)
+  explicit Soup_diagnosis(const Soup_topology<Faces>& topology)
+    : m_topology(topology), m_points(topology.soup.points()), m_faces(topology.faces),
+      m_corners(topology.corners), m_components(static_cast<std::size_t>(m_points.rows())),
+      m_is_degenerate(m_faces.size(), false)
   {
-    normalize(m_points);
-    m_result.vertices = static_cast<std::size_t>(points.rows());
-    m_result.faces = polygons.size();
+    m_result.vertices = static_cast<std::size_t>(m_points.rows());
+    m_result.faces = m_faces.size();
   }
 
   Diagnosis_3 run()
   {
-    if(m_polygons.empty())
-      m_result.defects.push_back({"no_faces", 1, "face", {}, "the surface has no face"});
+    if(m_faces.empty())
+      m_result.defects.push_back({"no_faces", 1, "face", {}, Checked_soup::NO_FACE});
     find_degenerate_faces();
     find_duplicate_faces();
     examine_edges();
+    find_non_manifold_vertices();
     find_components();
     find_self_intersections();
     find_holes();
@@ -70,7 +70,6 @@ public:
   }
 
 private:
-  using Sides = std::vector<std::size_t>;
   static constexpr std::size_t MAXIMUM_NUMBER_OF_EXAMPLES = 5;
 
   struct Finding
@@ -97,7 +96,7 @@ private:
 
   bool has_no_area(const std::size_t f) const
   {
-    std::vector<std::size_t> p(m_polygons[f].begin(), m_polygons[f].end());
+    std::vector<std::size_t> p(m_faces[f].begin(), m_faces[f].end());
     std::sort(p.begin(), p.end());
     if(p.size() < 3 || std::adjacent_find(p.begin(), p.end()) != p.end())
       return true;
@@ -113,7 +112,7 @@ private:
   void find_degenerate_faces()
   {
     Finding found;
-    for(std::size_t f = 0; f < m_polygons.size(); ++f)
+    for(std::size_t f = 0; f < m_faces.size(); ++f)
       if(has_no_area(f))
       {
         m_is_degenerate[f] = true;
@@ -127,9 +126,8 @@ private:
   void find_duplicate_faces()
   {
     Finding found;
-    m_is_duplicate = is_duplicate_face(m_result.vertices, m_polygons);
-    for(std::size_t f = 0; f < m_polygons.size(); ++f)
-      if(m_is_duplicate[f])
+    for(std::size_t f = 0; f < m_faces.size(); ++f)
+      if(m_topology.is_duplicate[f])
         found.add({f});
     m_result.duplicate_faces = found.count;
     if(found.count > 0)
@@ -137,19 +135,13 @@ private:
                  "face " + found.first() + " has the vertices of another one");
   }
 
-  // Also unites the corners of each fan, and the vertices of each component.
   void examine_edges()
   {
     Finding complex, inconsistent;
     std::size_t sides_of_first_complex = 0;
-    Disjoint_sets fans(m_corners.number_of_corners());
-    m_corners.for_each_edge([&](const Sides& sides) {
-      const std::size_t v = (std::min)(m_corners.vertex(sides[0]), m_corners.target(sides[0]));
-      const std::size_t w = (std::max)(m_corners.vertex(sides[0]), m_corners.target(sides[0]));
+    m_corners.for_each_edge([&](const Corner_table::Edge& sides) {
+      const auto [v, w] = m_corners.ends(sides[0]);
       m_components.unite(v, w);
-      for(std::size_t i = 1; i < sides.size(); ++i)
-        for(const std::size_t end : {v, w})
-          fans.unite(m_corners.end(sides[i - 1], end), m_corners.end(sides[i], end));
       if(sides.size() == 1)
         m_boundary_edges.push_back({v, w});
       else if(sides.size() > 2)
@@ -162,7 +154,7 @@ private:
         inconsistent.add({v, w});
       else
         return;
-      m_ends_of_open_edges.push_back(v);
+      m_open_faces.push_back(m_corners.face(sides[0]));
     });
     m_result.boundary_edges = m_boundary_edges.size();
     m_result.inconsistently_oriented_edges = inconsistent.count;
@@ -175,11 +167,19 @@ private:
       add_defect("inconsistent_orientation", "edge", inconsistent,
                  "the edge from vertex " + inconsistent.first_edge()
                    + " separates two faces of opposite orientation");
-    find_non_manifold_vertices(fans);
   }
 
-  void find_non_manifold_vertices(Disjoint_sets& fans)
+  // Corners of a vertex are of the same fan where an edge connects their faces.
+  void find_non_manifold_vertices()
   {
+    Disjoint_sets fans(m_corners.number_of_corners());
+    m_corners.for_each_edge([&](const Corner_table::Edge& sides) {
+      const auto [v, w] = m_corners.ends(sides[0]);
+      for(std::size_t i = 1; i < sides.size(); ++i)
+        for(const std::size_t end : {v, w})
+          fans.unite(m_corners.corner_of_end(sides[i - 1], end),
+                     m_corners.corner_of_end(sides[i], end));
+    });
     std::vector<std::size_t> number_of_fans(m_result.vertices, 0);
     for(std::size_t c = 0; c < m_corners.number_of_corners(); ++c)
       if(fans.representative(c) == c)
@@ -201,14 +201,13 @@ private:
 
   void find_components()
   {
+    const auto vertex = [&](const std::size_t f) -> std::size_t {
+      return m_faces[f].empty() ? Disjoint_sets::NONE : m_faces[f][0];
+    };
+    m_labels = label_components(m_components, m_faces.size(), vertex);
     Finding found;
-    std::vector<bool> is_seen(m_result.vertices, false);
-    for(std::size_t f = 0; f < m_polygons.size(); ++f)
-      if(!m_polygons[f].empty() && !is_seen[m_components.representative(m_polygons[f][0])])
-      {
-        is_seen[m_components.representative(m_polygons[f][0])] = true;
-        found.add({f});
-      }
+    for(const std::size_t f : m_labels.first_items)
+      found.add({f});
     m_result.components = found.count;
     if(found.count > 1)
       add_defect("components", "face", found,
@@ -221,20 +220,16 @@ private:
   // Faces that were cut apart, those of an STL file, are neighbors here.
   void find_self_intersections()
   {
-    if(m_polygons.empty())
+    if(m_faces.empty())
       return;
-    std::vector<std::size_t> boundary;
-    for(const auto& edge : m_boundary_edges)
-      boundary.insert(boundary.end(), edge.begin(), edge.end());
-    const std::vector<std::size_t> place = places_of_boundary(m_points, boundary);
-    Triangle_soup soup = triangle_soup(m_points, m_polygons);
+    Triangle_soup soup = m_topology.soup.triangles();
     for(Index_triangle& t : soup.triangles)
       for(std::size_t& v : t)
-        v = place[v];
+        v = m_topology.places[v];
     soup.keep_if([&](const std::size_t t) {
       const std::size_t f = soup.face_of_triangle[t];
-      return !m_is_degenerate[f] && !m_is_duplicate[f]
-             && !is_degenerate(m_points, soup.triangles[t]);
+      return !m_is_degenerate[f] && !m_topology.is_duplicate[f]
+             && (m_faces[f].size() == 3 || !is_degenerate(m_points, soup.triangles[t]));
     });
     const auto pairs
       = Self_intersections(m_points, soup).run(Diagnosis_3::MAXIMUM_NUMBER_OF_SELF_INTERSECTIONS);
@@ -255,14 +250,10 @@ private:
     Disjoint_sets loops(m_result.vertices);
     for(const auto& edge : m_boundary_edges)
       loops.unite(edge[0], edge[1]);
+    const auto vertex = [&](const std::size_t e) { return m_boundary_edges[e][0]; };
     Finding found;
-    std::vector<bool> is_seen(m_result.vertices, false);
-    for(const auto& edge : m_boundary_edges)
-      if(!is_seen[loops.representative(edge[0])])
-      {
-        is_seen[loops.representative(edge[0])] = true;
-        found.add({edge[0], edge[1]});
-      }
+    for(const std::size_t e : label_components(loops, m_boundary_edges.size(), vertex).first_items)
+      found.add({m_boundary_edges[e][0], m_boundary_edges[e][1]});
     m_result.holes = found.count;
     if(found.count > 0)
       add_defect("holes", "edge", found,
@@ -272,19 +263,18 @@ private:
 
   void find_components_inside_out()
   {
-    std::vector<bool> is_open(m_result.vertices, false);
-    for(const std::size_t v : m_ends_of_open_edges)
-      is_open[m_components.representative(v)] = true;
-    std::vector<double> volume(m_result.vertices, 0), size(m_result.vertices, 0);
-    std::vector<std::size_t> first(m_result.vertices, m_polygons.size());
-    for(std::size_t f = 0; f < m_polygons.size(); ++f)
+    const std::vector<std::size_t>& first = m_labels.first_items;
+    std::vector<bool> is_open(first.size(), false);
+    for(const std::size_t f : m_open_faces)
+      is_open[m_labels.of_items[f]] = true;
+    std::vector<double> volume(first.size(), 0), size(first.size(), 0);
+    for(std::size_t f = 0; f < m_faces.size(); ++f)
     {
-      const auto& p = m_polygons[f];
+      const auto& p = m_faces[f];
       if(p.empty())
         continue;
-      const std::size_t component = m_components.representative(p[0]);
-      first[component] = (std::min)(first[component], f);
-      const Eigen::RowVector3d o = point(m_polygons[first[component]][0]);
+      const std::size_t component = m_labels.of_items[f];
+      const Eigen::RowVector3d o = point(m_faces[first[component]][0]);
       for(std::size_t i = 1; i + 1 < p.size(); ++i)
       {
         const Eigen::RowVector3d normal
@@ -293,10 +283,14 @@ private:
         size[component] += normal.norm();
       }
     }
-    Finding found;
-    for(std::size_t c = 0; c < m_result.vertices; ++c)
+    std::vector<std::pair<std::size_t, std::size_t>> inside_out; // by their representatives
+    for(std::size_t c = 0; c < first.size(); ++c)
       if(!is_open[c] && volume[c] < -1e-10 * std::pow(size[c], 1.5))
-        found.add({first[c]});
+        inside_out.emplace_back(m_components.representative(m_faces[first[c]][0]), first[c]);
+    std::sort(inside_out.begin(), inside_out.end());
+    Finding found;
+    for(const auto& component : inside_out)
+      found.add({component.second});
     m_result.inside_out_components = found.count;
     if(found.count > 0)
       add_defect("inside_out", "face", found,
@@ -326,21 +320,23 @@ private:
   void find_polygons()
   {
     Finding found;
-    for(std::size_t f = 0; f < m_polygons.size(); ++f)
-      if(m_polygons[f].size() > 3)
+    for(std::size_t f = 0; f < m_faces.size(); ++f)
+      if(m_faces[f].size() > 3)
         found.add({f});
     m_result.polygons = found.count;
     if(found.count > 0)
       add_defect("polygons", "face", found, "face " + found.first() + " is not a triangle");
   }
 
-  Point_matrix m_points; // normalized
-  const Polygons& m_polygons;
-  const Corner_table m_corners;
+  const Soup_topology<Faces>& m_topology;
+  const Point_matrix& m_points; // normalized
+  const Faces& m_faces;
+  const Corner_table& m_corners;
   Disjoint_sets m_components; // of vertices
-  std::vector<bool> m_is_degenerate, m_is_duplicate;
+  Component_labels m_labels;  // of faces
+  std::vector<bool> m_is_degenerate;
   std::vector<std::array<std::size_t, 2>> m_boundary_edges;
-  std::vector<std::size_t> m_ends_of_open_edges; // of those that are not between two faces that fit
+  std::vector<std::size_t> m_open_faces; // at edges that are not between two faces that fit
   Finding m_isolated;
   Diagnosis_3 m_result;
 };

@@ -10,6 +10,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_SOUP_TRIANGLE_SOUP_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_SOUP_TRIANGLE_SOUP_H
 
+#include <CGAL/Canonical_pose_3/internal/soup/Corner_table.h>
 #include <CGAL/Canonical_pose_3/internal/soup/Indexed_mesh.h>
 #include <CGAL/Canonical_pose_3/internal/soup/Loop_triangulation.h>
 #include <CGAL/Canonical_pose_3/internal/support/Buckets.h>
@@ -20,8 +21,6 @@
 #include <array>
 #include <cstddef>
 #include <numeric>
-#include <stdexcept>
-#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -30,20 +29,6 @@ namespace CGAL {
 namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
-
-// Throws std::invalid_argument if a coordinate is not finite or a polygon names a row that does not
-// exist.
-template <class Polygons>
-void check_soup(const Point_matrix& points, const Polygons& polygons)
-{
-  check_finite(points);
-  const std::size_t n = static_cast<std::size_t>(points.rows());
-  for(std::size_t f = 0; f < polygons.size(); ++f)
-    for(const std::size_t v : polygons[f])
-      if(v >= n)
-        throw std::invalid_argument("face " + std::to_string(f) + " names vertex "
-                                    + std::to_string(v) + ", but there are " + std::to_string(n));
-}
 
 // Triangles with the polygon that each is part of.
 struct Triangle_soup
@@ -138,18 +123,23 @@ std::vector<bool> is_duplicate_face(const std::size_t number_of_vertices, const 
 
 // For each vertex the one that stands for its place: the first one there among those on the boundary,
 // which are ends of an edge of one face only, else itself. Closed surfaces that touch are left apart.
-inline std::vector<std::size_t>
-places_of_boundary(const Point_matrix& points, const std::vector<std::size_t>& boundary_vertices)
+inline std::vector<std::size_t> places_of_boundary(const Point_matrix& points,
+                                                   const Corner_table& corners)
 {
-  using Placed_vertex = std::pair<std::array<double, 3>, std::size_t>;
-  std::vector<Placed_vertex> placed;
-  for(const std::size_t v : boundary_vertices)
-  {
-    const auto p = points.row(static_cast<Eigen::Index>(v));
-    placed.push_back({{p[0], p[1], p[2]}, v});
-  }
-  std::sort(placed.begin(), placed.end());
   std::vector<std::size_t> result(static_cast<std::size_t>(points.rows()));
+  std::vector<bool> is_on_boundary(result.size(), false);
+  corners.for_each_edge([&](const Corner_table::Edge& sides) {
+    if(sides.size() == 1)
+      is_on_boundary[corners.vertex(sides[0])] = is_on_boundary[corners.target(sides[0])] = true;
+  });
+  std::vector<std::pair<std::array<double, 3>, std::size_t>> placed;
+  for(std::size_t v = 0; v < result.size(); ++v)
+    if(is_on_boundary[v])
+    {
+      const auto p = points.row(static_cast<Eigen::Index>(v));
+      placed.push_back({{p[0], p[1], p[2]}, v});
+    }
+  std::sort(placed.begin(), placed.end());
   std::iota(result.begin(), result.end(), std::size_t(0));
   for(std::size_t i = 1; i < placed.size(); ++i)
     if(placed[i].first == placed[i - 1].first)

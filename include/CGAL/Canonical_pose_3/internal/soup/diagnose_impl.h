@@ -13,7 +13,7 @@
 #include <CGAL/Canonical_pose_3/Diagnosis_3.h>
 #include <CGAL/Canonical_pose_3/diagnose.h>
 #include <CGAL/Canonical_pose_3/internal/soup/Soup_diagnosis.h>
-#include <CGAL/Canonical_pose_3/internal/soup/Triangle_soup.h>
+#include <CGAL/Canonical_pose_3/internal/soup/Soup_topology.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
@@ -26,11 +26,18 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
+template <class Faces>
+Diagnosis_3 diagnosis_of(const Soup_topology<Faces>& topology)
+{
+  return Soup_diagnosis<Faces>(topology).run();
+}
+
 template <class Polygons>
 Diagnosis_3 diagnose_soup(const Point_matrix& points, const Polygons& polygons)
 {
-  check_soup(points, polygons);
-  return Soup_diagnosis<Polygons>(points, polygons).run();
+  const Checked_soup soup(points, polygons);
+  return soup.is_triangulated() ? diagnosis_of(Soup_topology(soup, soup.triangles().triangles))
+                                : diagnosis_of(Soup_topology(soup, polygons));
 }
 
 } // namespace internal

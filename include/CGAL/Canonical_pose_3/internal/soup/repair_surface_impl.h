@@ -13,7 +13,8 @@
 #include <CGAL/Canonical_pose_3/Repaired_surface_3.h>
 #include <CGAL/Canonical_pose_3/internal/soup/Component_orienter.h>
 #include <CGAL/Canonical_pose_3/internal/soup/Manifold_builder.h>
-#include <CGAL/Canonical_pose_3/internal/soup/Triangle_soup.h>
+#include <CGAL/Canonical_pose_3/internal/soup/Soup_topology.h>
+#include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 #include <CGAL/Canonical_pose_3/repair_surface.h>
@@ -28,16 +29,16 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-template <class Polygons>
-Repaired_surface_3 repair_soup(const Point_matrix& points, const Polygons& polygons)
+// `points`: as given. `topology`: of the triangles of its soup.
+inline Repaired_surface_3
+repaired_surface(const Point_matrix& points,
+                 const Soup_topology<std::vector<Index_triangle>>& topology)
 {
-  check_soup(points, polygons);
-  if(polygons.empty())
-    throw std::invalid_argument("the surface has no face");
-  Point_matrix normalized = points;
-  normalize(normalized);
+  if(!topology.soup.has_faces())
+    throw std::invalid_argument(Checked_soup::NO_FACE);
+  const Point_matrix& normalized = topology.soup.points();
   Repaired_surface_3 result;
-  Manifold_builder builder(normalized, triangle_soup(normalized, polygons));
+  Manifold_builder builder(topology);
   builder.run(result);
   const std::size_t n = result.origins.size();
   result.points.resize(static_cast<Eigen::Index>(n), 3);
@@ -53,7 +54,13 @@ Repaired_surface_3 repair_soup(const Point_matrix& points, const Polygons& polyg
   return result;
 }
 
-// The first copy of each row of the input; the number of vertices of the surface where there is none.
+template <class Polygons>
+Repaired_surface_3 repair_soup(const Point_matrix& points, const Polygons& polygons)
+{
+  const Checked_soup soup(points, polygons);
+  return repaired_surface(points, Soup_topology(soup, soup.triangles().triangles));
+}
+
 } // namespace internal
 
 CGAL_CANONICAL_POSE_3_INLINE Repaired_surface_3

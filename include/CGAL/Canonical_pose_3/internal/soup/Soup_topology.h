@@ -1,0 +1,97 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_INTERNAL_SOUP_SOUP_TOPOLOGY_H
+#define CGAL_CANONICAL_POSE_3_INTERNAL_SOUP_SOUP_TOPOLOGY_H
+
+#include <CGAL/Canonical_pose_3/internal/soup/Corner_table.h>
+#include <CGAL/Canonical_pose_3/internal/soup/Triangle_soup.h>
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+#include <CGAL/Canonical_pose_3/point_matrix.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
+namespace internal {
+
+// A soup, checked and cut into triangles.
+class Checked_soup
+{
+public:
+  static constexpr const char* NO_FACE = "the surface has no face";
+
+  // Throws std::invalid_argument if a coordinate is not finite or a polygon names a row that does not
+  // exist.
+  template <class Polygons>
+  Checked_soup(const Point_matrix& points, const Polygons& polygons)
+    : m_points(checked(points, polygons)), m_triangles(triangle_soup(m_points, polygons)),
+      m_has_faces(!polygons.empty()),
+      m_is_triangulated(m_triangles.triangles.size() == polygons.size()
+                        && std::all_of(polygons.begin(), polygons.end(),
+                                       [](const auto& p) { return p.size() == 3; }))
+  {}
+
+  const Point_matrix& points() const { return m_points; } // normalized
+  const Triangle_soup& triangles() const { return m_triangles; }
+  // Whether there is a polygon, even if it gave no triangle.
+  bool has_faces() const { return m_has_faces; }
+  // Whether the triangles are the polygons: none was cut, and none left out.
+  bool is_triangulated() const { return m_is_triangulated; }
+
+private:
+  template <class Polygons>
+  static Point_matrix checked(Point_matrix points, const Polygons& polygons)
+  {
+    check_finite(points);
+    const std::size_t n = static_cast<std::size_t>(points.rows());
+    for(std::size_t f = 0; f < polygons.size(); ++f)
+      for(const std::size_t v : polygons[f])
+        if(v >= n)
+          throw std::invalid_argument("face " + std::to_string(f) + " names vertex "
+                                      + std::to_string(v) + ", but there are " + std::to_string(n));
+    normalize(points);
+    return points;
+  }
+
+  Point_matrix m_points;
+  Triangle_soup m_triangles;
+  bool m_has_faces, m_is_triangulated;
+};
+
+// What diagnosis and repair have in common, of the polygons of a soup or of its triangles. Refers to
+// both.
+template <class Faces>
+struct Soup_topology
+{
+  Soup_topology(const Checked_soup& the_soup, const Faces& the_faces)
+    : soup(the_soup), faces(the_faces),
+      corners(static_cast<std::size_t>(soup.points().rows()), faces),
+      is_duplicate(is_duplicate_face(static_cast<std::size_t>(soup.points().rows()), faces)),
+      places(places_of_boundary(soup.points(), corners))
+  {}
+
+  const Checked_soup& soup;
+  const Faces& faces;
+  Corner_table corners;
+  std::vector<bool> is_duplicate;  // of the faces
+  std::vector<std::size_t> places; // see places_of_boundary()
+};
+
+} // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_INTERNAL_SOUP_SOUP_TOPOLOGY_H

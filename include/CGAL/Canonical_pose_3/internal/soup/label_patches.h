@@ -1,0 +1,68 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_INTERNAL_SOUP_LABEL_PATCHES_H
+#define CGAL_CANONICAL_POSE_3_INTERNAL_SOUP_LABEL_PATCHES_H
+
+#include <CGAL/Canonical_pose_3/internal/soup/Corner_table.h>
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
+namespace internal {
+
+// Labels triangles that twins connect, from 0 in the order of the first triangles, and walks over each
+// patch breadth first; label_components() does not walk. Side 3t+k of triangle t has the twin
+// `twins[3t+k]`, or Corner_table::NONE.
+//
+// Calls on_twin(side, is_new) for each side with a twin, and whether the triangle of its twin is met
+// for the first time; it may separate twins. Then calls on_patch(triangles), in the order of the walk.
+template <class On_twin, class On_patch>
+std::vector<std::size_t> label_patches(const std::vector<std::size_t>& twins,
+                                       const On_twin& on_twin, const On_patch& on_patch)
+{
+  constexpr std::size_t none = Corner_table::NONE;
+  std::vector<std::size_t> result(twins.size() / 3, none);
+  std::vector<std::size_t> patch; // its triangles, those before `done` with their neighbors
+  std::size_t label = 0;
+  for(std::size_t seed = 0; seed < result.size(); ++seed)
+  {
+    if(result[seed] != none)
+      continue;
+    patch.assign(1, seed);
+    result[seed] = label;
+    for(std::size_t done = 0; done < patch.size(); ++done)
+      for(std::size_t side = 3 * patch[done], end = side + 3; side < end; ++side)
+      {
+        if(twins[side] == none)
+          continue;
+        const std::size_t neighbor = twins[side] / 3;
+        const bool is_new = result[neighbor] == none;
+        on_twin(side, is_new);
+        if(!is_new)
+          continue;
+        result[neighbor] = label;
+        patch.push_back(neighbor);
+      }
+    on_patch(patch);
+    ++label;
+  }
+  return result;
+}
+
+} // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_INTERNAL_SOUP_LABEL_PATCHES_H
