@@ -110,21 +110,12 @@ private:
                                     - sorted.begin());
   }
 
-  // The sets of [0, n), by their first members.
-  static std::vector<std::vector<std::size_t>> members(Disjoint_sets& sets, const std::size_t n)
+  // The items of each label.
+  static std::vector<std::vector<std::size_t>> items_of_labels(const Component_labels& labels)
   {
-    std::vector<std::size_t> index(n, n);
-    std::vector<std::vector<std::size_t>> result;
-    for(std::size_t i = 0; i < n; ++i)
-    {
-      std::size_t& set = index[sets.representative(i)];
-      if(set == n)
-      {
-        set = result.size();
-        result.emplace_back();
-      }
-      result[set].push_back(i);
-    }
+    std::vector<std::vector<std::size_t>> result(labels.first_items.size());
+    for(std::size_t i = 0; i < labels.of_items.size(); ++i)
+      result[labels.of_items[i]].push_back(i);
     return result;
   }
 
@@ -142,7 +133,7 @@ private:
       if(end - begin == 2)
         sets.unite(begin->second / 4, (begin + 1)->second / 4);
     });
-    std::vector<std::vector<std::size_t>> parts = members(sets, m_cells.size());
+    std::vector<std::vector<std::size_t>> parts = items_of_labels(label_components(sets));
     std::stable_sort(parts.begin(), parts.end(),
                      [&](const auto& a, const auto& b) { return volume(a) > volume(b); });
     find_outer_surfaces(parts);
@@ -162,17 +153,11 @@ private:
       vertices.unite(t[0], t[1]);
       vertices.unite(t[0], t[2]);
     }
-    Disjoint_sets surfaces(m_triangles.size());
-    std::vector<std::size_t> first(m_boundary_vertices.size(), m_triangles.size());
-    for(std::size_t i = 0; i < m_triangles.size(); ++i)
-    {
-      std::size_t& f = first[vertices.representative(m_triangles[i][0])];
-      f = (std::min)(f, i);
-      surfaces.unite(f, i);
-    }
+    const auto corner = [&](const std::size_t i) { return m_triangles[i][0]; };
+    const Component_labels surfaces = label_components(vertices, m_triangles.size(), corner);
     m_outer_surfaces.resize(parts.size());
     std::vector<double> largest(parts.size(), -std::numeric_limits<double>::infinity());
-    for(std::vector<std::size_t>& surface : members(surfaces, m_triangles.size()))
+    for(std::vector<std::size_t>& surface : items_of_labels(surfaces))
     {
       const Surface_component_3 component = surface_of(surface);
       const double volume = signed_volume(component.points, component.triangles);

@@ -42,16 +42,14 @@ std::vector<std::size_t> owners_of_fragments(const std::vector<double>& sizes,
       groups.unite(p, part_of_vertex[v]);
     });
 
-  std::vector<std::size_t> largest_of_group(n, n), largest;
+  const Component_labels labels = label_components(groups);
+  std::vector<std::size_t> largest;
   std::vector<double> size_of_rest(n, 0.);
   for(std::size_t p = 0; p < n; ++p)
   {
-    std::size_t& first = largest_of_group[groups.representative(p)];
-    if(first == n)
-      first = p;
-    else
-      size_of_rest[first] += sizes[p];
-    largest.push_back(first);
+    largest.push_back(labels.first_items[labels.of_items[p]]);
+    if(largest[p] != p)
+      size_of_rest[largest[p]] += sizes[p];
   }
   for(std::size_t p = 0; p < n; ++p)
     if(size_of_rest[largest[p]] > SHARE_OF_FRAGMENTS * sizes[largest[p]])

@@ -13,18 +13,17 @@
 #include <CGAL/Canonical_pose_3/Options.h>
 #include <CGAL/Canonical_pose_3/Prepared_surface_3.h>
 #include <CGAL/Canonical_pose_3/Surface_component_3.h>
-#include <CGAL/Canonical_pose_3/diagnose.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/Thread_limit.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/component_options.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/fragments.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/make_vertex_map.h>
 #include <CGAL/Canonical_pose_3/internal/registration/check_registration.h>
+#include <CGAL/Canonical_pose_3/internal/soup/examine_surface.h>
 #include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
 #include <CGAL/Canonical_pose_3/internal/soup/twice_area.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 #include <CGAL/Canonical_pose_3/pose_steps.h>
-#include <CGAL/Canonical_pose_3/repair_surface.h>
 
 #include <cstddef>
 #include <numeric>
@@ -147,8 +146,9 @@ prepare_surface(const Point_matrix& points, const std::vector<std::vector<std::s
   const internal::Thread_limit limit(options);
   internal::check_options(options, static_cast<std::size_t>(points.rows()));
   internal::check_factors(options.stiffness, points.rows(), "stiffness", "vertex", false);
-  Diagnosis_3 diagnosis = diagnose(points, polygons);
-  const Repaired_surface_3 surface = repair_surface(points, polygons);
+  const internal::Examined_surface examined = internal::examine_surface(points, polygons);
+  const Diagnosis_3& diagnosis = examined.diagnosis;
+  const Repaired_surface_3& surface = examined.surface;
   const std::vector<std::size_t> posed
     = internal::components_to_pose(surface, diagnosis, options.components);
   if(!options.make_body
@@ -159,9 +159,9 @@ prepare_surface(const Point_matrix& points, const std::vector<std::vector<std::s
   rows.representatives = surface.representatives;
   rows.vertex_of_row.resize(surface.representatives.size());
   std::iota(rows.vertex_of_row.begin(), rows.vertex_of_row.end(), std::size_t(0));
-  Prepared_surface_3 result = internal::prepared(
-    std::move(diagnosis), points, internal::components_of_indices(surface, posed), std::move(rows),
-    internal::vertices_of_others(surface, posed), options);
+  Prepared_surface_3 result
+    = internal::prepared(diagnosis, points, internal::components_of_indices(surface, posed),
+                         std::move(rows), internal::vertices_of_others(surface, posed), options);
   if(options.stiffness.size() > 0)
     for(Prepared_surface_3::Component& component : result.components)
       component.options.stiffness
