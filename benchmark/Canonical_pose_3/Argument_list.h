@@ -18,13 +18,13 @@
 
 namespace Canonical_pose_benchmark {
 
-/// The words of a command line, from which options are taken one by one.
+/// The arguments of a command line, from which options are removed one by one.
 class Argument_list
 {
 public:
   Argument_list(const int argc, char** argv) : m_words(argv + 1, argv + argc) {}
 
-  /// Takes `name` and returns whether it was there.
+  /// Removes `name` and returns whether it was present.
   bool take_flag(const std::string& name)
   {
     const auto found = std::find(m_words.begin(), m_words.end(), name);
@@ -34,7 +34,7 @@ public:
     return true;
   }
 
-  /// Takes `name` and the word after it, which is returned; `otherwise` if it is not there.
+  /// Removes `name` and the following word, which is returned; returns `otherwise` if it is absent.
   std::string take_text(const std::string& name, const std::string& otherwise = "")
   {
     const auto found = std::find(m_words.begin(), m_words.end(), name);
@@ -47,7 +47,7 @@ public:
     return value;
   }
 
-  /// Takes `name` and the number after it, which must not be negative.
+  /// Removes `name` and the following number, which must be nonnegative.
   double take_number(const std::string& name, const double otherwise)
   {
     const std::string text = take_text(name);
@@ -61,7 +61,7 @@ public:
     return value;
   }
 
-  /// Takes `name` and the word after it, one of `words`, and returns its place among them.
+  /// Removes `name` and the following word, one of `words`, and returns its index.
   std::size_t take_choice(const std::string& name, const std::vector<std::string>& words)
   {
     const std::string text = take_text(name, words.front());
@@ -71,7 +71,7 @@ public:
     return static_cast<std::size_t>(found - words.begin());
   }
 
-  /// Returns the words that were not taken; none may look like an option.
+  /// Returns the remaining words; none may look like an option.
   const std::vector<std::string>& rest() const
   {
     for(const std::string& word : m_words)

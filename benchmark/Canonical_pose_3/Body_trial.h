@@ -23,7 +23,7 @@ namespace Canonical_pose_benchmark {
 using CGAL::Canonical_pose_3::Point_matrix;
 using Triangles = std::vector<std::array<std::size_t, 3>>;
 
-/// What the registration is given, but for the body.
+/// The input of the registration, except for the body.
 struct Body_problem
 {
   Point_matrix points;
@@ -47,7 +47,7 @@ inline const char* name(const Body_kind kind)
   return names[static_cast<std::size_t>(kind)];
 }
 
-/// What came of a body.
+/// The result for a body.
 struct Body_trial
 {
   struct Numbers
@@ -62,11 +62,11 @@ struct Body_trial
 
   std::string failure; ///< empty if there is a pose
   Numbers numbers = {};
-  double megabytes = 0; ///< peak memory, less that of a process that does nothing
+  double megabytes = 0; ///< peak memory, minus that of an idle process
   Point_matrix pose;
 };
 
-/// Registers a body of one kind in a process of its own, and waits for it.
+/// Registers a body of one kind in a separate process, and waits for it.
 Body_trial try_body(Body_kind kind, const Body_problem& problem);
 
 } // namespace Canonical_pose_benchmark

@@ -29,37 +29,36 @@
 
 namespace Canonical_pose_benchmark {
 
-/// What a child process may take; 0: without bound.
+/// The limits of a child process; 0: unlimited.
 struct Limits
 {
   double seconds = 0;
-  /// of data, buffers that libraries have from the start included; where the system keeps account of
-  /// them (Linux does)
+  /// of data, including initial buffers of libraries; if supported by the system (as on Linux)
   std::size_t megabytes = 0;
 };
 
-/// A function that runs in a process of its own, so that nothing it does can end this one: not a
-/// crash, nor an endless loop, nor a lack of memory. POSIX only.
+/// A function that runs in a separate process, so that it cannot terminate this one: neither by a
+/// crash, nor an endless loop, nor lack of memory. POSIX only.
 ///
-/// The process is a fork of this one. Start it before anything here has made threads: they are not
-/// in the fork, and what waits for them waits forever.
+/// The process is a fork of this one. Start it before this process has created threads: they do not
+/// exist in the fork, and waiting for them never ends.
 class Child_process
 {
 public:
   enum Ending {
-    RETURNED,        ///< `output()` is what the function returned
+    RETURNED,        ///< `output()` is the result of the function
     REFUSED,         ///< std::invalid_argument; `output()` is its message
     THREW,           ///< another exception; `output()` is its message
-    OUT_OF_MEMORY,   ///< std::bad_alloc, or the system has killed it
-    OUT_OF_TIME,     ///< killed when its time was over
-    KILLED_BY_SIGNAL ///< `output()` names the signal
+    OUT_OF_MEMORY,   ///< std::bad_alloc, or killed by the system
+    OUT_OF_TIME,     ///< killed at the time limit
+    KILLED_BY_SIGNAL ///< `output()` is the name of the signal
   };
 
   /// Starts `work`.
   Child_process(const std::function<std::string()>& work, const Limits& limits) : m_limits(limits)
   {
     int ends[2];
-    std::fflush(nullptr); // or the fork would print it, too
+    std::fflush(nullptr); // otherwise, the fork would print it, too
     if(pipe(ends) != 0 || (m_id = fork()) < 0)
       throw std::runtime_error("cannot start a process");
     if(m_id == 0)
@@ -85,8 +84,7 @@ public:
     close(m_pipe);
   }
 
-  /// Takes what the child has written, kills it if its time is over, and returns whether it has
-  /// ended.
+  /// Reads the output of the child, kills it at the time limit, and returns whether it has ended.
   bool has_ended()
   {
     if(!m_is_running)
@@ -107,7 +105,7 @@ public:
     return true;
   }
 
-  /// Waits for the end.
+  /// Waits until the child has ended.
   void wait()
   {
     while(!has_ended())
@@ -118,7 +116,7 @@ public:
   /// @{
   Ending ending() const { return m_ending; }
   const std::string& output() const { return m_output; }
-  /// why nothing was returned, in words
+  /// a description of the failure
   std::string description() const
   {
     return m_ending == OUT_OF_MEMORY ? "out of memory"
@@ -131,7 +129,7 @@ public:
 
 private:
   using Clock = std::chrono::steady_clock;
-  static constexpr int first_exit_code = 200; // no library exits with one so high
+  static constexpr int first_exit_code = 200; // higher than exit codes of libraries
 
   [[noreturn]] void run(const std::function<std::string()>& work, const int pipe_end) const
   {

@@ -23,13 +23,12 @@
 
 namespace Canonical_pose_benchmark {
 
-/// Returns the body that needs no mesher: one tetrahedron per face, from the face to the place where
-/// the ray from its centroid against its normal leaves the shape, that is, to a vertex of the face
-/// that it meets there. The tetrahedra overlap; a face without such a vertex has none. Any
-/// oriented surface will do.
+/// Returns a body that requires no mesher: one tetrahedron per face, from the face to a vertex of
+/// the face where the ray from its centroid against its normal leaves the shape. The tetrahedra
+/// overlap; a face without such a vertex has none. Any oriented surface can be used.
 ///
-/// `caps`: triangles that close the holes; `distances`: those to the landmarks, of which `unit` is
-/// the largest. Rays do not stop at limbs which they only happen to cross.
+/// `caps`: triangles that close the holes; `distances`: those to the landmarks; `unit`: the largest
+/// of them. Rays do not stop at other limbs that they cross.
 inline CGAL::Canonical_pose_3::Conforming_body_3
 chord_tetrahedra(const CGAL::Canonical_pose_3::Point_matrix& points,
                  const std::vector<std::array<std::size_t, 3>>& triangles,

@@ -34,22 +34,22 @@ namespace Canonical_pose_benchmark {
 
 using CGAL::Canonical_pose_3::Point_matrix;
 
-/// Tells which vertices of the meshes of one class correspond.
+/// The correspondence between vertices of the meshes of one class.
 class Correspondence
 {
 public:
   using Path = std::filesystem::path;
 
-  /// `vertex_lists`: a file with one vertex per line (the first word; the rest of the line is left
-  /// out), which holds for all meshes, or a folder with such a file `<name>.vts` per mesh.
-  /// `references`: a folder with a mesh of the same name each, in the same place, that has the same
-  /// vertices throughout the class. Without both, vertices correspond by their numbers.
+  /// `vertex_lists`: a file with one vertex per line (the first word; the rest of the line is
+  /// ignored), used for all meshes, or a folder with such a file `<name>.vts` per mesh.
+  /// `references`: a folder with meshes of the same names and positions that have the same vertices
+  /// throughout the class. Without either, vertices correspond by index.
   explicit Correspondence(const Path& vertex_lists = Path(), const Path& references = Path())
     : m_vertex_lists(vertex_lists), m_references(references)
   {}
 
-  /// Returns the vertices of the mesh in `file`, of these positions, that correspond to those of the
-  /// others.
+  /// Returns the vertices of the mesh in `file`, with the given positions, that correspond to those
+  /// of the other meshes.
   std::vector<std::size_t> vertices(const Path& file, const Point_matrix& points) const
   {
     if(!m_vertex_lists.empty())

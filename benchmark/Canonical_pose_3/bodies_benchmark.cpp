@@ -7,11 +7,11 @@
 //
 // Author(s) : The Canonical_pose_3 authors
 
-// Bodies: what each kind of elastic body costs and gives, on the figure in its five named poses or
-// the mesh files given, and whether it glues together what is not of one piece.
+// Bodies: the cost and quality of each kind of elastic body, on the figure in its five named poses
+// or the given mesh files, and whether it glues separate parts together.
 //
-// How to read: three tables in Markdown. Targets are those of the package with its defaults, the same
-// for all bodies; each body is made and registered in a process of its own.
+// How to read: three tables in Markdown. Targets are those of the package with its defaults, the
+// same for all bodies; each body is created and registered in a separate process.
 // 1. Costs and results. `nonzeros`: entries of the Cholesky factor, in millions (CHOLMOD only); `MB`:
 //    peak memory of body and registration; `ms`: per iteration; `strain`: median of |log(edge length
 //    in the pose / in the input)|; `difference`: to the pose with the body of TetGen, root mean
@@ -19,14 +19,14 @@
 // 2. Mean difference of the poses of all pairs of meshes, if these have corresponding vertices.
 // 3. Gluing, on shapes by formula.
 //    - Two fingers of radius 0.4, the target far apart: distance of the tips in the pose by that in
-//      the target. Near 1 is right; a body that glues them gives less.
+//      the target. Near 1 is correct; less if the body glues them.
 //    - A plate of thickness 1/200 with its own target, which would blow it up: largest relative
 //      change of the thickness in the pose. A body that falls into two gives far more than 0.
 //    - A torus with a narrow hole, the target being the torus itself: root mean square distance of
 //      pose and target, by L, which ought to be 0; Euler characteristic of the body (0 with one
 //      hole, if the cells fit together); largest distance of the centroid of a cell to the solid,
 //      by L: at most about a cell if the hole is not bridged.
-// TetGen needs surfaces without defect and is left out elsewhere.
+// TetGen requires surfaces without defects and is skipped otherwise.
 // Usage: bodies_benchmark [--vertices 10000] [mesh files]
 
 #include <CGAL/Canonical_pose_3/repair_surface.h>
@@ -137,7 +137,7 @@ Point_matrix matrix_of(const Points& points)
   return result;
 }
 
-// Prints a row of the third table for each body; `measure` tells its last two columns.
+// Prints a row of the third table for each body; `measure` returns the last two columns.
 template <class Function>
 void print_gluing(const char* shape, const Body_problem& problem, const Function& measure)
 {

@@ -7,17 +7,18 @@
 //
 // Author(s) : The Canonical_pose_3 authors
 
-// Energies: why the details are kept by an as-rigid-as-possible energy, and why by that of a body. The
-// two comparisons of the paper's Figure 4, on the articulated figure, sitting, or the mesh files given.
+// Energies: why details are preserved by an as-rigid-as-possible energy, and by that of a body.
+// Reproduces the two comparisons of Figure 4 of the paper, on the sitting articulated figure or the
+// given mesh files.
 //
-// How to read: a line in Markdown per pose. All are pulled to the same target, that of the package
-// with its defaults, with the same detail length.
+// How to read: one line in Markdown per pose. All are pulled to the same target, that of the
+// package with default options, with the same detail length.
 // - `strain`: median of |log(edge length in the pose / in the input)|;
 // - `distance`: root mean square distance from the target, by L;
 // - `volume`: that within the surface by that of the input;
 // - `intersections`: pairs of faces (an input may have some itself).
-// With --prefix P the poses are written, P followed by figure_body.off and so on; scripts/render draws
-// them.
+// With --prefix P, poses are written to files with names P followed by figure_body.off and so on;
+// scripts/render draws them.
 // Usage: energies_benchmark [--vertices 10000] [--detail-length 0.1] [--prefix P] [mesh files]
 
 #include <CGAL/Canonical_pose_3/Lattice_body_3.h>
@@ -173,7 +174,7 @@ int main(int argc, char** argv)
     const std::vector<std::string> files = arguments.rest();
     std::printf("| mesh | pose | strain | distance | volume | intersections |\n"
                 "|---|---|---|---|---|---|\n");
-    std::vector<std::pair<std::string, Body_problem>> problems; // before there are threads
+    std::vector<std::pair<std::string, Body_problem>> problems; // before threads are created
     if(files.empty())
       problems.emplace_back("figure", problem_of_figure(vertices));
     for(const std::string& file : files)

@@ -10,15 +10,16 @@
 // Times of the geodesic distances from many sources, from scratch: Heat_geodesics_3 beside CGAL's
 // Heat_method_3 (Intrinsic_Delaunay, its default solver), on the same mesh and sources.
 //
-// How to read: the first table has, for each mesh, medians over --runs of the seconds for set-up and
-// fields: ours on one thread and on all, CGAL's, and the ratios of ours to CGAL's, which are medians
-// of the ratios of single runs. The three take turns in each run, so that a machine that is busy with
-// something else slows down all of them. The second table compares the landmarks: covering radius of
-// the fronts by that of farthest point sampling, and the seconds of both.
+// How to read: the first table has, for each mesh, medians over --runs of the seconds for setup and
+// distances: this package on one thread and on all threads, CGAL, and the ratios of this package to
+// CGAL, which are medians of the ratios of single runs. The three alternate in each run, so that
+// other load on the machine slows down all of them. The second table compares the landmarks: the
+// covering radius of the fronts divided by that of farthest point sampling, and the seconds of
+// both.
 //
 // Usage: geodesics_benchmark [options] [mesh files]
 //   --sources N   default 80     --runs N     default 5
-// Without files: the articulated figure, sitting, with 50 000 and with 200 000 vertices.
+// Without files: the sitting articulated figure, with 50 000 and with 200 000 vertices.
 
 #include "Argument_list.h"
 #include "median.h"

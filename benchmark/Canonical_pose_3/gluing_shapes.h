@@ -16,7 +16,7 @@
 #include <cmath>
 #include <cstddef>
 
-// Shapes by formula in which a body may glue together what is not of one piece.
+// Procedural shapes in which a body may glue separate parts together.
 
 namespace Canonical_pose_benchmark {
 
@@ -24,16 +24,16 @@ using Canonical_pose_test::pi;
 using Canonical_pose_test::Points;
 using Canonical_pose_test::Triangle_soup;
 
-/// Two fingers: a rod along x that is bent over an angle in the middle, so that its ends lie side by
-/// side; beyond half a turn they approach, meet and go through each other.
+/// Two fingers: a rod along x that is bent by an angle in the middle, so that its ends are side by
+/// side; beyond 180 degrees, they approach, touch and intersect.
 class Two_fingers
 {
 public:
-  static constexpr double length = 10, radius = 0.4, begin = 4, end = 6; // of the bend: from, to
+  static constexpr double length = 10, radius = 0.4, begin = 4, end = 6; // range of the bend
 
   Two_fingers() : m_straight(Canonical_pose_test::tube_soup(161, 40, length, radius)) {}
 
-  /// The rod bent over `angle`.
+  /// The rod bent by `angle`.
   Triangle_soup bent(const double angle) const
   {
     Triangle_soup result = m_straight;
@@ -42,9 +42,9 @@ public:
     return result;
   }
 
-  /// The angle at which the tip of one finger has its middle at `height` over the middle line of the
-  /// other; twice the radius: they touch; negative: it has gone through. At most that of half a
-  /// turn.
+  /// The angle at which the center of the tip of one finger is at `height` above the center line of
+  /// the other; twice the radius: they touch; negative: they intersect. At most the height at 180
+  /// degrees.
   double angle_of(const double height) const
   {
     double low = pi, high = 1.5 * pi;
@@ -79,7 +79,7 @@ private:
   Triangle_soup m_straight;
 };
 
-/// A plate of width 1 and thickness 1/200; vertex i lies under vertex i + n/2.
+/// A plate of width 1 and thickness 1/200; vertex i is below vertex i + n/2.
 inline Triangle_soup thin_plate()
 {
   return Canonical_pose_test::boundary(

@@ -7,15 +7,16 @@
 //
 // Author(s) : The Canonical_pose_3 authors
 
-// Growth: time and memory of the geodesic distances and of the whole pipeline over the size of the
-// mesh, which is the articulated figure, sitting, refined again and again by Loop's scheme. Each
-// measurement is a process of its own; memory is the peak of the process above that of one which
-// only makes the mesh.
+// Growth: time and memory of the geodesic distances and of the entire pipeline as a function of the
+// size of the mesh, the sitting articulated figure, repeatedly refined by Loop subdivision. Each
+// measurement is a separate process; memory is its peak minus that of a process that only creates
+// the mesh.
 //
-// How to read: one line per size. `heat`: set-up of Heat_geodesics_3 and fields of --sources sources
-// on all threads; `wavefront`: Wavefront_geodesics_3 and one field; `pose`: canonical_pose_3() with its
-// defaults, and the seconds of body and registration therein. Bytes are per vertex. The last line holds
-// slopes of the logarithm of the time over that of the number of vertices, by least squares.
+// How to read: one line per size. `heat`: setup of Heat_geodesics_3 and distances from --sources
+// sources on all threads; `wavefront`: Wavefront_geodesics_3 and one source; `pose`:
+// canonical_pose_3() with default options, and the seconds of body and registration included
+// therein. Bytes are per vertex. The last line contains slopes of the logarithm of the time over
+// that of the number of vertices, by least squares.
 //
 // Usage: growth_benchmark [--vertices 3300] [--levels 4] [--sources 80] [--runs 3]
 
@@ -159,7 +160,7 @@ void run(const std::size_t vertices, const std::size_t levels, const std::size_t
   std::array<std::vector<double>, 6> columns;
   for(std::size_t level = 0; level <= levels; ++level)
   {
-    Mesh mesh; // made in the parent, so that each child has it from the start
+    Mesh mesh; // created in the parent, so that each child has it from the start
     mesh = figure(vertices, level);
     const double n = double(mesh.number_of_vertices());
     const Measurement none = measure([] { return Seconds{0, 0}; }, 1);

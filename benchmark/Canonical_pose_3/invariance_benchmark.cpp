@@ -8,15 +8,15 @@
 // Author(s) : The Canonical_pose_3 authors
 
 // Invariance: how much the canonical poses of one shape differ. The figure in its five named poses,
-// or the mesh files given, all of one shape.
+// or the given mesh files, all of the same shape.
 //
-// How to read: one line per mesh. `stress` tells how far the target is from the geodesic distances,
-// `energy` what the registration minimizes, `inverted` the cells turned inside out, `strain` the
-// median of |log(edge length in the pose / in the input)|. The last line holds mean differences
-// over all pairs of meshes: root mean square distance of corresponding vertices after the best
-// rigid motion, without reflection, at unit radius of gyration. The more a pose forgets how the
-// shape was bent, the smaller its number against that of the input; the target's is what distances
-// alone give, without regard to detail.
+// How to read: one line per mesh. `stress` is the deviation of the target from the geodesic
+// distances, `energy` is minimized by the registration, `inverted` is the number of inverted cells,
+// `strain` the median of |log(edge length in the pose / in the input)|. The last line contains mean
+// differences over all pairs of meshes: root mean square distance of corresponding vertices after
+// the best rigid motion, without reflection, at unit radius of gyration. The better the bends of
+// the shape are removed, the smaller the number of the poses compared to that of the inputs; the
+// number of the targets is achieved by distances alone, without regard to detail.
 //
 // Usage: invariance_benchmark [options] [mesh files]
 //   --vertices N             of the figure, default 10000
@@ -26,7 +26,7 @@
 //                            the same name in DIR, where all meshes have the same vertices
 //   --geodesics heat|wavefront|exact   --body auto|lattice|tetgen|mesh
 //   --components refuse|largest|each
-// Without both of the former, vertices correspond by their numbers.
+// Without --vertex-lists and --reference-directory, vertices correspond by index.
 
 #include "Argument_list.h"
 #include "Correspondence.h"

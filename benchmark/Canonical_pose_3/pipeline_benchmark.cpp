@@ -7,23 +7,22 @@
 //
 // Author(s) : The Canonical_pose_3 authors
 
-// Times of the whole pipeline, stage by stage, beside two references measured in the same run.
+// Times of the entire pipeline, stage by stage, along with two references measured in the same run.
 //
-// How to read: the first column is canonical_pose_3() with its defaults, the second the same with the
-// body of TetGen; medians of --runs calls. Stages add up to the total; indented rows belong to the row
-// above and are timed apart.
+// How to read: the first column is canonical_pose_3() with default options, the second the same
+// with the body of TetGen; medians of --runs calls. Stages add up to the total; indented rows
+// belong to the row above and are timed separately.
 // - Third column: the same distances by CGAL's Heat_method_3 (Intrinsic_Delaunay, its default
 //   solver), from the same landmarks, one by one. Timed once.
-// - Fourth column: the registration of the second done literally as the paper prints it
-//   (Literal_registration.h), without acceleration and on one thread but for the solver: the matrix
-//   is assembled and factored at every iteration, rotations come from JacobiSVD. As many iterations
-//   are run and timed as it takes to converge without acceleration, or as many as --literal says: the
-//   time is then extended to all, and the line below the table says so. The matrix has n rows and
-//   three right-hand sides; another line tells what the paper's 3n rows take.
-// Totals of the references have their own time in the rows that they fill, and in the others that of
-// the first and of the second column.
-// Below the table results are compared: mean difference of the distances, energies after equally
-// many iterations.
+// - Fourth column: the registration of the second column exactly as printed in the paper
+//   (Literal_registration.h), without acceleration and, except for the solver, on one thread: the
+//   matrix is assembled and factored in every iteration, and rotations are computed by JacobiSVD.
+//   All iterations required to converge without acceleration are run and timed, or the number given
+//   by --literal: the time is then extrapolated, as stated below the table. The matrix has n rows
+//   and three right-hand sides; another line states the time with the 3n rows of the paper.
+// Totals of the references include their own time in the rows that they fill, and that of the first
+// or second column in the others. Below the table, results are compared: mean difference of the
+// distances, energies after the same number of iterations.
 // Usage: pipeline_benchmark [--vertices 53000] [--runs 3] [--literal ITERATIONS] [mesh files]
 
 #include <CGAL/canonical_pose_3.h>
@@ -169,7 +168,7 @@ Literal run_literal(const Mesh& mesh, const CP::Intermediate_results& results,
   registrar.set_target(*results.target);
   registrar.set_number_of_iterations(0);
   CP::Point_matrix start, pose;
-  registrar.register_to_target(start); // both begin here
+  registrar.register_to_target(start); // both start here
 
   Literal result;
   registrar.set_number_of_iterations(options.number_of_iterations);

@@ -14,8 +14,8 @@
 
 namespace Canonical_pose_benchmark {
 
-/// Measures distances and finds the target as the package does by default; in a process of its own,
-/// since this one is to be without threads.
+/// Computes distances and target as the package does by default; in a separate process, since this
+/// one must not have threads.
 Body_problem prepare(const Point_matrix& points, const Triangles& triangles,
                      const Triangles& caps = Triangles());
 

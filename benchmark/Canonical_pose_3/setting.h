@@ -31,7 +31,7 @@
 
 namespace Canonical_pose_benchmark {
 
-/// In one line, what times depend on: compiler, flags, libraries, solver, threads.
+/// Describes in one line what the times depend on: compiler, flags, libraries, solver, threads.
 inline std::string setting()
 {
   std::ostringstream out;

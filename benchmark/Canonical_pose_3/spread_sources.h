@@ -15,7 +15,7 @@
 
 namespace Canonical_pose_benchmark {
 
-/// Vertices of a surface mesh, evenly spread over their numbers; the first is vertex 0.
+/// Vertices of a surface mesh with evenly spaced indices; the first is vertex 0.
 template <class Mesh>
 std::vector<typename Mesh::Vertex_index> spread_sources(const Mesh& mesh, const std::size_t number)
 {

@@ -18,7 +18,7 @@
 
 namespace Canonical_pose_benchmark {
 
-/// Takes --geodesics, --body and --components.
+/// Reads and removes --geodesics, --body and --components.
 inline CGAL::Canonical_pose_3::Options take_options(Argument_list& list)
 {
   using Options = CGAL::Canonical_pose_3::Options;

@@ -10,19 +10,19 @@
 #ifndef CGAL_CANONICAL_POSE_3_EXAMPLES_ARTICULATED_FIGURE_H
 #define CGAL_CANONICAL_POSE_3_EXAMPLES_ARTICULATED_FIGURE_H
 
-// A mannequin by formula, for examples and tests that need one shape in many poses with known
+// A procedural mannequin, for examples and tests that require one shape in many poses with known
 // correspondence.
 //
 // - The rest shape (arms stretched sideways) is the zero set of a smooth union of capsules and
 //   ellipsoids.
 // - It is meshed once: marching tetrahedra, collapse of short edges down to the requested number of
-//   vertices, then rounds of edge flips and tangential smoothing. A collapse keeps the topology: it
-//   is the same at every size.
-// - A pose bends it along rods: one through each limb, one through the spine. A rod keeps its
-//   length and spreads the angle of a joint over a stretch around it, so that geodesics hardly
-//   change.
+//   vertices, then rounds of edge flips and tangential smoothing. Collapses preserve the topology,
+//   which is the same at every size.
+// - A pose bends it along rods: one through each limb, one through the spine. A rod preserves its
+//   length and distributes the angle of a joint over an interval around it, so that geodesics
+//   hardly change.
 //
-// Units: meters. Axes: x to the left of the figure, y up, z to the front. The soles are at y = 0.
+// Units: meters. Axes: x to the left of the figure, y up, z forward. The soles are at y = 0.
 
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/iterator.h>
@@ -47,7 +47,7 @@
 
 namespace Canonical_pose_examples {
 
-/// Angles of the joints in degrees; all zero is the rest pose. Equal angles left and right are
+/// Angles of the joints in degrees; all are zero in the rest pose. Equal left and right angles are
 /// symmetric.
 struct Joint_angles
 {
@@ -55,16 +55,16 @@ struct Joint_angles
   {
     double raise = 0;   ///< shoulder: 90 is straight up, -90 straight down
     double forward = 0; ///< shoulder, to the front
-    double twist = 0;   ///< of the upper arm: at 90 the elbow bends upwards, not to the front
+    double twist = 0;   ///< of the upper arm: at 90, the elbow bends upward, not forward
     double elbow = 0;
-    double wrist = 0; ///< positive: the palm bends downwards (in the rest pose)
+    double wrist = 0; ///< positive: the palm bends downward (in the rest pose)
   };
   struct Leg
   {
-    double flexion = 0;   ///< hip: 90 lifts the thigh to the front
-    double abduction = 0; ///< hip, outwards
-    double knee = 0;      ///< positive: the heel goes to the back
-    double ankle = 0;     ///< positive: the toes go down
+    double flexion = 0;   ///< hip: 90 lifts the thigh forward
+    double abduction = 0; ///< hip, outward
+    double knee = 0;      ///< positive: the heel moves backward
+    double ankle = 0;     ///< positive: the toes move down
   };
   struct Trunk
   {
@@ -98,14 +98,14 @@ inline double smoothstep(double from, double to, double x)
 /// A bump of height 1 and width about 0.035 around 0.
 inline double ridge(double x) { return 1 - smoothstep(0.012, 0.024, std::abs(x)); }
 
-/// Minimum whose crease is rounded over the width `k`.
+/// Minimum with its crease rounded over the width `k`.
 inline double smooth_minimum(double a, double b, double k)
 {
   const double h = (std::max)(k - std::abs(a - b), 0.);
   return (std::min)(a, b) - h * h / (4 * k);
 }
 
-/// Distance to the segment from `a` to `b`, less a radius that goes linearly from `ra` to `rb`.
+/// Distance to the segment from `a` to `b`, minus a radius that varies linearly from `ra` to `rb`.
 inline double capsule(const Vector& p, const Vector& a, const Vector& b, double ra, double rb)
 {
   const Vector ab = b - a;
@@ -113,7 +113,7 @@ inline double capsule(const Vector& p, const Vector& a, const Vector& b, double 
   return (p - a - t * ab).norm() - (ra + t * (rb - ra));
 }
 
-/// Distance to an ellipsoid with axes along x, y, z, of first order near its surface.
+/// Distance to an ellipsoid with axes along x, y, z, accurate to first order near its surface.
 inline double ellipsoid(const Vector& p, const Vector& center, const Vector& radii)
 {
   const Vector q = (p - center).cwiseQuotient(radii);
@@ -183,7 +183,7 @@ inline double rest_shape(Vector p)
   return smooth_minimum(f, leg(p), 0.04);
 }
 
-/// `p` after one step of Newton's method to the surface.
+/// `p` after one step of Newton's method toward the surface.
 inline Vector projected(const Vector& p)
 {
   const double f = rest_shape(p), h = 1e-5;
@@ -193,7 +193,7 @@ inline Vector projected(const Vector& p)
   return p - f / gradient.squaredNorm() * gradient;
 }
 
-/// Relative length of the edges that is suitable around `p`: finer where there is detail.
+/// Suitable relative edge length around `p`: smaller where there is detail.
 inline double suitable_length(const Vector& p)
 {
   const double face = smoothstep(1.5, 1.6, p.y()) * smoothstep(-0.06, 0.05, p.z());
@@ -203,7 +203,7 @@ inline double suitable_length(const Vector& p)
   return 1 - 0.45 * (std::max)({face, hand, 0.6 * belly});
 }
 
-/// Marching tetrahedra over the cubes that the surface meets; the triangles are closed and
+/// Marching tetrahedra over the cubes that intersect the surface; the triangles form a closed
 /// 2-manifold.
 class Rest_shape_mesher
 {
@@ -283,12 +283,12 @@ private:
         ++tetrahedron[2][a];
         ++tetrahedron[2][(a + turn) % 3];
         if(turn == 2)
-          std::swap(tetrahedron[1], tetrahedron[2]); // an odd order of the axes is inside out
+          std::swap(tetrahedron[1], tetrahedron[2]); // odd permutations of the axes are inverted
         cut(tetrahedron);
       }
   }
 
-  /// The one or two triangles of a positive tetrahedron, oriented to the outside.
+  /// The one or two triangles of a positively oriented tetrahedron, oriented outward.
   void cut(std::array<Node, 4>& t)
   {
     int inside = 0;
@@ -319,7 +319,7 @@ private:
   }
 };
 
-/// Cost of a collapse: length of the edge relative to the suitable one.
+/// Cost of a collapse: edge length relative to the suitable length.
 template <class Mesh>
 struct Relative_length_cost
 {
@@ -346,14 +346,14 @@ struct Number_of_edges_reached
   }
 };
 
-/// One joint of a rod: the rotation that is reached gradually between two arc lengths.
+/// One joint of a rod: a rotation that is distributed between two arc lengths.
 struct Rod_joint
 {
   double center, half_width;
   Eigen::AngleAxisd rotation;
 };
 
-/// A straight rod that is bent at its joints without a change of its length.
+/// A straight rod that is bent at its joints, preserving its length.
 class Rod
 {
 public:
@@ -435,8 +435,8 @@ inline Rod spine_rod(const Joint_angles::Trunk& spine, const Joint_angles::Trunk
 
 } // namespace internal
 
-/// The figure, meshed once in its rest pose, and in any other pose: same faces, same order of the
-/// vertices.
+/// The figure, meshed once in its rest pose; all poses have the same faces and the same order of
+/// the vertices.
 class Articulated_figure
 {
 public:
@@ -466,7 +466,7 @@ public:
   /// Indices into `points()`, counterclockwise seen from outside.
   const Triangles& triangles() const { return faces; }
 
-  /// The position of each vertex in the pose given; the lowest at y = 0.
+  /// The position of each vertex in the given pose; the lowest is at y = 0.
   Points points(const Joint_angles& angles = Joint_angles()) const
   {
     const Pair_of_rods arms
@@ -540,7 +540,7 @@ private:
 
   static Mesh coarse_mesh(std::size_t number_of_vertices)
   {
-    // Fine enough to part the fingers, and to leave the collapse a choice.
+    // Fine enough to separate the fingers, and to leave a choice of collapses.
     const double spacing = (std::min)(0.012, 2.0 / std::sqrt(double(number_of_vertices)));
     const internal::Rest_shape_mesher mesher(spacing);
     Mesh mesh;
@@ -556,7 +556,7 @@ private:
     return mesh;
   }
 
-  /// Flips the edges whose opposite angles add up to more than a straight one.
+  /// Flips the edges whose opposite angles sum to more than 180 degrees.
   static void flip_edges(Mesh& mesh)
   {
     for(Mesh::Edge_index e : mesh.edges())
@@ -599,12 +599,12 @@ private:
       const Vector mirror(left ? 1 : -1, 1, 1);
       return Vector(mirror.cwiseProduct(rod(s, mirror.cwiseProduct(p))));
     };
-    // Far from its axis the arm begins farther out: the chest stays where it is.
+    // Far from its axis, the arm starts farther out, so that the chest does not move.
     const double off_axis = std::hypot(p.y() - 1.41, p.z());
     const double arm = std::abs(p.x()) - 1.2 * (std::max)(0., off_axis - 0.05);
     if(arm > 0.075)
       return moved(arms[p.x() > 0], arm, p.x() > 0);
-    // Between the legs the two motions are blended.
+    // Between the legs, the two motions are blended.
     const double s = 1.08 - p.y(), left = internal::smoothstep(-0.05, 0.05, p.x());
     return left * moved(legs[1], s, true) + (1 - left) * moved(legs[0], s, false);
   }

@@ -7,7 +7,7 @@
 //
 // Author(s) : The Canonical_pose_3 authors
 
-// A target by biharmonic distances, which are smooth and a metric.
+// A target based on biharmonic distances, which are smooth and a metric.
 // Usage: biharmonic_distances [input.off]
 
 #include <CGAL/Canonical_pose_3/Biharmonic_distances_3.h>
@@ -35,7 +35,7 @@ int main(int argc, char* argv[])
   else if(!CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(argv[1], mesh))
     return EXIT_FAILURE;
 
-  // Any model of GeodesicDistances_3 will do for landmarks and target.
+  // Any model of GeodesicDistances_3 can be used for landmarks and target.
   const CP::Biharmonic_distances_3<Mesh> distances(mesh, 60); // 60 eigenfunctions
   const auto fields = CP::farthest_point_landmarks(distances, 40, *vertices(mesh).begin());
   CP::Landmark_mds_target_builder_3<> builder;

@@ -7,8 +7,8 @@
 //
 // Author(s) : The Canonical_pose_3 authors
 
-// Brings a closed surface into its canonical pose: a mesh file if one is given, else the figure,
-// sitting. Usage: canonical_pose [input.off [pose.off]]
+// Brings a closed surface into its canonical pose: a mesh file if one is given, otherwise the
+// sitting figure. Usage: canonical_pose [input.off [pose.off]]
 
 #include <CGAL/canonical_pose_3.h>
 

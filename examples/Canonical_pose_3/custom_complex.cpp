@@ -7,7 +7,7 @@
 //
 // Author(s) : The Canonical_pose_3 authors
 
-// The canonical pose of a tetrahedral complex of one's own, told to the package by its traits.
+// The canonical pose of a user-defined tetrahedral complex, accessed through its traits.
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/canonical_pose_3.h>
@@ -41,14 +41,14 @@ struct CGAL::Canonical_pose_3::Tetrahedral_complex_traits_3<My_complex>
 
 int main()
 {
-  // A bar of 16 x 2 x 3 boxes, rolled over half a circle.
+  // A bar of 16 x 2 x 3 boxes, bent to a half circle.
   My_complex bar;
   for(int v = 0; v < 17 * 3 * 4; ++v)
   {
     const double angle = 3.14 * (v / 12) / 16, radius = 4.5 + v % 4 / 3.;
     bar.points.emplace_back(radius * std::cos(angle), v / 4 % 3 / 2., radius * std::sin(angle));
   }
-  std::array<int, 3> steps = {1, 4, 12}; // a box is cut into the six walks from corner to corner
+  std::array<int, 3> steps = {1, 4, 12}; // a box is split along the six paths from corner to corner
   do
     for(int v = 0; v < 16 * 3 * 4; ++v)
       if(v / 4 % 3 < 2 && v % 4 < 3)

@@ -7,8 +7,8 @@
 //
 // Author(s) : The Canonical_pose_3 authors
 
-// The pose applied to points near the surface: markers on a coarse figure are the vertices of a finer
-// one.
+// The pose applied to points near the surface: the vertices of a finer figure serve as markers on a
+// coarse one.
 
 #include <CGAL/Canonical_pose_3/surface_measures.h>
 #include <CGAL/canonical_pose_3.h>

@@ -58,8 +58,8 @@ int main(int argc, char* argv[])
   std::cout << "same as one by one: " << (there == distance[farthest] ? "yes" : "no") << '\n';
   const bool is_near = std::abs(there - back) < 0.1 * there;
 
-  // The nearest of several sources; and by another model, which factors nothing and is exact to some
-  // hundredths of a percent.
+  // The nearest of several sources; and by another model, which factors nothing and is accurate to
+  // a few hundredths of a percent.
   const CP::Wavefront_geodesics_3<Mesh> wavefront(mesh);
   const std::vector<Mesh::Vertex_index> both = {source, farthest};
   const double heat_radius = geodesics.distance_to_nearest(both).maxCoeff();

@@ -7,8 +7,9 @@
 //
 // Author(s) : The Canonical_pose_3 authors
 
-// Landmark multidimensional scaling of any distances: cities of the world, from their great-circle
-// distances to eight of them, come out on a globe again (too large: arcs are longer than chords).
+// Landmark multidimensional scaling of arbitrary distances: given their great-circle distances to
+// eight of them, cities of the world are embedded on a globe again (too large, since arcs are
+// longer than chords).
 
 #include <CGAL/Canonical_pose_3/Landmark_mds_target_builder_3.h>
 
@@ -28,7 +29,7 @@ struct City
 const std::vector<City> CITIES
   = {{"Anchorage", 61.2, -149.9}, {"Nairobi", -1.3, 36.8},    {"Sydney", -33.9, 151.2},
      {"Lima", -12.0, -77.0},      {"Tokyo", 35.7, 139.7},     {"Reykjavik", 64.1, -21.9},
-     {"Cape Town", -33.9, 18.4},  {"Honolulu", 21.3, -157.9}, // so far the landmarks
+     {"Cape Town", -33.9, 18.4},  {"Honolulu", 21.3, -157.9}, // the landmarks, up to here
      {"Istanbul", 41.0, 29.0},    {"Delhi", 28.6, 77.2},      {"Paris", 48.9, 2.4},
      {"New York", 40.7, -74.0},   {"Jakarta", -6.2, 106.8},   {"Buenos Aires", -34.6, -58.4}};
 

@@ -44,7 +44,7 @@ int main()
   const Domain domain = Domain::create_implicit_mesh_domain(&sausage, around);
   const Criteria criteria(Criteria::Facet_criteria(25, 0.25, 0.02),
                           Criteria::Cell_criteria(3, 0.3));
-  using namespace CGAL::parameters; // without optimizers Mesh_3 does the same at every run
+  using namespace CGAL::parameters; // without optimizers, Mesh_3 is deterministic
   const C3t3 c3t3 = CGAL::make_mesh_3<C3t3>(domain, criteria, no_perturb(), no_exude());
   CGAL::Canonical_pose_3::Options options;
   options.registration.injective = true; // no cell may be inverted

@@ -7,7 +7,8 @@
 //
 // Author(s) : The Canonical_pose_3 authors
 
-// The one call with distances and a body of one's own: graph distances along the edges, and a coarse lattice.
+// The one call with user-defined distances and body: graph distances along the edges, and a coarse
+// lattice.
 
 #include <CGAL/Canonical_pose_3/Lattice_body_3.h>
 #include <CGAL/Canonical_pose_3/landmark_fields_function.h>

@@ -7,8 +7,8 @@
 //
 // Author(s) : The Canonical_pose_3 authors
 
-// Landmarks, distances and target of one call given to others: for other options at no cost, and for a
-// target of one's own.
+// Landmarks, distances and target of one call passed to others: for other options at no cost, and
+// for a user-defined target.
 
 #include <CGAL/canonical_pose_3.h>
 
@@ -39,12 +39,12 @@ int main()
             << "landmarks " << first.landmark_fields->landmarks.size() << ", largest distance "
             << first.landmark_fields->distances.maxCoeff() << '\n';
 
-  options.given = first;                     // neither distances nor target are computed anew
+  options.given = first;                     // neither distances nor target are recomputed
   options.registration.detail_length = 0.05; // the target is followed more closely
   const auto second = CGAL::canonical_pose_3(mesh, pose.points(), options);
   std::cout << "detail length 0.05: " << second << '\n';
 
-  // Our own target: the figure standing. Distances are kept, their largest one is the unit of
+  // A user-defined target: the standing figure. Distances are kept; the largest one is the unit of
   // length.
   options.registration.detail_length = 0.1;
   options.given.target = CP::point_matrix(figure.make_mesh<Mesh>(named_poses[0].angles));

@@ -7,8 +7,8 @@
 //
 // Author(s) : The Canonical_pose_3 authors
 
-// The canonical pose of the figure, sitting, with hands that are stiff and go where the arms take
-// them; a visitor tells how the registration gets on, and would end it after a minute.
+// The canonical pose of the sitting figure, with stiff hands that have no target and follow the
+// arms; a visitor reports the progress of the registration, and would stop it after a minute.
 
 #include <CGAL/Canonical_pose_3/property_values.h>
 #include <CGAL/canonical_pose_3.h>

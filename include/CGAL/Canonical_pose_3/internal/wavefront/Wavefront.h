@@ -31,12 +31,13 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // A wave that propagates over the faces from a source, by increasing distance, and decreases the
-// distances of the vertices to which it finds a shorter path. A beam crosses a side and lights all
-// of it. In the next face, the beam reaches the third corner and leaves through the two other
-// sides. If a corner hides a part of them, the path bends there, and the corner becomes a source.
-// Sides do not store beams, only the smallest distances so far of four of their points: a beam is
-// propagated if it is the best at one of them. Hence at most four beams per side matter, and memory
-// and, in practice, time are linear, up to the queue.
+// distances of the vertices to which it finds a shorter path.
+//
+// A beam crosses a side and lights all of it. In the next face, the beam reaches the third corner
+// and leaves through the two other sides. If a corner hides a part of them, the path bends there,
+// and the corner becomes a source. Sides do not store beams, only the smallest distances so far of
+// four of their points: a beam is propagated if it is the best at one of them. Hence at most four
+// beams per side matter, and memory and, in practice, time are linear, up to the queue.
 class Wavefront
 {
 public:
