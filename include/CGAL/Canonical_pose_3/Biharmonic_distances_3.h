@@ -100,6 +100,12 @@ public:
   /// the vertex type
   using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
 
+  /// the property map of its points
+  using Vertex_point_map = Point_map;
+
+  /// the traits
+  using Geom_traits = Geometry;
+
   /// @}
 
   /// \name Construction
@@ -155,6 +161,8 @@ public:
 
   Biharmonic_distances_3(const Biharmonic_distances_3&) = delete;
   Biharmonic_distances_3& operator=(const Biharmonic_distances_3&) = delete;
+  Biharmonic_distances_3(Biharmonic_distances_3&&) = default;
+  Biharmonic_distances_3& operator=(Biharmonic_distances_3&&) = default;
 
   /// @}
 

@@ -50,6 +50,9 @@ template <class ElasticBody>
 class Body_deformer_3
 {
 public:
+  /// the body
+  using Elastic_body = ElasticBody;
+
   /*!
   constructs a deformer.
 

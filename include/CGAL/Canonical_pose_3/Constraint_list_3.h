@@ -40,6 +40,9 @@ class Constraint_list_3
   using State = typename internal::Constraint_element_state<Element_traits>::type;
 
 public:
+  /// the elements
+  using value_type = Element;
+
   /// constructs an empty list for a surface of `number_of_vertices` vertices.
   explicit Constraint_list_3(const std::size_t number_of_vertices)
     : m_number_of_vertices(number_of_vertices)

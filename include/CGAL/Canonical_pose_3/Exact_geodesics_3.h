@@ -122,6 +122,12 @@ public:
   /// the vertex type
   using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
 
+  /// the property map of its points
+  using Vertex_point_map = Point_map;
+
+  /// the traits
+  using Geom_traits = Geometry;
+
   /// @}
 
   /// \name Construction
@@ -172,6 +178,8 @@ public:
 
   Exact_geodesics_3(const Exact_geodesics_3&) = delete;
   Exact_geodesics_3& operator=(const Exact_geodesics_3&) = delete;
+  Exact_geodesics_3(Exact_geodesics_3&&) = default;
+  Exact_geodesics_3& operator=(Exact_geodesics_3&&) = default;
 
   /// @}
 

@@ -115,6 +115,12 @@ public:
   /// its vertices
   using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
 
+  /// the property map of its points
+  using Vertex_point_map = Point_map;
+
+  /// the traits
+  using Geom_traits = Geometry;
+
   /// @}
 
   /// \name Construction
@@ -171,6 +177,8 @@ public:
 
   Heat_geodesics_3(const Heat_geodesics_3&) = delete;
   Heat_geodesics_3& operator=(const Heat_geodesics_3&) = delete;
+  Heat_geodesics_3(Heat_geodesics_3&&) = default;
+  Heat_geodesics_3& operator=(Heat_geodesics_3&&) = default;
 
   /// @}
 

@@ -59,6 +59,9 @@ template <class MdsKernel = Squared_distance_kernel>
 class Landmark_mds_target_builder_3
 {
 public:
+  /// the kernel
+  using Kernel = MdsKernel;
+
   /// constructs a builder without landmarks, for an embedding into `dimension` dimensions.
   /// \pre `dimension >= 1`
   explicit Landmark_mds_target_builder_3(MdsKernel kernel = MdsKernel(), const int dimension = 3)

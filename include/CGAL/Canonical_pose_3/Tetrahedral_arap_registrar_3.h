@@ -69,6 +69,9 @@ template <class ElasticBody, class ClosestRotationTraits = Default, class Factor
 class Tetrahedral_arap_registrar_3
 {
 public:
+  /// the body
+  using Elastic_body = ElasticBody;
+
   /*!
   constructs a registrar without target. Body and weights are checked; the matrix is factored by
   `factor()` or when it is first required.

@@ -103,6 +103,12 @@ public:
   /// the vertex type
   using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
 
+  /// the property map of its points
+  using Vertex_point_map = Point_map;
+
+  /// the traits
+  using Geom_traits = Geometry;
+
   /// @}
 
   /// \name Construction
@@ -144,6 +150,8 @@ public:
 
   Wavefront_geodesics_3(const Wavefront_geodesics_3&) = delete;
   Wavefront_geodesics_3& operator=(const Wavefront_geodesics_3&) = delete;
+  Wavefront_geodesics_3(Wavefront_geodesics_3&&) = default;
+  Wavefront_geodesics_3& operator=(Wavefront_geodesics_3&&) = default;
 
   /// @}
 
