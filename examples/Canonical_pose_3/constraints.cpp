@@ -42,7 +42,7 @@ Vector3d point(const Mesh& mesh, const Mesh::Vertex_index v)
   return {p.x(), p.y(), p.z()};
 }
 
-// Every third vertex of those for which `is_inside(point)` holds.
+// Every third of the vertices for which `is_inside(point)` holds.
 template <class Predicate>
 Vertices sample(const Mesh& mesh, const Predicate& is_inside)
 {
@@ -64,7 +64,7 @@ Vector3d center(const Mesh& mesh, const Vertices& vertices)
 struct Limb
 {
   Vertices vertices, joint; // joint: around its inner end
-  Vector3d direction;       // in which it is to point
+  Vector3d direction;       // in which the limb should point
 };
 
 int main(int argc, char* argv[])
@@ -93,9 +93,10 @@ int main(int argc, char* argv[])
   const auto first = CGAL::canonical_pose_3(running, canonical.points(), options);
   if(!first.is_usable())
     return EXIT_FAILURE;
-  options.given = first; // distances and target serve both poses
+  options.given = first; // distances and target are used for both poses
 
-  // Limbs are straight in the canonical pose; each is to be as it is there, turned about its joint.
+  // Limbs are straight in the canonical pose; each should be as it is there, rotated about
+  // its joint.
   CP::Vertex_constraints_3<Mesh> constraints(running);
   for(const Limb& limb : limbs)
   {

@@ -32,8 +32,8 @@ namespace Examples = Canonical_pose_examples;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
-// The vertices of a hand by their distance from its tip. A hand is held by many springs, as a single
-// vertex would be drawn out of it.
+// The vertices of a hand, sorted by their distance from its tip. A hand is pulled by many springs,
+// since a single spring would pull a spike out of it.
 std::vector<Mesh::Vertex_index> hand(const Mesh& mesh, const Mesh::Vertex_index tip)
 {
   std::map<double, Mesh::Vertex_index> by_distance;

@@ -7,8 +7,8 @@
 //
 // Author(s) : The Canonical_pose_3 authors
 
-// The steps of canonical_pose_3(), one after the other, and the last of them once more for larger details.
-// Usage: step_by_step [input.off]
+// The individual steps of canonical_pose_3(); the registration is repeated with a larger detail
+// length. Usage: step_by_step [input.off]
 
 #include <CGAL/Canonical_pose_3/pose_steps.h>
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
@@ -30,7 +30,7 @@ int main(int argc, char* argv[])
   else if(!CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(argv[1], mesh))
     return EXIT_FAILURE;
 
-  // Examined, repaired; the options are brought to its only component.
+  // Examined and repaired; the options are those of its only component.
   const CP::Prepared_surface_3 prepared = CP::prepare_surface(mesh);
   const CP::Surface_component_3& surface = prepared.components.front().surface;
   CP::Options options = prepared.components.front().options;
@@ -48,7 +48,7 @@ int main(int argc, char* argv[])
     return EXIT_FAILURE;
   CP::put_points(result.pose, mesh, mesh.points(), Kernel());
 
-  // Distances, target and body serve other options.
+  // Distances, target and body can be reused with other options.
   options.registration.detail_length = 0.2;
   std::cout << CP::registered_pose(surface, target, body, options) << '\n';
   return EXIT_SUCCESS;
