@@ -23,7 +23,8 @@
 
 namespace archetype {
 
-/// How vertices can be numbered: by `std::hash`, as the concepts have it, or by a dynamic property.
+/// How vertices can be numbered: by `std::hash`, as required by the concepts, or by a dynamic
+/// property.
 enum class Numbering { HASH, DYNAMIC_PROPERTY };
 
 template <Numbering numbering, int kind>
@@ -34,8 +35,8 @@ struct Descriptor
   bool operator!=(const Descriptor& other) const { return index != other.index; }
 };
 
-/// A model of FaceListGraph as far as the one call asks for it, and no further: halfedges 3f, 3f + 1, and
-/// 3f + 2 are those of face f, and vertices have points.
+/// A model of FaceListGraph with only the features that the one call requires: halfedges 3f, 3f +
+/// 1, and 3f + 2 are those of face f, and vertices have points.
 template <Numbering numbering>
 struct Triangle_graph
 {

@@ -64,13 +64,13 @@ inline Triangle_soup two_bars()
 
 inline Polygon_soup bar() { return to_polygons(bent_bar()); }
 
-/// half as large in all directions
+/// a bar of half the size
 inline Polygon_soup small_bar()
 {
   return to_polygons(boundary(tetrahedral_bent_bar(16, 2, 2, 2., {{4., .5, .5}})));
 }
 
-/// a soup with that many vertices of no face in front
+/// a soup with that many isolated vertices in front
 inline Polygon_soup with_isolated_vertices(const Polygon_soup& soup, const std::size_t number)
 {
   Polygon_soup result;

@@ -21,14 +21,15 @@ inline CGAL::Canonical_pose_3::Conforming_body_3 conforming_bar(const double ang
   return bar_body(12, 2, 2, angle);
 }
 
-/// what the registrar gives
+/// the result of the registrar
 struct Bar_result
 {
   CGAL::Canonical_pose_3::Registration_summary summary;
   Point_matrix pose;
 };
 
-/// pulls a bar to a target, with length scale 8; from rest, so that no energy is above the one there.
+/// pulls a bar to a target, with length scale 8; starts from rest, whose energy bounds all
+/// energies.
 inline Bar_result register_bar(const CGAL::Canonical_pose_3::Conforming_body_3& body,
                                const Point_matrix& target, const Eigen::VectorXd& weights,
                                const CGAL::Canonical_pose_3::Registration_options& options

@@ -10,7 +10,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_TEST_DIRTY_SHAPES_H
 #define CGAL_CANONICAL_POSE_3_TEST_DIRTY_SHAPES_H
 
-// Surfaces with one defect each, by formula; what is wrong with them is known by construction.
+// Procedural surfaces with one defect each, which is known by construction.
 
 #include "shapes.h"
 
@@ -37,7 +37,7 @@ inline Polygon_soup to_polygons(const Triangle_soup& soup)
   return result;
 }
 
-/// The unit cube, six quads that look outwards.
+/// The unit cube, six quads oriented outward.
 inline Polygon_soup quad_cube()
 {
   Polygon_soup soup;
@@ -48,7 +48,7 @@ inline Polygon_soup quad_cube()
   return soup;
 }
 
-/// The same faces, each with corners of its own, as in an STL file.
+/// The same faces, each with its own corners, as in an STL file.
 inline Polygon_soup unsewn(const Polygon_soup& soup)
 {
   Polygon_soup result;
@@ -82,7 +82,7 @@ inline Polygon_soup merged(Polygon_soup a, const Polygon_soup& b, const double s
   return a;
 }
 
-/// The corners that name `from` name `to`.
+/// Replaces vertex `from` by `to`.
 inline Polygon_soup renamed(Polygon_soup soup, const std::size_t from, const std::size_t to)
 {
   for(auto& polygon : soup.polygons)
@@ -97,7 +97,7 @@ inline Polygon_soup ball() { return to_polygons(icosphere_soup(0, 1.)); }
 /// Two balls that share vertex 8.
 inline Polygon_soup pinched_balls() { return renamed(merged(ball(), ball(), 5.), 22, 8); }
 
-/// Two cubes that share an edge, of four faces therefore.
+/// Two cubes that share an edge, which thus has four faces.
 inline Polygon_soup cubes_with_a_common_edge()
 {
   Polygon_soup soup = merged(quad_cube(), quad_cube(), 1.);
@@ -106,7 +106,7 @@ inline Polygon_soup cubes_with_a_common_edge()
   return renamed(renamed(soup, 8, 3), 12, 7);
 }
 
-/// The ball and a face that stands on its edge from vertex 0 to 11.
+/// The ball and a face attached to its edge from vertex 0 to 11.
 inline Polygon_soup ball_with_fin()
 {
   Polygon_soup soup = ball();
@@ -136,7 +136,7 @@ inline Polygon_soup moebius_strip(const std::size_t n)
   return soup;
 }
 
-/// The faces in reverse order, and vertex i named n - 1 - i.
+/// The faces in reverse order, with vertex i renamed to n - 1 - i.
 inline Polygon_soup relabeled(const Polygon_soup& soup)
 {
   Polygon_soup result{{soup.points.rbegin(), soup.points.rend()},

@@ -10,7 +10,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_TEST_GEODESIC_FIXTURES_H
 #define CGAL_CANONICAL_POSE_3_TEST_GEODESIC_FIXTURES_H
 
-// What the tests of the geodesics have in common.
+// Common fixtures of the tests of the geodesics.
 
 #include "shapes.h"
 
@@ -105,7 +105,7 @@ inline Triangle_soup stretched_square(std::size_t n, double stretch)
   return soup;
 }
 
-/// What a call says when it throws `Exception`; "nothing" when it does not throw.
+/// The message if a call throws `Exception`; "nothing" if it does not throw.
 template <class Exception, class Call>
 std::string message_of(const Call& call)
 {
@@ -120,7 +120,7 @@ std::string message_of(const Call& call)
   return "nothing";
 }
 
-/// Points and functors that offer what `CanonicalPoseTraits_3` asks for, and nothing else.
+/// Points and functors with only the features required by `CanonicalPoseTraits_3`.
 namespace archetype {
 
 class Traits;

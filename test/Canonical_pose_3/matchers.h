@@ -45,8 +45,8 @@ inline double radius_of_gyration(const Point_matrix& points)
   return std::sqrt((points.rowwise() - points.colwise().mean()).rowwise().squaredNorm().mean());
 }
 
-/// root mean square distance after the best rigid motion (no reflection), by the mean radius of
-/// gyration
+/// root mean square distance after the best rigid motion (no reflection), divided by the mean
+/// radius of gyration
 inline double relative_rms(const Point_matrix& a, const Point_matrix& b)
 {
   const Point_matrix moved = CGAL::Canonical_pose_3::align_target(a, b, uniform_weights(b));
@@ -65,7 +65,7 @@ inline double mean_pairwise_rms(const std::vector<Point_matrix>& poses)
   return pairs > 0 ? sum / pairs : 0;
 }
 
-/// the energies never rise by more than rounding
+/// the energies never increase by more than rounding errors
 inline testing::AssertionResult never_rises(const std::vector<double>& energies)
 {
   for(std::size_t k = 1; k < energies.size(); ++k)

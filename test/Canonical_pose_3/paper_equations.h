@@ -10,10 +10,10 @@
 #ifndef CGAL_CANONICAL_POSE_3_TEST_PAPER_EQUATIONS_H
 #define CGAL_CANONICAL_POSE_3_TEST_PAPER_EQUATIONS_H
 
-// The registration of the paper, written from its formulas alone: dense, in 3n unknowns, without
-// any code of the package. G_t is 9 x 3n, L = sum lambda_t G_t^t G_t with lambda_t the volume of a
-// cell, K stacks lambda_t G_t, rotations come from a singular value decomposition, springs enter by
-// L_s and J d.
+// The registration of the paper, implemented from its formulas alone: dense, in 3n unknowns,
+// without any code of the package. G_t is 9 x 3n, L = sum lambda_t G_t^t G_t with lambda_t the
+// volume of a cell, K stacks lambda_t G_t, rotations come from a singular value decomposition,
+// springs enter by L_s and J d.
 
 #include <CGAL/Canonical_pose_3/Spring_constraint_adaptor_3.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
@@ -43,8 +43,8 @@ inline Eigen::VectorXd stacked(const Point_matrix& points)
 }
 
 /// The iteration of Sections 6 and 7. Where the paper leaves a choice: the pose before the first
-/// iteration is the target; fairing is Taubin's with equal weights over the edges of the boundary,
-/// one step of 0.5 and one of -0.53, and does not touch vertices inside.
+/// iteration is the target; fairing is Taubin's with uniform weights over the edges of the
+/// boundary, one step of 0.5 and one of -0.53, and does not move interior vertices.
 class Paper_equations
 {
 public:

@@ -7,7 +7,7 @@
 //
 // Author(s) : The Canonical_pose_3 authors
 
-// Does not compile: what is refused is refused by a sentence, see test_refusals.cmake.
+// Does not compile: unsupported complexes are refused by a message, see test_refusals.cmake.
 
 #include <CGAL/Canonical_pose_3/Labeled_cells_3.h>
 #include <CGAL/Canonical_pose_3/complex_body.h>

@@ -28,7 +28,7 @@
 
 namespace Canonical_pose_test {
 
-/// The volume that triangles and caps enclose.
+/// The volume enclosed by triangles and caps.
 inline double volume(const CGAL::Canonical_pose_3::Repaired_surface_3& surface)
 {
   double result = 0;
@@ -40,7 +40,7 @@ inline double volume(const CGAL::Canonical_pose_3::Repaired_surface_3& surface)
   return result;
 }
 
-/// What the documentation promises, whatever the input is.
+/// Guarantees of the documentation for any input.
 inline void expect_valid(const CGAL::Canonical_pose_3::Repaired_surface_3& surface,
                          const Point_matrix& points)
 {
@@ -72,7 +72,7 @@ inline void expect_valid(const CGAL::Canonical_pose_3::Repaired_surface_3& surfa
     EXPECT_GT(area, 0);
 }
 
-/// The repaired surface, after the checks that hold for all.
+/// The repaired surface, after checking the guarantees.
 inline CGAL::Canonical_pose_3::Repaired_surface_3 repaired(const Polygon_soup& soup)
 {
   const Point_matrix points = to_matrix(soup.points);

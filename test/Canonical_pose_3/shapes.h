@@ -10,9 +10,9 @@
 #ifndef CGAL_CANONICAL_POSE_3_TEST_SHAPES_H
 #define CGAL_CANONICAL_POSE_3_TEST_SHAPES_H
 
-// Fixtures by formula. Each shape exists as indexed arrays (`..._soup`, numbers in double, no
-// CGAL type) and as a mesh (`name<Mesh>(...)`, any model of MutableFaceGraph over any kernel,
-// vertices in the order of the array).
+// Procedural fixtures. Each shape exists as indexed arrays (`..._soup`, in double precision,
+// without CGAL types) and as a mesh (`name<Mesh>(...)`, any model of MutableFaceGraph over any
+// kernel, vertices in the order of the array).
 
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/properties.h>
@@ -46,7 +46,7 @@ struct Tetrahedral_soup
 
 constexpr double pi = 3.14159265358979323846;
 
-/// Mesh with the given vertices, in their order, and faces; throws when they are not a 2-manifold.
+/// Mesh with the given vertices, in their order, and faces; throws if they are not a 2-manifold.
 template <class Mesh>
 Mesh to_mesh(const Points& points, const Triangles& triangles)
 {
@@ -119,8 +119,8 @@ Mesh strip(std::size_t nx, std::size_t ny)
   return to_mesh<Mesh>(plane_grid_soup(nx, ny, double(nx), double(ny)));
 }
 
-/// `p` after the x axis from 0 to `length` was rolled over `angle` radians of a circle: an isometry
-/// of the plane z = 0; z becomes the height above the arc, towards the center of the circle.
+/// `p` after bending the x axis from 0 to `length` to an arc of `angle` radians: an isometry of the
+/// plane z = 0; z becomes the height above the arc, toward the center of the circle.
 inline std::array<double, 3> bend(const std::array<double, 3>& p, double length, double angle)
 {
   if(angle == 0.)
@@ -129,7 +129,7 @@ inline std::array<double, 3> bend(const std::array<double, 3>& p, double length,
   return {{(radius - p[2]) * std::sin(at), p[1], radius - (radius - p[2]) * std::cos(at)}};
 }
 
-/// The strip rolled over `angle` radians: same geodesic distances up to the faceting.
+/// The strip bent by `angle` radians: same geodesic distances up to faceting.
 template <class Mesh>
 Mesh curled_strip(std::size_t nx, std::size_t ny, double angle)
 {
@@ -139,7 +139,8 @@ Mesh curled_strip(std::size_t nx, std::size_t ny, double angle)
   return to_mesh<Mesh>(soup);
 }
 
-/// Icosahedron on the sphere, its faces cut into four repeatedly: 10 * 4^subdivisions + 2 vertices.
+/// Icosahedron on the sphere, its faces repeatedly split into four: 10 * 4^subdivisions + 2
+/// vertices.
 inline Triangle_soup icosphere_soup(unsigned int subdivisions, double radius)
 {
   const double g = (1. + std::sqrt(5.)) / 2.;
@@ -246,7 +247,7 @@ inline Triangle_soup tube_soup(std::size_t rings, std::size_t sides, double leng
   return soup;
 }
 
-/// The closed tube, bent over `angle` radians of a circle (0: straight); thin: a wire.
+/// The closed tube, bent to an arc of `angle` radians (0: straight); thin: a wire.
 template <class Mesh>
 Mesh tube(std::size_t rings, std::size_t sides, double length, double radius, double angle = 0.)
 {
@@ -276,7 +277,7 @@ inline Tetrahedral_soup tetrahedral_box(std::size_t nx, std::size_t ny, std::siz
         const std::size_t high = low + step[0] + step[1] + step[2];
         for(std::size_t a = 0; a < 3; ++a)
         {
-          // The walk along the axes a, b, c is even, its tetrahedron positive; a, c, b is odd.
+          // The path along the axes a, b, c is even, its tetrahedron positive; a, c, b is odd.
           const std::size_t b = (a + 1) % 3, c = (a + 2) % 3;
           soup.cells.push_back({{low, low + step[a], low + step[a] + step[b], high}});
           soup.cells.push_back({{low, low + step[a] + step[c], low + step[a], high}});
@@ -285,7 +286,7 @@ inline Tetrahedral_soup tetrahedral_box(std::size_t nx, std::size_t ny, std::siz
   return soup;
 }
 
-/// A box nx x ny x nz of the given lengths, bent in the plane xz over `angle` radians.
+/// A box of nx x ny x nz cells with the given lengths, bent in the xz plane by `angle` radians.
 inline Tetrahedral_soup tetrahedral_bent_bar(std::size_t nx, std::size_t ny, std::size_t nz,
                                              double angle,
                                              const std::array<double, 3>& lengths = {{8., 1., 1.}})
@@ -293,14 +294,14 @@ inline Tetrahedral_soup tetrahedral_bent_bar(std::size_t nx, std::size_t ny, std
   Tetrahedral_soup soup = tetrahedral_box(nx, ny, nz, lengths);
   for(auto& p : soup.points)
   {
-    p[2] -= lengths[2] / 2; // the middle fibre keeps its length
+    p[2] -= lengths[2] / 2; // the middle fiber preserves its length
     p = bend(p, lengths[0], angle);
   }
   return soup;
 }
 
 /// The boundary of tetrahedra, outward, its vertices in the order of the body; `origin`, if given,
-/// gets their indices in the body.
+/// receives their indices in the body.
 inline Triangle_soup boundary(const Tetrahedral_soup& body,
                               std::vector<std::size_t>* origin = nullptr)
 {
@@ -343,7 +344,7 @@ Mesh bar(std::size_t nx, std::size_t ny, std::size_t nz,
   return to_mesh<Mesh>(boundary(tetrahedral_bent_bar(nx, ny, nz, 0., lengths)));
 }
 
-/// The bar bent over `angle` radians: same connectivity and order of the vertices.
+/// The bar bent by `angle` radians: same connectivity and order of the vertices.
 template <class Mesh>
 Mesh bent_bar(std::size_t nx, std::size_t ny, std::size_t nz, double angle,
               const std::array<double, 3>& lengths = {{8., 1., 1.}})

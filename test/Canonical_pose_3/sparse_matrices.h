@@ -10,7 +10,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_TEST_SPARSE_MATRICES_H
 #define CGAL_CANONICAL_POSE_3_TEST_SPARSE_MATRICES_H
 
-// Systems to solve, by formula.
+// Procedural linear systems.
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
@@ -24,8 +24,8 @@ namespace Canonical_pose_test {
 using Sparse_matrix = Eigen::SparseMatrix<double>;
 
 /// Laplacian of the graph of an n x n x m grid, plus `shift` times the identity: eigenvalues
-/// `shift` and above. The surfaces (m = 1) are factored column by column by CHOLMOD, the larger
-/// volumes in dense blocks.
+/// `shift` and above. CHOLMOD factors surfaces (m = 1) column by column, and larger volumes in
+/// dense blocks.
 inline Sparse_matrix grid_matrix(int n, int m, double shift)
 {
   std::vector<Eigen::Triplet<double>> entries;

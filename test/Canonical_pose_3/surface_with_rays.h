@@ -54,13 +54,14 @@ struct Surface
   CGAL::Canonical_pose_3::internal::Surface_rays rays;
 };
 
-// Where a ray meets the plane of a face: how far inside of the face (the smallest barycentric coordinate),
-// how far along the ray, and whether along the normal. Plain Cramer, face by face.
+// The intersection of a ray and the plane of a face: how far inside the face (the smallest
+// barycentric coordinate), how far along the ray, and whether along the normal. By Cramer's rule,
+// face by face.
 struct Meeting
 {
   double inside, distance;
   bool is_exit;
-  bool is_parallel; // nearly, so that the numbers mean nothing
+  bool is_parallel; // nearly, so the numbers are meaningless
 };
 inline Meeting meeting(const Surface& s, const std::size_t f, const Eigen::Vector3d& origin,
                        const Eigen::Vector3d& direction)
@@ -85,7 +86,7 @@ inline Eigen::Vector3d random_vector(CGAL::Random& random)
   return {random.get_double(-1, 1), random.get_double(-1, 1), random.get_double(-1, 1)};
 }
 
-// `n` long triangles of a small width through the unit cube, from near one corner to near the opposite one.
+// `n` long narrow triangles through the unit cube, from near one corner to near the opposite one.
 inline Triangle_soup needles(const std::size_t n, const double width)
 {
   CGAL::Random random(5);

@@ -29,7 +29,7 @@ using CP::Registration_summary;
 
 namespace {
 
-// A long bar, of several blocks of cells.
+// A long bar with several blocks of cells.
 CP::Conforming_body_3 bar() { return Canonical_pose_test::bar_body(40, 3, 3); }
 
 Point_matrix bent_bar_points(const double angle)
@@ -37,7 +37,7 @@ Point_matrix bent_bar_points(const double angle)
   return Canonical_pose_test::bar_points(40, 3, 3, angle);
 }
 
-// Bent and squeezed: the iteration has something to do.
+// Bent and squeezed, to require many iterations.
 Point_matrix hard_target(const double angle = 3.)
 {
   return bent_bar_points(angle) * Eigen::Vector3d(0.7, 0.4, 1).asDiagonal();
@@ -57,8 +57,9 @@ Registration_summary run(const CP::Conforming_body_3& body, const Point_matrix& 
 
 } // namespace
 
-// The same minimum in half the iterations (2.4 to 2.8 times fewer), for a stiff body: the energy at the end is
-// not above that of many plain iterations by more than the tolerance of the stop lets, 3.5e-5 here.
+// The same minimum in less than half the iterations (2.4 to 2.8 times fewer), for a stiff body: the
+// final energy exceeds that of many uncorrected iterations by no more than the stopping tolerance
+// permits, 3.5e-5 here.
 TEST(Acceleration, halves_the_iterations)
 {
   const CP::Conforming_body_3 body = bar();
@@ -80,7 +81,7 @@ TEST(Acceleration, halves_the_iterations)
   }
 }
 
-// Whatever the target is, also where cells turn over and with springs, the energy never rises.
+// For any target, including inverted cells and springs, the energy never increases.
 TEST(Acceleration, energy_never_rises)
 {
   const CP::Conforming_body_3 body = bar();
@@ -106,8 +107,8 @@ TEST(Acceleration, energy_never_rises)
   }
 }
 
-// The paper's scheme stays what it is: with a Tikhonov term or fairing the window does not matter,
-// bit by bit.
+// The scheme of the paper is unchanged: with a Tikhonov term or fairing, the window does not
+// matter, bit by bit.
 TEST(Acceleration, leaves_the_papers_scheme_alone)
 {
   const CP::Conforming_body_3 body = bar();
@@ -126,7 +127,7 @@ TEST(Acceleration, leaves_the_papers_scheme_alone)
   }
 }
 
-// All sums are taken in an order that does not depend on the threads: the same bytes.
+// The order of all sums is independent of the threads: the same bytes.
 TEST(Acceleration, number_of_threads_does_not_matter)
 {
   const CP::Conforming_body_3 body = bar();

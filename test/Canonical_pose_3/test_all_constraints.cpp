@@ -33,7 +33,8 @@ using CP::Point_matrix;
 
 namespace {
 
-// One constraint of each kind on the bar; `motion` moves what depends on the frame.
+// One constraint of each kind on the bar; `motion` is applied to everything that depends on the
+// frame.
 struct All_kinds
 {
   explicit All_kinds(const Eigen::Isometry3d& motion = Eigen::Isometry3d::Identity())
@@ -64,8 +65,8 @@ struct All_kinds
 
 } // namespace
 
-// At the end the energy is stationary: its central differences vanish in every direction, as the
-// step of the registrar would not if matrix, right-hand side and energy did not belong together.
+// The final energy is stationary: its central differences vanish in every direction. They would not
+// if matrix, right-hand side and energy were inconsistent.
 TEST(All_constraints, ends_where_the_gradient_vanishes)
 {
   const CP::Conforming_body_3 body = Canonical_pose_test::bar_body(12, 2, 2);
@@ -79,7 +80,7 @@ TEST(All_constraints, ends_where_the_gradient_vanishes)
   EXPECT_TRUE(Canonical_pose_test::never_rises(summary.energy_history));
   EXPECT_GT(summary.energy_constraints, 1e-4);
 
-  registrar.set_number_of_iterations(0); // tells the energy
+  registrar.set_number_of_iterations(0); // only evaluates the energy
   const auto energy
     = [&](Point_matrix points) { return registrar.register_to_target(points).energy; };
   CGAL::Random random(3);
@@ -96,7 +97,7 @@ TEST(All_constraints, ends_where_the_gradient_vanishes)
   }
 }
 
-// With everything moved rigidly, what is given by vectors and positions too, the pose moves likewise.
+// If everything is moved rigidly, including given vectors and positions, so is the pose.
 TEST(All_constraints, follows_rigid_motions)
 {
   const CP::Conforming_body_3 body = Canonical_pose_test::bar_body(12, 2, 2);

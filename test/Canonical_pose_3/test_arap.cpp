@@ -42,7 +42,7 @@ Point_matrix bent_bar_points(const double angle)
 
 } // namespace
 
-// A registrar that was moved goes on with factor and target as if it had not been.
+// A moved registrar keeps factor and target.
 TEST(Arap, registrars_can_be_moved)
 {
   const CP::Conforming_body_3 body = bar_body();
@@ -58,7 +58,7 @@ TEST(Arap, registrars_can_be_moved)
 }
 
 // A target that is a rigid motion of the rest pose has E = 0, and rotations fitted to it are exact:
-// the iteration ends at the target at once. Large rotations are no harder than small ones.
+// the iteration ends at the target immediately. Large rotations are no harder than small ones.
 TEST(Arap, rigid_target_is_reached_with_energy_zero)
 {
   const CP::Conforming_body_3 body = bar_body();
@@ -81,8 +81,8 @@ TEST(Arap, rigid_target_is_reached_with_energy_zero)
 }
 
 // At a minimum the gradient vanishes. The gradient is checked by central differences of the energy,
-// which is evaluated anew (zero iterations from a warm start), so that an error in matrix or
-// right-hand side would show.
+// which is reevaluated (zero iterations from a warm start), so that errors in matrix or right-hand
+// side are detected.
 TEST(Arap, result_is_a_stationary_point_of_the_reported_energy)
 {
   const CP::Conforming_body_3 body = Canonical_pose_test::bar_body(3, 1, 1);
@@ -109,8 +109,8 @@ TEST(Arap, result_is_a_stationary_point_of_the_reported_energy)
     }
 }
 
-// Both steps minimize E over their unknowns, hence it cannot rise; with Tikhonov neither. Random
-// targets, some of them reflected so that cells turn over.
+// Both steps minimize E over their unknowns, so it cannot increase, even with a Tikhonov term.
+// Random targets, some of them mirrored, so that cells are inverted.
 TEST(Arap, energy_never_rises)
 {
   const CP::Conforming_body_3 body = bar_body();
@@ -158,8 +158,8 @@ TEST(Arap, units_do_not_matter)
   EXPECT_LT((pose_in_unit(1e-6) - pose).norm(), 1e-6);
 }
 
-// The two solvers factor the same matrix, and rotations in closed form are those of CGAL's singular
-// value decomposition: same pose up to rounding.
+// The two solvers factor the same matrix, and rotations in closed form agree with those of CGAL's
+// singular value decomposition: same pose up to rounding.
 TEST(Arap, solvers_and_rotations_agree)
 {
   const CP::Conforming_body_3 body = bar_body();
@@ -179,8 +179,8 @@ TEST(Arap, solvers_and_rotations_agree)
   EXPECT_LT((pose_of(Canonical_pose_test::Registrar(body, weights, 8.)) - pose).norm(), 1e-9);
 }
 
-// A warm start from the result has nothing left to do; a smaller detail length comes nearer to the
-// target.
+// A warm start from the result converges immediately; a smaller detail length yields a pose closer
+// to the target.
 TEST(Arap, warm_start_and_detail_length)
 {
   const CP::Conforming_body_3 body = bar_body();
@@ -202,8 +202,7 @@ TEST(Arap, warm_start_and_detail_length)
   }
 }
 
-// A body vertex without target (weight 0) starts and ends where its neighbors carry it: with a
-// rigid target exactly there.
+// A body vertex without target (weight 0) follows its neighbors: exactly, for a rigid target.
 TEST(Arap, vertices_without_target_follow)
 {
   const CP::Conforming_body_3 body = bar_body();

@@ -84,8 +84,8 @@ shapes::Tetrahedral_soup star(const unsigned int subdivisions)
   std::free(memory);
 }
 
-// The matrix is defined by its sum over the cells. In the star every cell has the center, whose column is
-// full; the box has more columns than a block.
+// The matrix is defined by its sum over the cells. In the star, every cell contains the center,
+// whose column is full; the box has more columns than a block.
 TEST(Arap_energy, matrix_is_the_sum_over_the_cells)
 {
   for(const shapes::Tetrahedral_soup& body :
@@ -115,8 +115,8 @@ TEST(Arap_energy, matrix_on_affine_functions)
   EXPECT_LE((matrix * Eigen::VectorXd::Ones(points.rows())).norm(), 1e-11 * matrix.norm());
 }
 
-// A cell has 16 entries, each of which is stored a few times at most, and 4 corners: the bytes per cell are
-// bounded. A vector over all vertices for each block of columns took 7 000 bytes per cell here.
+// A cell has 16 entries, each stored at most a few times, and 4 corners: the bytes per cell are
+// bounded. A vector of all vertices for each block of columns would take 7 000 bytes per cell here.
 TEST(Arap_energy, memory_of_the_matrix_is_linear_in_the_cells)
 {
   shapes::Tetrahedral_soup separate_cells;

@@ -7,7 +7,7 @@
 //
 // Author(s) : The Canonical_pose_3 authors
 
-// Archetypes: each class here has what its concept asks for and nothing else, and runs on data.
+// Archetypes: classes with only the requirements of their concepts, run on data.
 
 #include <CGAL/Canonical_pose_3/Landmark_mds_target_builder_3.h>
 #include <CGAL/Canonical_pose_3/Tetrahedral_arap_registrar_3.h>
@@ -29,7 +29,7 @@ using CP::Point_matrix;
 
 namespace {
 
-// A model of ElasticBody_3 whose surface lies inside the cells: B has four entries per row.
+// A model of ElasticBody_3 whose surface is inside the cells: B has four entries per row.
 class Hanging_body
 {
 public:
@@ -61,7 +61,7 @@ private:
   Eigen::SparseMatrix<double> m_embedding;
 };
 
-// A model of RegistrationConstraint_3 that draws a vertex to a point: kappa |x_v - c|^2.
+// A model of RegistrationConstraint_3 that pulls a vertex to a point: kappa |x_v - c|^2.
 struct Handle
 {
   std::size_t matrix_revision() const { return revision; }
@@ -106,8 +106,8 @@ CP::Registration_options to_the_end()
 
 } // namespace
 
-// Rows of B sum to 1, so that a rigid motion of the body moves the surface likewise: a rigid target
-// is reached with energy 0 although no body vertex has a target of its own.
+// Rows of B sum to 1, so a rigid motion of the body also moves the surface: a rigid target is
+// reached with energy 0 although no body vertex has its own target.
 TEST(Archetypes, body_on_which_the_surface_hangs)
 {
   const Hanging_body body;
@@ -127,8 +127,8 @@ TEST(Archetypes, body_on_which_the_surface_hangs)
   EXPECT_TRUE(Canonical_pose_test::never_rises(summary.energy_history));
 }
 
-// A handle of huge stiffness is met; with target and handle both shifted by the same vector the
-// whole body is.
+// A handle of huge stiffness is satisfied; if target and handle are shifted by the same vector, so
+// is the entire body.
 TEST(Archetypes, constraint)
 {
   const Hanging_body body;
@@ -152,8 +152,8 @@ TEST(Archetypes, constraint)
   registrar.register_to_target(shifted);
   EXPECT_LT(((shifted.rowwise() - shift) - pose).norm(), 1e-6);
 
-  // Another stiffness is another matrix, which the revision tells. The surface lies on its target again, but
-  // for the 2e-5 that the handle, 2 away, still pulls its vertex.
+  // A different stiffness changes the matrix and its revision. The surface returns to its target,
+  // except for 2e-5 due to the handle at distance 2.
   handle.stiffness = 1e-6;
   ++handle.revision;
   Point_matrix loose;

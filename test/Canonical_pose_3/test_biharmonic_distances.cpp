@@ -31,7 +31,7 @@ namespace {
 const double INF = std::numeric_limits<double>::infinity();
 
 // All distances from vertex 0 by the definition with Green's functions, without eigenvalues: with Z
-// the inverse of the Laplacian on functions of mean 0, they come from Z M Z.
+// the inverse of the Laplacian on functions of mean 0, they are obtained from Z M Z.
 Eigen::VectorXd distances_by_green(const Mesh& mesh)
 {
   const auto rows = CP::internal::number_vertices(mesh);
@@ -50,8 +50,8 @@ Eigen::VectorXd distances_by_green(const Mesh& mesh)
 
 } // namespace
 
-// With all eigenfunctions the sum is the definition by Green's functions, which needs no
-// eigenvalue. There are fewer than asked for.
+// With all eigenfunctions, the sum equals the definition by Green's functions, which requires no
+// eigenvalues. There are fewer eigenfunctions than requested.
 TEST(Biharmonic_distances, equal_those_by_green_functions)
 {
   for(const Mesh& mesh :
@@ -87,7 +87,7 @@ TEST(Biharmonic_distances, sphere)
   EXPECT_LT(largest_error, 0.01);
 }
 
-// Euclidean distances between points of the embedding: symmetric to the last bit, and a metric up to
+// Euclidean distances between points of the embedding: bitwise symmetric, and a metric up to
 // rounding.
 TEST(Biharmonic_distances, are_a_metric)
 {
@@ -101,8 +101,8 @@ TEST(Biharmonic_distances, are_a_metric)
       EXPECT_LT((d.col(i).array() - d.col(j).array()).abs().maxCoeff(), d(i, j) + 1e-12);
 }
 
-// A power of two changes no bit, numbers near the ends of the range included; components have
-// nothing to do with each other, and vertices without face only with themselves.
+// A power of two changes no bit, even for numbers near the ends of the range; components and
+// isolated vertices are independent of each other.
 TEST(Biharmonic_distances, scale_and_components)
 {
   Triangle_soup soup = torus_soup(24, 12, 1., 0.4);

@@ -59,8 +59,8 @@ CP::Point_matrix random_points(CGAL::Random& random, const Eigen::Index n)
 
 } // namespace
 
-// Barycentric coordinates reproduce affine functions, inside of a cell, on its border and outside: nothing but
-// rounding is left, in proportion to the distance.
+// Barycentric coordinates reproduce affine functions, inside a cell, on its boundary and outside:
+// only rounding errors remain, proportional to the distance.
 TEST(Body_deformer, is_exact_for_affine_functions)
 {
   const shapes::Tetrahedral_soup soup = shapes::tetrahedral_bent_bar(12, 2, 2, 1.);
@@ -83,8 +83,8 @@ TEST(Body_deformer, is_exact_for_affine_functions)
   }
 }
 
-// A bar of one row of boxes, each cell of which has corners on every side of its box: a point in a cell is embedded in
-// that cell, so that it follows any motion of the corners with the same coordinates.
+// A bar of one row of boxes, in which each cell has corners on every side of its box: a point in a
+// cell is embedded in that cell, so it follows any motion of the corners with the same coordinates.
 TEST(Body_deformer, points_in_cells_follow_their_corners)
 {
   const shapes::Tetrahedral_soup soup = shapes::tetrahedral_box(20, 1, 1, {{8., 1., 1.}});
@@ -110,8 +110,9 @@ TEST(Body_deformer, points_in_cells_follow_their_corners)
   EXPECT_LE((deformer.embedding(body.points()) * pose - pose).cwiseAbs().maxCoeff(), 1e-12);
 }
 
-// A bar bent by more than a full turn, and askew: its ends lie in one another, but no faces on faces. Points on the surface of either follow that
-// one, as the corners of their triangle do, when the bar is straightened; so do points a little inside.
+// A bar bent by more than 360 degrees, and skewed: its ends overlap, but no faces coincide. When
+// the bar is straightened, points on the surface of either end follow this end, like the corners of
+// their triangle; so do points slightly inside.
 TEST(Body_deformer, points_follow_the_part_that_they_lie_on)
 {
   shapes::Tetrahedral_soup soup = shapes::tetrahedral_box(40, 1, 1, {{8., 1., 1.}});

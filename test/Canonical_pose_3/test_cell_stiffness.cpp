@@ -27,8 +27,8 @@ using Canonical_pose_test::conforming_bar;
 using CP::Point_matrix;
 using Eigen::VectorXd;
 
-// Where surface and body have the same vertices a cell takes the mean of its corners; and a constant
-// stays one.
+// If surface and body have the same vertices, the value of a cell is the mean of its corners; a
+// constant remains constant.
 TEST(Cell_stiffness, is_the_mean_of_the_corners)
 {
   const CP::Conforming_body_3 body = conforming_bar(0.);
@@ -46,15 +46,16 @@ TEST(Cell_stiffness, is_the_mean_of_the_corners)
             VectorXd::Ones(result.size()));
 }
 
-// Only one edge of the bar is surface: values run inwards from there, stay between the extremes, and
-// do not depend on the order of cells and body vertices. A second bar right beside has its own.
+// Only one edge of the bar is surface: values propagate inward from there, stay between the
+// extremes, and do not depend on the order of cells and body vertices. An adjacent second bar has
+// its own values.
 TEST(Cell_stiffness, runs_inwards)
 {
   const CP::Conforming_body_3 bar = conforming_bar(0.);
   const Eigen::Index n = bar.points().rows(), edge = 13;
-  const int step = 7; // no divisor of 2n - 2 * edge: a permutation of the body vertices inside
+  const int step = 7; // coprime to 2n - 2 * edge: permutes the interior body vertices
   std::vector<int> rows(static_cast<std::size_t>(2 * n)), relabeled(rows.size());
-  for(Eigen::Index v = 0; v < n; ++v) // first the two edges
+  for(Eigen::Index v = 0; v < n; ++v) // the two edges first
     for(int copy = 0; copy < 2; ++copy)
       rows[static_cast<std::size_t>(v + copy * n)]
         = static_cast<int>(v < edge ? v + copy * edge : 2 * edge + (v - edge) + copy * (n - edge));
@@ -91,7 +92,7 @@ TEST(Cell_stiffness, runs_inwards)
   EXPECT_LE(result.head(half).maxCoeff(), 2);
   EXPECT_GE(result.tail(half).minCoeff(), 10);
   EXPECT_LE(result.tail(half).maxCoeff(), 20);
-  EXPECT_LT(result[0], result[half - 1]); // as the values do, along the bar
+  EXPECT_LT(result[0], result[half - 1]); // increases along the bar, like the given values
   const VectorXd other = CP::cell_stiffness(body(relabeled, true), shares, values);
   EXPECT_LT((other.reverse() - result).cwiseAbs().maxCoeff(), 1e-12);
 }

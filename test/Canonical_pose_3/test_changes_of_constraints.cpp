@@ -60,8 +60,8 @@ struct Push
 
 } // namespace
 
-// Adding, changing and removing a few constraints: one factorization for all, and the poses that new
-// registrars find.
+// Adding, modifying and removing a few constraints: one factorization for all, and the same poses
+// as those of new registrars.
 TEST(Changes_of_constraints, poses_are_those_of_new_factorizations)
 {
   const CP::Conforming_body_3 body = Canonical_pose_test::bar_body(40, 3, 3);
@@ -113,9 +113,9 @@ TEST(Changes_of_constraints, poses_are_those_of_new_factorizations)
   EXPECT_EQ(steps, 6);
 }
 
-// Many constraints are put into a new factorization; they can then be removed one by one.
-// A new detail length gives the bytes that a new registrar gives, with constraints and after an update of the factor,
-// and costs one factorization; one that is refused changes nothing.
+// Many constraints lead to a new factorization; they can then be removed one by one. A new detail
+// length yields the same bytes as a new registrar, with constraints and after an update of the
+// factor, and costs one factorization; a refused one changes nothing.
 TEST(Changes_of_constraints, detail_length)
 {
   const CP::Conforming_body_3 body = Canonical_pose_test::bar_body(40, 3, 3);
@@ -172,8 +172,8 @@ TEST(Changes_of_constraints, many_constraints_are_factored)
   EXPECT_THROW(registrar.remove_constraint(registrar), CGAL::Precondition_exception);
 }
 
-// A matrix that is not positive definite is refused in the same words, at first and later, and
-// leaves a registrar that can be used again.
+// A matrix that is not positive definite is refused with the same message, initially and later, and
+// the registrar can still be used.
 TEST(Changes_of_constraints, indefinite_constraints_are_refused)
 {
   const CP::Conforming_body_3 body = Canonical_pose_test::bar_body(40, 3, 3);

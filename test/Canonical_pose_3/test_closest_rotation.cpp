@@ -73,9 +73,9 @@ bool is_rotation(const Matrix3d& r)
 
 } // namespace
 
-// Where the closest rotation is unique by a margin, that is, the sum of the two smaller singular
-// values (with sign) is not small, the closed form has twelve digits: near rotations, stretched,
-// reflected, flat, and in any unit.
+// If the closest rotation is clearly unique, that is, the sum of the two smaller singular values
+// (with sign) is not small, the closed form is accurate to twelve digits: near rotations,
+// stretched, reflected, flat, and in any unit.
 TEST(Closest_rotation, is_that_of_the_singular_value_decomposition)
 {
   Random_matrices random;
@@ -101,8 +101,8 @@ TEST(Closest_rotation, is_that_of_the_singular_value_decomposition)
   }
 }
 
-// Where it is not unique, what is found is a rotation, and no rotation is closer: trace(R^t F) is the
-// sum of the singular values, the smallest one with the sign of the determinant.
+// If it is not unique, the result is a rotation, and no rotation is closer: trace(R^t F) is the sum
+// of the singular values, the smallest one with the sign of the determinant.
 TEST(Closest_rotation, is_a_closest_one_where_it_is_not_unique)
 {
   Random_matrices random;
@@ -130,8 +130,9 @@ TEST(Closest_rotation, is_a_closest_one_where_it_is_not_unique)
   }
 }
 
-// At the double root of a matrix of rank one both the polynomial and its derivative are rounding errors, whose
-// quotient is any number; in one of some ten thousand matrices it once passed for the last step.
+// At the double root of a matrix of rank one both the polynomial and its derivative are rounding
+// errors, whose quotient is arbitrary; for about one in ten thousand matrices, it was mistaken for
+// the last step.
 TEST(Closest_rotation, of_matrices_of_rank_one)
 {
   Random_matrices random;
@@ -144,7 +145,7 @@ TEST(Closest_rotation, of_matrices_of_rank_one)
   }
 }
 
-// Numbers that are not finite neither hang nor spoil the lanes beside them.
+// Non-finite numbers neither cause endless loops nor affect other lanes.
 TEST(Closest_rotation, of_what_is_not_finite_is_a_rotation)
 {
   Random_matrices random;
@@ -164,7 +165,7 @@ TEST(Closest_rotation, of_what_is_not_finite_is_a_rotation)
   }
 }
 
-// A model of CGAL's concept can be given instead.
+// A model of CGAL's concept can be used instead.
 TEST(Closest_rotation, by_traits)
 {
   using Traits = CGAL::Deformation_Eigen_closest_rotation_traits_3;

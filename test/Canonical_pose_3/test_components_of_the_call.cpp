@@ -35,7 +35,7 @@ namespace {
 
 const Eigen::Index small_size = Eigen::Index(small_bar().points.size());
 
-// The small one first, 20 to the left of the other.
+// The small bar first, 20 to the left of the other.
 Polygon_soup two_bars() { return shapes::merged(small_bar(), bar(), 20.); }
 
 CP::Options largest_component()
@@ -55,7 +55,7 @@ Point_matrix pose_of_followers(const Polygon_soup& soup, const CP::Options& opti
 
 } // namespace
 
-// The poses of the components are those that they have alone, in the same bytes.
+// The poses of the components are bitwise equal to those of separate calls.
 TEST(Components, each_is_posed_as_if_alone)
 {
   const Point_matrix pose = pose_of(two_bars(), shapes::each_component()).pose;
@@ -64,8 +64,8 @@ TEST(Components, each_is_posed_as_if_alone)
   EXPECT_EQ(pose.bottomRows(pose.rows() - small_size), pose_of(moved_bar, CP::Options()).pose);
 }
 
-// A vertex lies in its cell with the coordinates that its row of the embedding has: as a follower it goes where
-// it goes as a vertex. Of each component, whatever its size.
+// The coordinates of a vertex in its cell are its row of the embedding: a follower at a vertex
+// moves with it. This holds for each component, regardless of its size.
 TEST(Components, followers_go_with_the_nearest)
 {
   CP::Options options = shapes::each_component();
@@ -75,7 +75,7 @@ TEST(Components, followers_go_with_the_nearest)
   EXPECT_LT((followers - pose).cwiseAbs().maxCoeff(), 1e-9);
 }
 
-// Vertices of no face are attached to the nearest component; a copy of a vertex goes where that goes.
+// Isolated vertices are attached to the nearest component; a copy of a vertex moves with it.
 TEST(Components, isolated_vertices_go_with_the_nearest)
 {
   Polygon_soup soup = two_bars();
@@ -88,7 +88,8 @@ TEST(Components, isolated_vertices_go_with_the_nearest)
   }
 }
 
-// The largest one has the pose that it has alone. The others are moved as the body says, but keep their shape.
+// The pose of the largest component is that of a separate call. The others move with the body, but
+// keep their shape.
 TEST(Components, the_largest_carries_followers_and_the_others)
 {
   const Polygon_soup moved_bar = shapes::merged({}, bar(), 20.);
@@ -104,7 +105,7 @@ TEST(Components, the_largest_carries_followers_and_the_others)
   EXPECT_LT((followers.topRows(small_size).colwise().mean() - small.colwise().mean()).norm(), 1e-9);
 }
 
-// Each of many has the bytes that it has alone.
+// Each of many components is bitwise equal to the result of a separate call.
 TEST(Components, many)
 {
   Polygon_soup soup;
@@ -117,7 +118,7 @@ TEST(Components, many)
               pose_of(shapes::merged({}, small_bar(), 8. * i), CP::Options()).pose);
 }
 
-// Constraints that cannot hold are named by the elements of the input, never left out.
+// Constraints that cannot hold are reported by elements of the input, never ignored.
 TEST(Components, constraints_that_do_not_fit_are_refused)
 {
   const auto expect_refused = [](const Polygon_soup& soup, CP::Options options,
@@ -140,7 +141,7 @@ TEST(Components, constraints_that_do_not_fit_are_refused)
   expect_refused(soup, CP::Options(), {0, twin, 1, 1}, "which are at the same position");
 }
 
-// A constraint within a component acts as it does there alone.
+// A constraint within a component has the same effect as in a separate call.
 TEST(Components, constraints_belong_to_their_component)
 {
   CP::Options options = shapes::each_component();
@@ -150,7 +151,7 @@ TEST(Components, constraints_belong_to_their_component)
   EXPECT_GT((pose - pose_of(two_bars(), shapes::each_component()).pose).norm(), 1e-3);
 }
 
-// Where components have a vertex in common it can have one pose only, which is said.
+// A vertex shared by components has only one pose, which is reported.
 TEST(Components, common_vertices_are_named)
 {
   const Polygon_soup soup = shapes::pinched_balls();
@@ -159,7 +160,7 @@ TEST(Components, common_vertices_are_named)
   EXPECT_NE(result.summary.warnings[0].find("vertex 8"), std::string::npos);
 }
 
-// A part of the surface all of whose weights are 0 is named by a vertex of the input.
+// A part of the surface whose weights are all 0 is reported by a vertex of the input.
 TEST(Components, weights_of_a_component_must_not_all_be_zero)
 {
   CP::Options options = shapes::each_component();

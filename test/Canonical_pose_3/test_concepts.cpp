@@ -49,7 +49,7 @@ Point_matrix pose_of()
   return CP::point_matrix(mesh);
 }
 
-// A point of one's own, whose coordinates only the traits can reach.
+// A user-defined point, whose coordinates are only accessible through the traits.
 class My_point
 {
 public:
@@ -60,7 +60,7 @@ private:
   std::array<float, 3> m_coordinates = {};
 };
 
-// The least that CanonicalPoseTraits_3 asks for.
+// The minimal requirements of CanonicalPoseTraits_3.
 struct My_traits
 {
   using FT = float;
@@ -89,7 +89,7 @@ struct My_traits
   Construct_point_3 construct_point_3_object() const { return Construct_point_3(); }
 };
 
-// A complex of one's own: cells of a struct, vertices named by letters.
+// A user-defined complex: cells are structs, vertices are letters.
 struct My_complex
 {
   std::vector<My_point> points;
@@ -126,8 +126,8 @@ struct CGAL::Canonical_pose_3::Tetrahedral_complex_traits_3<My_complex>
   }
 };
 
-// Everything runs on the same arrays whatever the mesh is: two data structures with equal vertices
-// and faces give the same bytes. Kernels whose coordinates are the same numbers as well.
+// Everything runs on the same arrays for any mesh type: two data structures with equal vertices and
+// faces yield the same bytes. So do kernels with the same coordinates.
 TEST(Concepts, meshes_and_kernels_give_the_same_pose)
 {
   const Point_matrix pose = pose_of<Mesh>();
@@ -140,7 +140,7 @@ TEST(Concepts, meshes_and_kernels_give_the_same_pose)
             1e-2);
 }
 
-// Input points and pose in maps that are not the mesh's; removed vertices must not count.
+// Input points and pose in external property maps; removed vertices must not count.
 TEST(Concepts, own_point_map_and_removed_elements)
 {
   const Point_matrix pose = pose_of<Mesh>();
@@ -165,7 +165,7 @@ TEST(Concepts, own_point_map_and_removed_elements)
       EXPECT_EQ(output[vertices[i]][k], pose(static_cast<Eigen::Index>(i), k));
 }
 
-// A complex and points with nothing but what the concepts ask for run on data, and agree with
+// A complex and points with only the requirements of the concepts are run on data, and agree with
 // indexed tetrahedra up to the single precision of these points.
 TEST(Concepts, own_complex_and_own_traits)
 {

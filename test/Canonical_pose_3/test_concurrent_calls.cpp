@@ -7,7 +7,7 @@
 //
 // Author(s) : The Canonical_pose_3 authors
 
-// Several calls at once from threads of the user's program give the same bytes as one after the other.
+// Concurrent calls from threads of the user program return the same bytes as sequential calls.
 
 #include <CGAL/Canonical_pose_3/internal/linear_algebra/Sparse_factor.h>
 #include <CGAL/canonical_pose_3.h>
@@ -32,7 +32,7 @@ namespace shapes = Canonical_pose_test;
 
 namespace {
 
-// Runs the jobs, each of which returns a matrix, one after the other and then at once, again and again.
+// Runs the jobs, each of which returns a matrix, sequentially and then repeatedly at once.
 void expect_same_bytes(const std::vector<std::function<Eigen::MatrixXd()>>& jobs, const int times)
 {
   std::vector<Eigen::MatrixXd> expected, results(jobs.size());
@@ -76,8 +76,8 @@ Eigen::SparseMatrix<double> volume_matrix(const int n)
 
 } // namespace
 
-// Matrices of volumes are large enough for CHOLMOD to call METIS, which seeds the random numbers of the process and
-// draws from them.
+// Matrices of volumes are large enough for CHOLMOD to call METIS, which seeds and uses the random
+// generator of the process.
 TEST(Concurrent_calls, factors_of_volumes)
 {
   std::vector<std::function<Eigen::MatrixXd()>> jobs;

@@ -59,7 +59,7 @@ struct Pair
   Eigen::VectorXd weights = Eigen::VectorXd::Zero(8);
 };
 
-// All points of the bar of 12 x 2 x 2 boxes, paired with their mirror images in its middle.
+// All points of the bar of 12 x 2 x 2 boxes, paired with their mirror images about its middle.
 CP::Symmetry_constraint_adaptor_3 symmetry_of_bar(const double stiffness)
 {
   CP::Symmetry_constraint_adaptor_3 result(13 * 9);
@@ -71,8 +71,8 @@ CP::Symmetry_constraint_adaptor_3 symmetry_of_bar(const double stiffness)
 
 } // namespace
 
-// For targets P, Q of weight m each and a prescribed difference d, stationarity gives p - q = (m (P - Q) +
-// kappa d) / (m + kappa), and the middle stays where it is.
+// For targets P, Q of weight m each and a prescribed difference d, stationarity gives p - q = (m (P
+// - Q) + kappa d) / (m + kappa), and the midpoint does not move.
 TEST(Constrained_registration, direction_in_equilibrium_is_exact)
 {
   const Pair pair;
@@ -112,7 +112,7 @@ TEST(Constrained_registration, handle_in_equilibrium_is_exact)
   }
 }
 
-// A symmetric target is reached as if there were no constraint: energy 0, wherever it lies.
+// A symmetric target is reached as without constraint, with energy 0, regardless of its position.
 TEST(Constrained_registration, symmetric_target_costs_nothing)
 {
   const CP::Conforming_body_3 body = Canonical_pose_test::bar_body(12, 2, 2);
@@ -130,13 +130,13 @@ TEST(Constrained_registration, symmetric_target_costs_nothing)
   EXPECT_LT((pose - target).norm(), 1e-4);
 }
 
-// An unsymmetric target: the stiffer the constraint, the more symmetric the pose.
+// An asymmetric target: the stiffer the constraint, the more symmetric the pose.
 TEST(Constrained_registration, symmetry_grows_with_stiffness)
 {
   const CP::Conforming_body_3 body = Canonical_pose_test::bar_body(12, 2, 2);
   Point_matrix target = body.points();
   for(Eigen::Index i = 0; i < target.rows(); ++i)
-    if(target(i, 0) < 4) // this half bends upwards
+    if(target(i, 0) < 4) // this half bends upward
     {
       const auto p
         = Canonical_pose_test::bend({4 - target(i, 0), target(i, 1), target(i, 2)}, 4, 2);

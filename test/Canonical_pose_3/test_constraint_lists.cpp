@@ -24,7 +24,7 @@ constexpr int n = number_of_points;
 
 } // namespace
 
-// What a list has become by changes is what it would be had it been made so.
+// A modified list is equal to one constructed with the same elements.
 TEST(Constraints, changes_and_removals)
 {
   CP::Spring_constraint_adaptor_3 changed = springs();
@@ -36,7 +36,7 @@ TEST(Constraints, changes_and_removals)
   changed.replace(0, {2, 1, 3., 0.3});
   Point_matrix x = Point_matrix::Zero(n, 3);
   x.row(2) << 0, 1, 0;
-  right_hand_side_of(changed, x); // remembers the direction, for when the ends coincide
+  right_hand_side_of(changed, x); // stores the direction, for coincident ends
   changed.erase(0);
   CP::Spring_constraint_adaptor_3 made(n);
   made.insert({2, 1, 3., 0.3});
@@ -49,9 +49,9 @@ TEST(Constraints, changes_and_removals)
   EXPECT_THROW(changed.erase(0), CGAL::Precondition_exception);
 }
 
-// Each spring remembers its own last direction for when its ends coincide: whoever removes another one,
-// and however, but not if it is put between other vertices. With the directions e_s remembered and all
-// points in one place, row p_s of the right-hand side is kappa_s/2 r_s e_s.
+// Each spring stores its last direction in case its ends coincide, even if other springs are
+// removed in any way, unless its vertices change. With stored directions e_s and all points at the
+// same position, row p_s of the right-hand side is kappa_s/2 r_s e_s.
 TEST(Constraints, springs_remember_their_own_directions)
 {
   const Point_matrix nowhere = Point_matrix::Zero(n, 3);
@@ -72,7 +72,7 @@ TEST(Constraints, springs_remember_their_own_directions)
 
   springs.set_rest_length(0, 4.);
   springs.set_stiffness(0, 4.);
-  springs.insert({1, 0, 3., 2.}); // which has none yet: the first axis
+  springs.insert({1, 0, 3., 2.}); // without direction yet: the first axis
   rows = right_hand_side_of(springs, nowhere);
   EXPECT_EQ(rows.row(1), RowVector3d(3, 0, 0));
   EXPECT_EQ(rows.row(2), 8 * x.row(2));
@@ -84,7 +84,7 @@ TEST(Constraints, springs_remember_their_own_directions)
   EXPECT_EQ(rows.row(4), RowVector3d(3, 0, 0));
 }
 
-// Without a pair every plane is as good; the energy is 0 without one.
+// Without pairs, all planes are equally good; the energy is 0 without a plane.
 TEST(Constraints, plane_of_no_pair)
 {
   CP::Symmetry_constraint_adaptor_3 pairs(n);

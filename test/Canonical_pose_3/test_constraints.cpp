@@ -34,9 +34,9 @@ Point_matrix random_points(CGAL::Random& random, const double size = 1)
   return points;
 }
 
-// The concept's promise, from which follows that the energy of a registration never rises: q(y) =
-// tr(y^t C y) - 2 tr(y^t D(x)) + const lies above e(y) everywhere and touches it at x. Hence the
-// gradient of e at x is 2 (C x - D(x)), here compared with central differences.
+// The requirement of the concept that implies that the energy of a registration never increases:
+// q(y) = tr(y^t C y) - 2 tr(y^t D(x)) + const is above e(y) everywhere and touches it at x. Hence
+// the gradient of e at x is 2 (C x - D(x)), which is compared with central differences.
 template <class Constraint>
 void expect_majorised(Constraint constraint)
 {
@@ -102,8 +102,9 @@ TEST(Constraints, energies_follow_rigid_motions)
   expect_same_energy_when_moved(handles(), moved_handles);
 }
 
-// The formula against a search over the half sphere of normals, for each of which the best offset
-// is the weighted mean. The mesh has a width of about 0.01, so the best of it is near the minimum.
+// Compares the formula with a search over the hemisphere of normals, for each of which the best
+// offset is the weighted mean. The samples are about 0.01 apart, so the best one is near the
+// minimum.
 TEST(Constraints, plane_of_symmetry_is_the_best_of_all)
 {
   CGAL::Random random(9);
@@ -113,7 +114,7 @@ TEST(Constraints, plane_of_symmetry_is_the_best_of_all)
     const Point_matrix x = random_points(random);
     double best = std::numeric_limits<double>::infinity();
     constexpr int N = 40000;
-    for(int k = 0; k < N; ++k) // Fibonacci's spiral
+    for(int k = 0; k < N; ++k) // Fibonacci spiral
     {
       const double z = (k + 0.5) / N, r = std::sqrt(1 - z * z), angle = 2.399963229728653 * k;
       const RowVector3d normal(r * std::cos(angle), r * std::sin(angle), z);
@@ -136,8 +137,8 @@ TEST(Constraints, plane_of_symmetry_is_the_best_of_all)
   }
 }
 
-// A symmetric set of points costs nothing, whatever its place and unit; nor do points that are all
-// at one place, which have no plane.
+// The energy of a symmetric point set is 0, regardless of position and unit; so is that of
+// coincident points, which have no plane.
 TEST(Constraints, symmetric_points_have_energy_zero)
 {
   CGAL::Random random(10);

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-// Each count is known by construction of the shape; no other program is asked.
+// Each count is known by construction of the shape.
 
 using namespace Canonical_pose_test;
 
@@ -105,7 +105,7 @@ TEST(Diagnosis, components_holes_and_intersections)
   EXPECT_EQ(defects(soup), Defects({"holes 2"}));
   EXPECT_EQ(diagnosis(soup).boundary_edges, 6u);
   EXPECT_GT(diagnosis(merged(ball(), ball(), 0.5)).self_intersections, 0u);
-  // where the surface is not manifold, too: a face through the ball, attached to an edge of it
+  // also if the surface is not manifold: a face through the ball, attached to one of its edges
   soup = ball_with_fin();
   soup.points[12] = {{3., -3., 0.5}};
   EXPECT_GT(diagnosis(soup).self_intersections, 0u);

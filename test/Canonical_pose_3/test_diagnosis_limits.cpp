@@ -32,7 +32,7 @@ TEST(Diagnosis, what_throws)
                     "vertex 3 has a coordinate that is not finite");
 }
 
-// All pairs of 1500 faces intersect, more than a million; the search ends at its bound.
+// All pairs of 1500 faces intersect, more than a million; the search stops at its bound.
 TEST(Diagnosis, search_for_intersections_is_bounded)
 {
   Polygon_soup soup;

@@ -24,8 +24,8 @@ using Exact = CGAL::Canonical_pose_3::Exact_geodesics_3<Mesh>;
 
 const double INF = std::numeric_limits<double>::infinity();
 
-// In a convex piece of the plane the shortest path is the straight segment, through triangles of
-// any shape.
+// In a convex planar region, the shortest path is the straight segment, through triangles of any
+// shape.
 TEST(Exact_geodesics, plane)
 {
   const Triangle_soup soup = stretched_square(12, 7.);
@@ -40,8 +40,8 @@ TEST(Exact_geodesics, plane)
   }
 }
 
-// On the unit cube the opposite corner is sqrt(5) away: the diagonal of two unfolded faces. That of
-// a face is sqrt(2).
+// On the unit cube, the opposite corner is at distance sqrt(5), the diagonal of two unfolded faces.
+// The diagonal of a face is sqrt(2).
 TEST(Exact_geodesics, cube)
 {
   Points corners;
@@ -67,7 +67,7 @@ TEST(Exact_geodesics, cube)
   EXPECT_NEAR(d[7], std::sqrt(5.), 1e-14);
 }
 
-// Exact distances are a metric. Powers of two scale them to the last bit.
+// Exact distances are a metric. Powers of two scale them bitwise.
 TEST(Exact_geodesics, metric_in_any_unit)
 {
   const Triangle_soup soup = torus_soup(16, 8, 2., 0.7);
@@ -91,8 +91,8 @@ TEST(Exact_geodesics, metric_in_any_unit)
     EXPECT_EQ(matrix(std::ldexp(1., exponent)), d * std::ldexp(1., exponent));
 }
 
-// The distance from several sources is the smallest of their distances, whichever is computed: on a
-// surface of two components, with a lonely vertex among the sources.
+// The distance from several sources is the smallest of their distances: on a surface of two
+// components, with an isolated vertex among the sources.
 TEST(Exact_geodesics, distance_to_nearest)
 {
   Mesh mesh = icosphere<Mesh>(2, 1.);
@@ -110,8 +110,8 @@ TEST(Exact_geodesics, distance_to_nearest)
   EXPECT_EQ(exact.distance_to_nearest(std::vector<Mesh::Vertex_index>()).minCoeff(), INF);
 }
 
-// The coordinates of all these meshes are the same numbers, which float holds exactly. The copy's
-// own numbers depend on the order of the halfedges, and its roundings with it.
+// The coordinates of all these meshes are the same numbers, which float represents exactly. The
+// numbering of the copy depends on the order of the halfedges, and so does rounding.
 TEST(Exact_geodesics, any_mesh_kernel_and_map)
 {
   Triangle_soup soup = torus_soup(10, 6, 2., 0.7);
@@ -146,7 +146,7 @@ TEST(Exact_geodesics, any_mesh_kernel_and_map)
     EXPECT_EQ(written[v], d[static_cast<Eigen::Index>(v.idx())]);
 }
 
-// Vertices of other components, and lonely ones, are infinitely far; removed ones have no row.
+// Vertices of other components, and isolated ones, are infinitely far; removed ones have no row.
 TEST(Exact_geodesics, components_and_removed_vertices)
 {
   Mesh mesh;
@@ -168,7 +168,8 @@ TEST(Exact_geodesics, components_and_removed_vertices)
   EXPECT_TRUE(d.col(2).tail(42).allFinite());
 }
 
-// The same refusals as the heat method's, and faces without area, which cannot be unfolded.
+// The same inputs as for the heat method are refused, and faces without area, which cannot be
+// unfolded.
 TEST(Exact_geodesics, bad_input)
 {
   const auto refusal = [](const Mesh& mesh) {

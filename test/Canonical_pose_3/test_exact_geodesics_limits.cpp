@@ -41,7 +41,7 @@ Triangle_soup joined(Triangle_soup a, const Triangle_soup& b)
   return a;
 }
 
-// A cone of rings that are half as large each, so that its faces are alike.
+// A cone of rings, each half the size of the previous one, with similar faces.
 Triangle_soup cone(const std::size_t rings)
 {
   const std::size_t n = 6;
@@ -61,7 +61,7 @@ Triangle_soup cone(const std::size_t rings)
   return result;
 }
 
-// In a convex piece of the plane the shortest path is the straight segment.
+// In a convex planar region, the shortest path is the straight segment.
 void expect_straight(const Triangle_soup& soup, const double tolerance)
 {
   const Mesh mesh = to_mesh<Mesh>(soup);
@@ -71,7 +71,7 @@ void expect_straight(const Triangle_soup& soup, const double tolerance)
               tolerance);
 }
 
-// No vertex is farther than by way of a neighbor, nor nearer than through the air.
+// No vertex is farther than through a neighbor, nor nearer than the Euclidean distance.
 void expect_consistent(const Triangle_soup& soup)
 {
   const Mesh mesh = to_mesh<Mesh>(soup);
@@ -97,7 +97,8 @@ void expect_refusal(const Triangle_soup& soup, const char* defect)
 
 } // namespace
 
-// In regular rows of thin faces CGAL loses some paths: vertices came out half the grid too far, or not reached at all.
+// In regular rows of thin faces, CGAL misses some paths: vertices were half the grid too far, or
+// not reached at all.
 TEST(Exact_geodesics, regular_rows_of_thin_faces)
 {
   for(const double thinness : {1e-2, 5.623413e-4, 3.162278e-4, 1e-4, 1e-6, 1e-9, 1e-12})
@@ -110,8 +111,8 @@ TEST(Exact_geodesics, regular_rows_of_thin_faces)
   }
 }
 
-// Needles and caps in no order give no trouble: in the plane distances are exact down to where faces are
-// refused.
+// Irregular needles and caps cause no trouble: in the plane, distances are exact up to the limits
+// at which faces are refused.
 TEST(Exact_geodesics, thin_faces_in_any_order)
 {
   for(const double thinness : {1e-2, 1e-6, 1e-10, 1e-12})
@@ -121,7 +122,7 @@ TEST(Exact_geodesics, thin_faces_in_any_order)
     Triangle_soup soup = plane_grid_soup(4, 4, 1, 1);
     for(std::size_t i = 0; i < soup.points.size(); ++i)
     {
-      auto& p = soup.points[i]; // those on the sides stay on them: the outline is convex
+      auto& p = soup.points[i]; // points on the sides stay there: the outline is convex
       if(p[0] > 0 && p[0] < 1)
         p[0] += shift(random);
       if(p[1] > 0 && p[1] < 1)
@@ -132,8 +133,8 @@ TEST(Exact_geodesics, thin_faces_in_any_order)
   }
 }
 
-// Faces whose shape is a matter of rounding are refused: CGAL came to infinite numbers or ended the
-// program. What its assertions report becomes one of ours.
+// Faces whose shape is dominated by rounding errors are refused: CGAL returned infinite numbers or
+// terminated the program. Exceptions of its assertions are converted.
 TEST(Exact_geodesics, faces_beyond_the_range_of_numbers)
 {
   for(const double thinness : {1e-15, 1e-20, 1e-70, 1e-160})
@@ -152,8 +153,8 @@ TEST(Exact_geodesics, faces_beyond_the_range_of_numbers)
                     "CGAL's shortest paths failed (a == b)");
 }
 
-// Components need not be of one size: where one is the same as the other but for a power of two, so are
-// its distances, to the last bit.
+// Components need not have the same size: if one is the other one scaled by a power of two, so are
+// its distances, bit by bit.
 TEST(Exact_geodesics, components_of_different_sizes)
 {
   const Triangle_soup large = icosphere_soup(1, 1);

@@ -7,8 +7,9 @@
 //
 // Author(s) : The Canonical_pose_3 authors
 
-// Face graphs that are not CGAL's. Everything runs on the same arrays whatever the mesh is: equal vertices and
-// faces in the same order give the same bytes, in every function that takes a face graph.
+// Face graphs that are not CGAL's. Everything runs on the same arrays whatever the mesh is: equal
+// vertices and faces in the same order yield the same bytes, in every function that takes a face
+// graph.
 
 #include "Triangle_graph.h"
 
@@ -64,8 +65,8 @@ Eigen::MatrixXd some_distances(const Canonical_pose_test::Triangle_soup& soup)
 
 } // namespace
 
-// The concept of CGAL asks for descriptors that can be hashed. Ours have std::hash and no dynamic property, or
-// the other way round: either will do.
+// CGAL's concept requires hashable descriptors. Here they have std::hash but no dynamic property,
+// or vice versa: either suffices.
 template <class Graph>
 class Archetypes_of_graphs : public testing::Test
 {};
@@ -94,7 +95,7 @@ struct Double_points : OpenMesh::DefaultTraits
 };
 using Open_mesh = OpenMesh::PolyMesh_ArrayKernelT<Double_points>;
 
-// The same mesh, but for a vertex that was removed and still takes the first place.
+// The same mesh, except for a removed vertex that still has index 0.
 Open_mesh open_mesh(const Canonical_pose_test::Triangle_soup& soup)
 {
   Open_mesh mesh;
@@ -152,7 +153,7 @@ TEST(Open_mesh, lies_in_the_same_lattice)
   EXPECT_EQ(Eigen::MatrixXd(body.embedding()), Eigen::MatrixXd(expected.embedding()));
 }
 
-// Into a map of its own: put() of CGAL's adaptor rounds to single precision.
+// In a separate map: put() of CGAL's adaptor rounds to single precision.
 TEST(Open_mesh, has_the_same_pose)
 {
   using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;

@@ -45,7 +45,7 @@ using Models = testing::Types<Eigen_factor_traits_d>;
 #endif
 TYPED_TEST_SUITE(Factor_traits, Models);
 
-// The residual needs no second solver; the condition of these matrices is below 1e4.
+// Residuals require no reference solver; the condition numbers of these matrices are below 1e4.
 TYPED_TEST(Factor_traits, solves)
 {
   for(const Sparse_matrix& matrix :
@@ -65,7 +65,7 @@ TYPED_TEST(Factor_traits, solves)
   }
 }
 
-// A column of a block is solved as if it were alone, from any number of threads.
+// The columns of a block are solved independently, from any number of threads.
 TYPED_TEST(Factor_traits, columns_are_independent)
 {
   for(const Sparse_matrix& matrix : {grid_matrix(40, 1, 0.01), grid_matrix(14, 14, 0.01)})
@@ -87,8 +87,8 @@ TYPED_TEST(Factor_traits, columns_are_independent)
   }
 }
 
-// The Laplacian alone is singular: its last pivot is rounding noise. A shift of -1 makes it
-// indefinite.
+// The Laplacian without shift is singular: its last pivot is a rounding error. A shift of -1 makes
+// it indefinite.
 TYPED_TEST(Factor_traits, refuses_what_is_not_positive_definite)
 {
   for(int m : {1, 14})
@@ -100,7 +100,7 @@ TYPED_TEST(Factor_traits, refuses_what_is_not_positive_definite)
   EXPECT_EQ(this->refusal(grid_matrix(14, 14, 1e-6)), "nothing");
 }
 
-// After a refusal nothing is factored; a new matrix of another size is.
+// After a refusal, a new matrix of a different size can be factored.
 TYPED_TEST(Factor_traits, is_used_again)
 {
   internal::Sparse_factor factor(internal::make_factor<TypeParam>);
@@ -137,8 +137,8 @@ TYPED_TEST(Factor_traits, vectors_of_cgal)
 }
 
 #if defined(CGAL_CANONICAL_POSE_3_USE_CHOLMOD) && defined(CGAL_CANONICAL_POSE_3_HAS_WEAK_OPENBLAS)
-// OpenBLAS splits sums by the number of its threads. Whatever the user sets, the bytes stay, and so
-// does the setting.
+// OpenBLAS splits sums depending on the number of its threads. For any user setting, results do not
+// change, and neither does the setting.
 TEST(Cholmod_factor_traits, holds_openblas_to_one_thread)
 {
   using namespace internal;

@@ -28,7 +28,7 @@
 #include "matchers.h"
 #include "shapes.h"
 
-// What the fuzzers found, one test each.
+// Bugs found by the fuzzers, one test each.
 
 using Canonical_pose_test::Triangle_soup;
 using CGAL::Canonical_pose_3::Options;
@@ -37,7 +37,7 @@ namespace {
 
 using Point_3 = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
 
-// The pose is there and finite.
+// There is a pose, and it is finite.
 void expect_pose(const Triangle_soup& soup, const Options& options)
 {
   std::vector<Point_3> points, pose;
@@ -51,7 +51,8 @@ void expect_pose(const Triangle_soup& soup, const Options& options)
 
 } // namespace
 
-// Chords that end on the cap of a hole have no vertex at their end: one out of range was used.
+// Chords that end on the cap of a hole have no vertex at their end: an out-of-range vertex was
+// used.
 TEST(Fuzz_findings, icosahedron_with_a_hole_and_a_reversed_face)
 {
   Triangle_soup soup = Canonical_pose_test::icosphere_soup(0, 1);
@@ -64,7 +65,7 @@ TEST(Fuzz_findings, icosahedron_with_a_hole_and_a_reversed_face)
   expect_pose(soup, options);
 }
 
-// The surface was sampled for cubes of this size, by gigabytes, before the size was looked at.
+// The surface was sampled for cubes of this size, requiring gigabytes, before the size was checked.
 TEST(Fuzz_findings, spacing_far_too_small)
 {
   Options options;
@@ -73,8 +74,8 @@ TEST(Fuzz_findings, spacing_far_too_small)
                     std::invalid_argument, "spacing");
 }
 
-// Vertices of no face are carried along by the nearest triangle: its plane was asked for where it had
-// none, and in coordinates whose fourth powers overflow.
+// Isolated vertices are attached to the nearest triangle: its plane was computed even if it was
+// degenerate, and in coordinates whose fourth powers overflow.
 TEST(Fuzz_findings, carried_by_a_flat_face_and_at_any_size)
 {
   Options options;
@@ -96,7 +97,7 @@ TEST(Fuzz_findings, carried_by_a_flat_face_and_at_any_size)
   }
 }
 
-// The faces of such a cell were oriented without end.
+// Orienting the faces of such a cell did not terminate.
 TEST(Fuzz_findings, cell_that_names_a_vertex_twice)
 {
   CGAL::Canonical_pose_3::Indexed_tetrahedra_3<Point_3> complex;

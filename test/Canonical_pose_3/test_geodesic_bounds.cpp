@@ -53,8 +53,8 @@ Eigen::MatrixXd plane_distances(const Rows& points)
   return result;
 }
 
-// What the triangle inequality promises; distances are kept as floats, of 24 bits. With a column per vertex,
-// vertex j is the landmark of column j, of which the first 32 count.
+// Checks the triangle inequality; distances are stored as floats, with 24 bits. With one column per
+// vertex, vertex j is the landmark of column j; the first 32 are used.
 void expect_bounds(const Eigen::MatrixXd& distances, const double unit)
 {
   const CP::internal::Geodesic_bounds bounds(distances, unit);
@@ -82,7 +82,8 @@ TEST(Geodesic_bounds, on_shapes_of_known_distances)
   }
 }
 
-// The bound is the largest difference over the landmarks, but for rounding to floats, also with one or two.
+// The bound is the largest difference over the landmarks, up to rounding to floats, also with one
+// or two landmarks.
 TEST(Geodesic_bounds, with_few_landmarks)
 {
   const Rows points = rows(shapes::icosphere_soup(2, 1.));
@@ -99,8 +100,8 @@ TEST(Geodesic_bounds, with_few_landmarks)
   }
 }
 
-// In the plane the distance of the middle of an edge is known from those of its ends, also when the ends are
-// middles themselves.
+// In the plane, the distance of the midpoint of an edge is determined by those of its endpoints,
+// even if these are midpoints themselves.
 TEST(Geodesic_bounds, of_middles_in_the_plane)
 {
   Rows points = rows(shapes::plane_grid_soup(4, 3, 3., 2.));

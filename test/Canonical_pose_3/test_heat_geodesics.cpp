@@ -28,12 +28,12 @@ using namespace Canonical_pose_test;
 using Heat = CGAL::Canonical_pose_3::Heat_geodesics_3<Mesh>;
 using Exact = CGAL::Canonical_pose_3::Exact_geodesics_3<Mesh>;
 
-// The heat method is consistent, not exact: on a quasi-uniform mesh the mean relative error is a
-// few percent, mostly smoothing next to the source and at the cut locus.
+// The heat method is consistent, not exact: on a quasi-uniform mesh, the mean relative error is a
+// few percent, mostly due to smoothing next to the source and at the cut locus.
 const double HEAT_TOLERANCE = 0.03;
 
-// In the plane the distance is Euclidean. The least-squares factor between the two finds a wrong
-// constant (2 is a classical one) even if the single errors are loose.
+// In the plane, distances are Euclidean. The least squares factor between the two detects a wrong
+// constant (typically 2) even if single errors are large.
 TEST(Heat_geodesics, absolute_scale_in_the_plane)
 {
   const Triangle_soup soup = plane_grid_soup(50, 50, 3., 3.);
@@ -45,7 +45,7 @@ TEST(Heat_geodesics, absolute_scale_in_the_plane)
   EXPECT_NEAR(d.dot(e) / e.squaredNorm(), 1., 0.01);
 }
 
-// On the sphere the distance is the angle times the radius.
+// On the sphere, the distance is the angle times the radius.
 TEST(Heat_geodesics, great_circles)
 {
   const Triangle_soup soup = icosphere_soup(4, 5.);
@@ -60,8 +60,7 @@ TEST(Heat_geodesics, great_circles)
 }
 
 // The lengths are normalized by a power of two: such a scale changes no mantissa. Any other scale
-// rounds the coordinates, and may flip cocircular edges the other way, which changes nothing
-// either.
+// rounds the coordinates, and may flip cocircular edges differently, which changes nothing either.
 TEST(Heat_geodesics, any_unit)
 {
   const Triangle_soup soup = torus_soup(40, 20, 2., 0.7);
@@ -79,8 +78,8 @@ TEST(Heat_geodesics, any_unit)
     EXPECT_LT((distances(scale) / scale - d).cwiseAbs().maxCoeff(), 1e-10 * d.maxCoeff()) << scale;
 }
 
-// Distances are symmetric, the heat method only nearly so: the bound is on the asymmetry of the
-// worst pair relative to the largest distance.
+// Distances are symmetric, but those of the heat method only nearly so: the bound is on the
+// asymmetry of the worst pair relative to the largest distance.
 TEST(Heat_geodesics, nearly_symmetric)
 {
   const double asymmetry_bound = 0.04;
@@ -95,9 +94,9 @@ TEST(Heat_geodesics, nearly_symmetric)
   EXPECT_LT((between - between.transpose()).cwiseAbs().maxCoeff(), asymmetry_bound * d.maxCoeff());
 }
 
-// At a time step of the squared edge length the heat at the far end would be exp(-4000), which is 0
-// in double. The strip is flat, so that the distance to the other end is its length; the wire is
-// its straight tube.
+// With the squared edge length as time step, the heat at the far end would be exp(-4000), which is
+// 0 in double precision. The strip is flat, so the distance to the other end is its length; the
+// wire is compared to its straight tube.
 TEST(Heat_geodesics, far_field)
 {
   const std::size_t n = 4000;
@@ -114,8 +113,7 @@ TEST(Heat_geodesics, far_field)
   EXPECT_NEAR(w[3 * 2999], 1000., 10.);
 }
 
-// Shortest paths that are exact are the reference; the surface is curved, closed, and of two
-// scales.
+// Exact shortest paths are the reference; the surface is curved, closed, and has two scales.
 TEST(Heat_geodesics, agrees_with_exact_paths)
 {
   const Mesh mesh = tube<Mesh>(60, 16, 6., 0.4, 2.5);
@@ -136,7 +134,7 @@ TEST(Heat_geodesics, stretched_triangles)
   EXPECT_LT(mean_relative_error(d, straight_distances(soup.points, 0)), HEAT_TOLERANCE);
 }
 
-// A column of a batch has the bytes of its single query.
+// A column of a batch is bitwise equal to its single query.
 TEST(Heat_geodesics, batch_is_single_queries)
 {
   const Mesh mesh = icosphere<Mesh>(3, 1.);
@@ -161,8 +159,8 @@ TEST(Heat_geodesics, number_of_threads_does_not_matter)
   });
 }
 
-// The distance from several sources is the smallest of their distances, by definition and so to the
-// last bit. The reference is the plane, where it is Euclidean.
+// The distance from several sources is the smallest of their distances, by definition and thus bit
+// by bit. The reference is the plane, where distances are Euclidean.
 TEST(Heat_geodesics, distance_to_nearest)
 {
   const Triangle_soup soup = plane_grid_soup(40, 40, 1., 1.);
@@ -186,7 +184,7 @@ TEST(Heat_geodesics, distance_to_nearest)
             std::numeric_limits<double>::infinity());
 }
 
-// In flat convex pieces the distance is Euclidean, also where the heat would underflow with the mean
+// In flat convex regions, the distance is Euclidean, even if the heat would underflow with the mean
 // edge length: across 850 edges, and along 2000.
 TEST(Heat_geodesics, fine_and_long_pieces_of_the_plane)
 {
@@ -282,7 +280,7 @@ TEST(Heat_geodesics_time_step, longer_steps_reach_across_gaps)
   EXPECT_LT(error(4.), 0.02);
 }
 
-// The coordinates of all these meshes are the same numbers, which float holds exactly.
+// The coordinates of all these meshes are the same numbers, which float represents exactly.
 TEST(Heat_geodesics, any_mesh_and_kernel)
 {
   Triangle_soup soup = torus_soup(20, 12, 2., 0.7);

@@ -93,8 +93,8 @@ TEST(Heat_geodesics_input, one_triangle)
   EXPECT_NEAR(d[2], std::sqrt(0.5), 1e-14);
 }
 
-// Components of sizes 1 and 1e-12, and a lonely vertex: each as if it were alone, infinitely far
-// from the others.
+// Components of sizes 1 and 1e-12, and an isolated vertex: each is independent of the others, and
+// infinitely far from them.
 TEST(Heat_geodesics_input, components)
 {
   Triangle_soup soup = icosphere_soup(2, 1.);
@@ -124,8 +124,8 @@ TEST(Heat_geodesics_input, components)
   EXPECT_TRUE((lonely.head(rows).array() == INF).all() && (lonely.tail(rows).array() == INF).all());
 }
 
-// A vertex in the middle of an edge of a grid makes a face without area; one on top of another
-// makes several. The distances to the other vertices are what they are without.
+// A vertex at the midpoint of an edge of a grid creates a face without area; a coincident vertex
+// creates several. The distances to the other vertices do not change.
 TEST(Heat_geodesics_input, degenerate_faces)
 {
   Mesh mesh = plane_grid<Mesh>(20, 20, 20., 20.);
@@ -144,7 +144,7 @@ TEST(Heat_geodesics_input, degenerate_faces)
   EXPECT_NEAR(after[before.size() + 1], after[300], 0.01);
 }
 
-// Removed vertices have no row: the bytes are those of a mesh that never had them.
+// Removed vertices have no row: the bytes are those of a mesh without them.
 TEST(Heat_geodesics_input, removed_vertices)
 {
   const Mesh sphere = icosphere<Mesh>(2, 1.);
@@ -160,7 +160,7 @@ TEST(Heat_geodesics_input, removed_vertices)
             Heat(clean).distances(*vertices(clean).begin()));
 }
 
-// A point type without public members, a map of one's own, and the overload that writes to a
+// A point type without public members, a user-defined map, and the overload that writes to a
 // property map.
 TEST(Heat_geodesics_input, own_points_and_maps)
 {

@@ -51,8 +51,9 @@ Point_matrix pose(const CP::Conforming_body_3& body, const Point_matrix& target)
 
 } // namespace
 
-// Each iteration solves for a step, by the gradient at hand: an inaccurate factor leads to where the
-// accurate one does. The bound is what two runs that end with moves of 1e-10 may differ by.
+// Each iteration solves for a step, given the current gradient: an inaccurate factor leads to the
+// same result as an accurate one. The bound is the difference permitted between two runs that end
+// with moves of 1e-10.
 TEST(Inaccurate_factor, leads_to_the_same_pose)
 {
   const CP::Conforming_body_3 body = Canonical_pose_test::bar_body(20, 3, 3);

@@ -40,7 +40,7 @@ Point_matrix folding_target()
   return Canonical_pose_test::bar_points(24, 4, 4, 3.) * Eigen::Vector3d(0.6, 0.4, 1).asDiagonal();
 }
 
-// A folding target, shaken with the seed.
+// A folding target with random noise.
 Point_matrix shaken_target(const unsigned int seed, const double by)
 {
   CGAL::Random random(seed);
@@ -82,8 +82,8 @@ std::size_t number_of_inverted_cells(const CP::Conforming_body_3& body, const Po
 
 } // namespace
 
-// No fold is left of a target that folds the bar, with noise on top, as counted by volumes. The bound on
-// the energy is what is promised.
+// No inverted cell remains for a target that folds the bar, with noise, as counted by volumes. The
+// bound on the energy is guaranteed.
 TEST(Injective, no_cell_is_inverted)
 {
   const CP::Conforming_body_3 body = bar();
@@ -116,7 +116,7 @@ TEST(Injective, mirrored_target)
   EXPECT_EQ(number_of_inverted_cells(body, pose), 0u);
 }
 
-// A spring goes on pulling while cells are repaired.
+// A spring has an effect while cells are untangled.
 TEST(Injective, constraints_hold)
 {
   const CP::Conforming_body_3 body = bar();
@@ -130,7 +130,8 @@ TEST(Injective, constraints_hold)
   EXPECT_LE(after.energy, 1.05 * before.energy);
 }
 
-// A rigid motion of the rest pose has energy 0, and nothing to repair: bit by bit the same pose.
+// A rigid motion of the rest pose has energy 0 and no inverted cells: the pose is the same, bit by
+// bit.
 TEST(Injective, nothing_changes_where_nothing_is_inverted)
 {
   const CP::Conforming_body_3 body = bar();

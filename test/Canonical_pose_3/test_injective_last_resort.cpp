@@ -24,8 +24,8 @@ using CP::Registration_summary;
 
 namespace {
 
-// Refuses matrices, so that no patch can be untangled: all but that of the registration, of n rows, and those of
-// at least `smallest_patch` rows.
+// Refuses matrices, so that no patch can be untangled: all except that of the registration, with n
+// rows, and those with at least `smallest_patch` rows.
 class Refusing_factor_traits_d : public CP::Default_factor_traits_d
 {
 public:
@@ -44,14 +44,14 @@ Eigen::Index Refusing_factor_traits_d::smallest_patch = 0;
 
 CP::Conforming_body_3 bar() { return Canonical_pose_test::bar_body(8, 4, 4); }
 
-// Towards the mirror image of the body, from nothing or from given positions.
+// Registers to the mirror image of the body, with or without given positions.
 Registration_summary run(const CP::Conforming_body_3& body, const Eigen::Index smallest_patch,
                          Point_matrix& pose, const int iterations = 500)
 {
   Refusing_factor_traits_d::rows_of_the_registration = body.points().rows();
   Refusing_factor_traits_d::smallest_patch = smallest_patch;
   CP::Registration_options options;
-  options.detail_length = 0.02; // cells are inverted without
+  options.detail_length = 0.02; // otherwise, cells are inverted
   options.injective = true;
   options.number_of_iterations = iterations;
   CP::Tetrahedral_arap_registrar_3<CP::Conforming_body_3, CGAL::Default, Refusing_factor_traits_d>
@@ -64,8 +64,8 @@ Registration_summary run(const CP::Conforming_body_3& body, const Eigen::Index s
 
 } // namespace
 
-// Where no patch can be untangled, the pose is that of the body at rest: lengths divided by 8 and multiplied by it
-// are exact. It is no minimum of the energy, and says so.
+// If no patch can be untangled, the result is the rest pose: dividing lengths by 8 and multiplying
+// by it is exact. It is not a minimum of the energy, which is reported.
 TEST(Injective_last_resort, rest_pose)
 {
   Point_matrix pose;
@@ -77,8 +77,9 @@ TEST(Injective_last_resort, rest_pose)
   EXPECT_NE(summary.warnings[0].find("started anew from the rest pose"), std::string::npos);
 }
 
-// Where only the whole body can be untangled, the energy is lowered from the rest pose to a minimum without inverted
-// cells: another call that begins there and may not refuse anything finds nothing to repair.
+// If only the entire body can be untangled, the energy is decreased from the rest pose to a minimum
+// without inverted cells: another call that starts there and refuses no matrices has nothing to
+// untangle.
 TEST(Injective_last_resort, minimum_from_the_rest_pose)
 {
   Point_matrix pose, rest;

@@ -35,14 +35,14 @@ void expect_gradient_by_differences(const Penalty& penalty, const Eigen::Matrix3
     EXPECT_NEAR((penalty.value(b) - penalty.value(a)) / (2 * h), gradient(k),
                 1e-6 * (1 + gradient.norm()));
   }
-  // what takes the place of the Hessian matrix must give directions of descent
+  // the approximation of the Hessian matrix must yield descent directions
   const Eigen::SelfAdjointEigenSolver<CP::internal::Matrix_9> solver(penalty.hessian(f));
   EXPECT_GE(solver.eigenvalues()[0], -1e-12 * solver.eigenvalues()[8]);
 }
 
 } // namespace
 
-// Central differences are good to h^2 relative to the third derivatives, which are moderate for
+// Central differences are accurate to h^2 relative to the third derivatives, which are moderate for
 // determinants not much smaller than epsilon or the range of the barrier.
 TEST(Injective, gradients_of_the_penalties)
 {
@@ -55,7 +55,7 @@ TEST(Injective, gradients_of_the_penalties)
     for(const double epsilon : {1., 0.3, 0.1})
       expect_gradient_by_differences(CP::internal::Foldover_free_energy(epsilon), f);
     const double d = f.determinant();
-    f *= std::cbrt(random.get_double(0.02, 0.12) / d); // right side out, and near the barrier
+    f *= std::cbrt(random.get_double(0.02, 0.12) / d); // not inverted, and near the barrier
     expect_gradient_by_differences(CP::internal::Inversion_barrier(), f);
   }
 }

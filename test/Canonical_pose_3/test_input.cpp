@@ -37,7 +37,7 @@ const Kernel::Point_3 untouched(7, 7, 7);
 
 Mesh unit_bar() { return Canonical_pose_test::bar<Mesh>(6, 2, 2); }
 
-// The call must throw with the text, and leave the map of the pose as it was.
+// The call must throw with the text, and not modify the map of the pose.
 template <class Exception = std::invalid_argument>
 void expect_refused(const Mesh& mesh, const std::string& text,
                     const CP::Options& options = CP::Options())
@@ -84,7 +84,7 @@ TEST(Bad_input, surfaces_are_refused_by_name)
   expect_refused(two, "2 connected components");
 }
 
-// TetGen ends the process on many a defect.
+// TetGen terminates the process on many defects.
 TEST(Bad_input, tetgen_is_spared_surfaces_with_defects)
 {
   Mesh one;
@@ -105,7 +105,7 @@ TEST(Bad_input, tetgen_is_spared_surfaces_with_defects)
   isolated.add_vertex(Kernel::Point_3(1, 2, 3));
   expect_refused(isolated, "belongs to no face", with_tetgen());
 
-  // a vertex drawn through the other side
+  // a vertex moved through the other side
   Mesh crossing = unit_bar();
   double highest = -1;
   Mesh::Vertex_index top;
@@ -141,8 +141,9 @@ TEST(Bad_input, options_are_refused_by_name)
   expect_refused(mesh, "spring 0 names vertex 1000000", options);
 }
 
-// Exact distances name the face of the user, not a triangle of what was made of it. A cube of quads, each of which becomes
-// two triangles or more, and behind them a flat triangle that joins a vertex in the middle of an edge to its ends.
+// Messages about exact distances refer to faces of the input, not to triangles of the repaired
+// surface. A cube of quads, each split into two triangles or more, followed by a flat triangle
+// formed by the midpoint of an edge and its endpoints.
 TEST(Bad_input, faces_of_the_input_are_named)
 {
   auto cube = Canonical_pose_test::quad_cube();
@@ -158,8 +159,8 @@ TEST(Bad_input, faces_of_the_input_are_named)
                     std::invalid_argument, "face 6 is degenerate");
 }
 
-// Squares and cubes of lengths neither overflow nor vanish: in units far from those of anything, refused; in others
-// powers of two change nothing but the unit.
+// Squares and cubes of lengths neither overflow nor vanish: extreme units are refused; in other
+// units, powers of two only change the unit.
 TEST(Bad_input, unit_of_length)
 {
   const auto scaled = [](const double factor) {
@@ -185,8 +186,8 @@ TEST(Bad_input, unit_of_length)
   }
 }
 
-// A target so far away that squared distances overflow has no pose; the map stays as it was,
-// nothing is NaN.
+// A target so far away that squared distances overflow has no pose; the map is unchanged, nothing
+// is NaN.
 TEST(Bad_input, overflow_is_reported_by_the_summary)
 {
   const Mesh mesh = unit_bar();

@@ -40,9 +40,9 @@ void expect_delaunay(const Intrinsic_triangulation& t)
   }
 }
 
-// In a convex piece of the plane, flipping on lengths must give the Delaunay triangulation of the
-// points: the length of every edge, however many flips made it, is the Euclidean distance of its
-// ends, and the area stays.
+// In a convex planar region, flipping based on lengths must yield the Delaunay triangulation of the
+// points: the length of every edge, after any number of flips, is the Euclidean distance of its
+// endpoints, and the area does not change.
 TEST(Intrinsic_triangulation, flips_in_the_plane_are_exact)
 {
   const Triangle_soup soup = stretched_square(30, 20.);
@@ -60,9 +60,9 @@ TEST(Intrinsic_triangulation, flips_in_the_plane_are_exact)
   EXPECT_EQ(t.flip_to_delaunay(), 0u);
 }
 
-// Two copies of an obtuse triangle, glued along all sides. The long side is not Delaunay; its flip
-// joins the apex to itself around the back: a loop of twice the height 0.1, in two faces glued to
-// themselves.
+// Two copies of an obtuse triangle, glued along all edges. The long edge is not Delaunay; its flip
+// connects the apex to itself around the back: a loop of twice the height 0.1, in two faces glued
+// to themselves.
 TEST(Intrinsic_triangulation, vertex_that_is_its_own_neighbor)
 {
   Intrinsic_triangulation t(
@@ -80,11 +80,11 @@ TEST(Intrinsic_triangulation, vertex_that_is_its_own_neighbor)
   EXPECT_LT(laplacian.rowwise().sum().cwiseAbs().maxCoeff(), 1e-12);
   EXPECT_EQ(laplacian(0, 1), 0.);
   EXPECT_NEAR(laplacian(0, 2), -0.1,
-              1e-13); // both angles opposite to the glued side have tangent 10
+              1e-13); // both angles opposite to the glued edge have tangent 10
 }
 
-// On a curved surface, faces are developed into one plane before each flip: area, vertices and
-// number of faces stay.
+// On a curved surface, faces are unfolded into a plane before each flip: area, vertices and number
+// of faces do not change.
 TEST(Intrinsic_triangulation, flips_keep_the_surface)
 {
   Triangle_soup soup = tube_soup(9, 30, 10., 1.);
@@ -100,8 +100,8 @@ TEST(Intrinsic_triangulation, flips_keep_the_surface)
   EXPECT_NEAR(t.area(), area, 1e-12 * area);
 }
 
-// Collinear corners, and corners that coincide, leave no area; the mollified lengths give every
-// face some, and change no edge by more than twice the slack asked for.
+// Collinear or coincident corners lead to faces without area; with mollified lengths, every face
+// has a positive area, and no edge changes by more than twice the requested slack.
 TEST(Intrinsic_triangulation, mollification)
 {
   const Triangle_soup soup{{{{0, 0, 0}}, {{2, 0, 0}}, {{1, 0, 0}}, {{1, -1, 0}}, {{1, -1, 0}}},
@@ -122,10 +122,10 @@ TEST(Intrinsic_triangulation, mollification)
   EXPECT_EQ(triangulation(icosphere_soup(1, 1.)).mollify(std::vector<int>(42, 0), 1), 0);
 }
 
-// The operators on linear functions of the plane: their gradient is constant, the Laplacian
-// vanishes inside, the Dirichlet energy is the area times the squared slope; and Laplacian = minus
-// divergence of gradient, always: the unit field of descent has the divergence of u divided by the
-// slope, at whatever scale the values are.
+// The operators on linear functions in the plane: their gradient is constant, the Laplacian
+// vanishes in the interior, and the Dirichlet energy is the area times the squared slope. The
+// Laplacian is always minus the divergence of the gradient: the divergence of the unit descent
+// field is that of u divided by the slope, at any scale of the values.
 TEST(Cotangent_operators, invariants)
 {
   const Triangle_soup soup = stretched_square(12, 2.);

@@ -37,7 +37,7 @@ namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
-using Permutation = std::vector<std::size_t>; // old row of each new one
+using Permutation = std::vector<std::size_t>; // old row of each new row
 
 const Eigen::Matrix3d rotation
   = Eigen::AngleAxisd(2.2, Eigen::Vector3d(1, 3, -2).normalized()).toRotationMatrix();
@@ -115,8 +115,8 @@ Point_matrix complex_pose(Complex_case c)
 
 } // namespace
 
-// With body and distances given, nothing but rounding tells a moved or relabeled complex from the
-// first one: the minimum is isolated, and moves with the input. It is approached far beyond the
+// If body and distances are given, a moved or relabeled complex differs from the original one only
+// by rounding: the minimum is isolated, and moves with the input. It is approached far beyond the
 // default tolerances here.
 TEST(Invariance, given_body_and_landmarks)
 {
@@ -137,8 +137,7 @@ TEST(Invariance, given_body_and_landmarks)
   motion.complex.points = to_points(moved(points));
   EXPECT_LT((complex_pose(motion) - moved(pose)).rowwise().norm().maxCoeff(), bound);
 
-  // The rows of the distances are those vertices of the complex that lie on the boundary, in its
-  // order.
+  // The rows of the distances are the boundary vertices of the complex, in its order.
   std::vector<std::size_t> origin;
   Canonical_pose_test::boundary(soup, &origin);
   const Permutation old_row = shuffled(soup.points.size());
@@ -161,8 +160,8 @@ TEST(Invariance, given_body_and_landmarks)
   EXPECT_LT((complex_pose(relabeled) - permuted(pose, old_row)).rowwise().norm().maxCoeff(), bound);
 }
 
-// From the surface on there are choices (landmarks, tetrahedra) that ties and rounding may change,
-// but not by more than this.
+// If the surface is given, there are choices (landmarks, tetrahedra) that ties and rounding may
+// change, but not by more than this.
 TEST(Invariance, whole_pipeline)
 {
   const Articulated_figure figure(4000);
@@ -181,7 +180,7 @@ TEST(Invariance, whole_pipeline)
                 - permuted(pose, old_row)),
             4e-3 * size);
 
-  // All lengths are divided by powers of two or by other lengths, so that these scale exactly.
+  // All lengths are divided by powers of two or by other lengths, so they scale exactly.
   EXPECT_LT(rms(surface_pose(64 * points, triangles) / 64 - pose), 1e-12 * size);
   EXPECT_LT(rms(surface_pose(points / 1024, triangles) * 1024 - pose), 1e-12 * size);
   EXPECT_LT(rms(surface_pose(1e6 * points, triangles) / 1e6 - pose), 1e-3 * size);

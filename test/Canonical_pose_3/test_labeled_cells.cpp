@@ -39,7 +39,7 @@ using Tetrahedra = CP::Indexed_tetrahedra_3<Point>;
 using Canonical_pose_test::C3t3;
 using Selection = CP::Labeled_cells_3<Tetrahedra>;
 
-// A bar of 3 x 1 x 1 cubes, labeled 1, 2, 4 along it, as Mesh_3 sees it.
+// A bar of 3 x 1 x 1 cubes, labeled 1, 2, 4 along it, meshed by Mesh_3.
 const C3t3& bar()
 {
   static const C3t3 result = [] {
@@ -73,8 +73,8 @@ Tetrahedra indexed(const Complex& complex)
 
 } // namespace
 
-// The selection holds the cells with the label: its volume is the sum of theirs, and (divergence
-// theorem) that inside its boundary. All parts make up the whole.
+// The selection contains the cells with the label: its volume is the sum of theirs, and (by the
+// divergence theorem) that inside its boundary. The parts add up to the complex.
 TEST(Labeled_cells, volume_is_that_of_the_cells)
 {
   const double whole = CP::complex_body(bar()).volume();
@@ -97,9 +97,9 @@ TEST(Labeled_cells, volume_is_that_of_the_cells)
   EXPECT_NEAR(whole, 3., 0.3);
 }
 
-// A complex, its triangulation and the arrays made of it are the same cells: each selection of them is
-// the same body and has the same pose, to the last bit. The pose goes to vertices of the complex, and to
-// no others than those of the selection.
+// A complex, its triangulation and the arrays created from it have the same cells: each selection
+// is the same body and has the same pose, bit by bit. The pose is written to vertices of the
+// complex, and only to those of the selection.
 TEST(Labeled_cells, of_all_complexes_agree)
 {
   const Tetrahedra tetrahedra = indexed(bar());

@@ -61,8 +61,8 @@ double largest_distance_error(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b
 } // namespace
 
 // Classical scaling is exact on Euclidean distances: the centered kernel matrix is then the Gram
-// matrix of the landmarks, of rank 3, and interpolation recovers every other point. Nothing but
-// rounding is left. This pins all constants.
+// matrix of the landmarks, of rank 3, and interpolation recovers every other point. Only rounding
+// errors remain. This verifies all constants.
 TEST(Landmark_mds, recovers_a_cloud_from_its_distances)
 {
   const Eigen::MatrixXd points = random_points(200, 3);
@@ -75,7 +75,7 @@ TEST(Landmark_mds, recovers_a_cloud_from_its_distances)
   EXPECT_TRUE(builder.is_determined());
 }
 
-// Whatever their order, the landmarks of a cloud have their own distances again.
+// In any order, the embedded landmarks of a point cloud have the given distances.
 TEST(Landmark_mds, landmark_targets)
 {
   CP::Landmark_fields_3 fields = euclidean_fields(random_points(40, 3), 12);
@@ -91,8 +91,8 @@ TEST(Landmark_mds, landmark_targets)
                   fields.distances(Eigen::Index(fields.landmarks[std::size_t(i)]), j), 1e-10);
 }
 
-// Distances of points of the plane have a Gram matrix of rank 2: the third coordinate must be
-// exactly 0 and not noise.
+// Distances of points in the plane have a Gram matrix of rank 2: the third coordinate must be
+// exactly 0, not noise.
 TEST(Landmark_mds, flat_data_stay_flat)
 {
   const Eigen::MatrixXd points = random_points(100, 2);
@@ -104,8 +104,7 @@ TEST(Landmark_mds, flat_data_stay_flat)
 }
 
 // Interpolating a landmark is Lambda^(-1/2) Q^t K H e_j = Lambda^(1/2) Q^t e_j, its own position,
-// for any symmetric kernel matrix; here the dense embedding is computed apart, by the plain
-// formula.
+// for any symmetric kernel matrix; here the dense embedding is computed separately by this formula.
 TEST(Landmark_mds, landmarks_agree_with_their_interpolation)
 {
   const CP::Landmark_fields_3 fields = euclidean_fields(random_points(30, 5), 30);
@@ -157,7 +156,8 @@ TEST(Landmark_mds, few_and_coinciding_landmarks)
   EXPECT_LT(largest_distance_error(builder.targets(), points), 1e-10);
 }
 
-// A kernel with a pole: at distance 0, which each landmark has from itself, and between other points only.
+// A kernel with a pole: at distance 0, which occurs for each landmark, and at distances between
+// other points only.
 TEST(Landmark_mds, kernel_that_is_not_finite_is_named)
 {
   struct Pole

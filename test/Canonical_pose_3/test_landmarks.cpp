@@ -42,7 +42,7 @@ namespace {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
-// A model of GeodesicDistances_3 whose distances are exact: those of points in space.
+// A model of GeodesicDistances_3 with exact distances: those of points in space.
 struct Straight_distances
 {
   using Triangle_mesh = Mesh;
@@ -72,8 +72,8 @@ struct Straight_distances
 
 } // namespace
 
-// Greedy: each landmark is as far from those before it as any vertex is, and the radius returned is
-// the distance of the farthest vertex that is left. Both are checked against the definition.
+// Greedy: each landmark is as far from the previous ones as any vertex, and the returned radius is
+// the distance of the farthest remaining vertex. Both are checked against the definition.
 TEST(Farthest_point_landmarks, are_farthest_and_cover)
 {
   const Mesh mesh = Canonical_pose_test::icosphere<Mesh>(3, 1.);
@@ -92,7 +92,8 @@ TEST(Farthest_point_landmarks, are_farthest_and_cover)
   EXPECT_EQ(fields.covering_radius, fields.distances.rowwise().minCoeff().maxCoeff());
 }
 
-// Distances alone tell the same landmarks and the same covering radius; points on no surface do not count.
+// Distances alone determine the same landmarks and the same covering radius; points that are not on
+// the surface do not count.
 TEST(Landmark_fields, of_distances)
 {
   const Mesh mesh = Canonical_pose_test::icosphere<Mesh>(2, 1.);
@@ -127,9 +128,10 @@ TEST(Farthest_point_landmarks, more_than_there_are_vertices)
                CGAL::Precondition_exception);
 }
 
-// On a sphere the distances along the surface grow with those through space, so that the fronts
-// should find landmarks like those of farthest point sampling; their own distances err by some
-// percent of an edge. The fields, and the radius, are those of the model, asked for once.
+// On a sphere, distances along the surface increase with those through space, so the fronts should
+// find landmarks like those of farthest point sampling; the distances of the fronts have errors of
+// a few percent of an edge. The distance fields and the radius are those of the model, queried
+// once.
 TEST(Front_landmarks, cover_as_farthest_points_do)
 {
   const Mesh mesh = Canonical_pose_test::icosphere<Mesh>(4, 1.);
@@ -152,9 +154,9 @@ TEST(Front_landmarks, cover_as_farthest_points_do)
   }
 }
 
-// Each landmark is as far from those before it as any vertex is, in the distances of the fronts; on a
-// long strip these are exact, since the straight line to each vertex stays inside and crosses the
-// sides of triangles in order. Halving is then the only choice.
+// Each landmark is as far from the previous ones as any vertex, in the distances of the fronts; on
+// a long strip these are exact, since the straight line to each vertex stays inside and crosses the
+// edges of triangles in order. Halving is then the only choice.
 TEST(Front_landmarks, halve_a_strip)
 {
   const Mesh mesh = Canonical_pose_test::strip<Mesh>(64, 1);
@@ -196,7 +198,7 @@ TEST(Front_landmarks, more_than_there_are_vertices)
                CGAL::Precondition_exception);
 }
 
-// What no landmark reaches is farthest: each component has one, and so has a lonely vertex.
+// Unreached vertices are farthest: each component has a landmark, and so has each isolated vertex.
 TEST(Front_landmarks, reach_every_component)
 {
   Mesh mesh = Canonical_pose_test::icosphere<Mesh>(2, 1.);
@@ -210,8 +212,7 @@ TEST(Front_landmarks, reach_every_component)
   EXPECT_TRUE(std::isfinite(fields.covering_radius));
 }
 
-// A rigid motion is undone exactly but for rounding, a reflection only when it is allowed; the size
-// is never changed.
+// A rigid motion is undone up to rounding, a reflection only if requested; the size never changes.
 TEST(Align_target, undoes_motions_and_keeps_size)
 {
   const CP::Point_matrix points = Canonical_pose_test::to_matrix(
@@ -230,9 +231,8 @@ TEST(Align_target, undoes_motions_and_keeps_size)
               3 * Canonical_pose_test::radius_of_gyration(points), 1e-12);
 }
 
-// Extra points in one corner of a square pull the mean of the vertices there, but not the centroid
-// of area, which lies in the middle; of the others the corner lifted by a tenth is then the
-// farthest.
+// Additional points in one corner of a square move the mean of the vertices, but not the centroid
+// of the surface, which is in the middle; the corner lifted by a tenth is then the farthest.
 TEST(Extremal_point, is_farthest_from_the_centroid_of_area)
 {
   CP::Point_matrix points(6, 3);
@@ -243,11 +243,9 @@ TEST(Extremal_point, is_farthest_from_the_centroid_of_area)
   EXPECT_EQ(CP::extremal_vertex(mesh, mesh.points()), Mesh::Vertex_index(3));
 }
 
-// Both parts of the number are pseudo-scalars: a reflection changes the sign and nothing else, a
-// rigid motion or a scaling
-// of a target that is as large as the input leaves it. Of the input itself the volume part is 1;
-// the corner drawn out of
-// the box makes it chiral.
+// Both parts of the number are pseudoscalars: a reflection only changes the sign, and a rigid
+// motion, or scaling together with the input, has no effect. For the input itself, the volume part
+// is 1; the corner pulled out of the box makes it chiral.
 TEST(Target_handedness, changes_sign_by_reflection_only)
 {
   auto soup
@@ -266,6 +264,6 @@ TEST(Target_handedness, changes_sign_by_reflection_only)
     = Eigen::AngleAxisd(2.5, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
   EXPECT_NEAR(handedness((points * rotation).rowwise() + Eigen::RowVector3d(5, -6, 7)), value,
               1e-12);
-  // flat: inside out or not cannot be told
+  // flat: inside and outside cannot be distinguished
   EXPECT_EQ(handedness(points * Eigen::Vector3d(1, 1, 0).asDiagonal()), 0.);
 }

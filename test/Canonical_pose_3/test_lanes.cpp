@@ -30,7 +30,7 @@ template <class Traits>
 class Lane_factors : public testing::Test
 {
 protected:
-  // The columns of `b`, solved for in lanes; the order of elimination is undone.
+  // Solves for the columns of `b` in lanes; undoes the elimination order.
   static Eigen::MatrixXd solve(const Lane_factor_base& factor, const Eigen::MatrixXd& b)
   {
     const std::vector<int> places = factor.places();
@@ -57,8 +57,8 @@ using Models = testing::Types<Eigen_factor_traits_d>;
 #endif
 TYPED_TEST_SUITE(Lane_factors, Models);
 
-// The residual needs no second solver; the condition of these matrices is below 1e4. A lane has the
-// same bytes wherever it is and whatever the others hold.
+// Residuals require no reference solver; the condition numbers of these matrices are below 1e4. A
+// lane has the same bytes regardless of its position and of the other lanes.
 TYPED_TEST(Lane_factors, solve_lane_by_lane)
 {
   for(const Sparse_matrix& matrix :
@@ -77,7 +77,8 @@ TYPED_TEST(Lane_factors, solve_lane_by_lane)
   }
 }
 
-// A copy of an analysis takes another matrix of the same pattern, and leaves the first factor alone.
+// A copy of an analysis factors another matrix with the same pattern, without affecting the first
+// factor.
 TYPED_TEST(Lane_factors, share_an_analysis)
 {
   const Sparse_matrix first = grid_matrix(14, 14, 0.01), second = grid_matrix(14, 14, 3.);
@@ -92,7 +93,7 @@ TYPED_TEST(Lane_factors, share_an_analysis)
   EXPECT_FALSE(other->factor(grid_matrix(14, 14, -1.)));
 }
 
-// Calls f(run) with each version of the kernel that this processor can run.
+// Calls f(run) with each version of the routine that this processor supports.
 template <class Kernel, class Function>
 void for_each_version(const Function& f)
 {
@@ -106,7 +107,7 @@ void for_each_version(const Function& f)
 #endif
 }
 
-// Each version does the same sums, up to fused rounding: the reference is the dense matrix.
+// All versions compute the same sums, up to fused rounding: the reference is the dense matrix.
 TEST(Lanes, every_version_substitutes)
 {
   // two blocks: columns 0 to 10 with the rows 0 to 10, 12, 19; columns 11 to 19
@@ -158,8 +159,8 @@ TEST(Lanes, every_version_substitutes)
 }
 
 // One face, u linear on it: the field is minus the unit gradient, and its integral against the
-// gradients of the hat functions is known from the corners. A function that is not a number stays
-// one; constants give 0.
+// gradients of the hat functions is known from the corners. NaN functions remain NaN; constants
+// yield 0.
 TEST(Lanes, every_version_normalizes_gradients)
 {
   const Face_in_plane face = {{{2, 0, 1}}, 3., 1., 2.};

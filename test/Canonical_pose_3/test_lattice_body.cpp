@@ -33,7 +33,7 @@ namespace shapes = Canonical_pose_test;
 
 namespace {
 
-// A surface with what its lattice needs.
+// A surface with the input of its lattice.
 struct Prepared
 {
   explicit Prepared(const shapes::Triangle_soup& soup)
@@ -58,7 +58,7 @@ struct Prepared
 };
 
 // Vertices - edges + triangles - cells of the body: 1 for a ball, 0 for a solid torus, 2 for a ball
-// with a cavity, and the sum over what falls apart.
+// with a cavity, and the sum over separate parts.
 long euler_characteristic(const CP::Lattice_body_3& body)
 {
   std::set<std::array<int, 2>> edges;
@@ -80,7 +80,7 @@ long euler_characteristic(const CP::Lattice_body_3& body)
          - long(cells.size());
 }
 
-// A box with faces of equal squares.
+// A box whose faces are grids of equal squares.
 shapes::Triangle_soup box(const std::size_t n, const double height)
 {
   return shapes::boundary(shapes::tetrahedral_box(n, n, 1, {{1., 1., height}}));
@@ -88,8 +88,8 @@ shapes::Triangle_soup box(const std::size_t n, const double height)
 
 } // namespace
 
-// Barycentric coordinates reproduce points: exact but for rounding. They lie between 0 and 1, because
-// each vertex is embedded in the tetrahedron that holds it.
+// Barycentric coordinates reproduce points up to rounding. They are between 0 and 1, because each
+// vertex is embedded in the tetrahedron that contains it.
 TEST(Lattice_body, surface_at_rest)
 {
   const Prepared torus(shapes::torus_soup(60, 30, 1., 0.4));
@@ -106,8 +106,8 @@ TEST(Lattice_body, surface_at_rest)
 }
 
 // Topology is exact: the solid and its body have the same Euler characteristic. The tube is bent by
-// more than a full turn, so that its ends run through one another: a ball still, if they are not
-// glued. A thin plate that fell into two sheets would be a shell (2).
+// more than 360 degrees, so its ends intersect: it is still a ball if they are not glued. A thin
+// plate that is torn into two sheets would be a shell (2).
 TEST(Lattice_body, has_the_topology_of_the_solid)
 {
   EXPECT_EQ(euler_characteristic(Prepared(shapes::icosphere_soup(4, 1.)).body()), 1);
@@ -121,8 +121,8 @@ TEST(Lattice_body, has_the_topology_of_the_solid)
   EXPECT_EQ(euler_characteristic(Prepared(tube).body()), 1);
 }
 
-// The filled parts of the cubes add up to the volume of the solid; 3 percent is what 27 points per
-// cube allow at these spacings. A half ball is open, its cap makes it a solid.
+// The filled parts of the cubes add up to the volume of the solid; 27 points per cube are accurate
+// to 3 percent at these spacings. A half ball is open; its cap makes it a solid.
 TEST(Lattice_body, volume)
 {
   const double pi = std::acos(-1.);
@@ -140,7 +140,7 @@ TEST(Lattice_body, volume)
   EXPECT_NEAR(Prepared(half).body().volume() / (sphere / 2), 1, 0.05);
 }
 
-// Multiplying by a power of two is exact, so is everything that follows from it.
+// Multiplying by a power of two is exact, and so are all results.
 TEST(Lattice_body, follows_scaling)
 {
   Prepared torus(shapes::torus_soup(60, 30, 1., 0.4));

@@ -29,7 +29,8 @@ namespace shapes = Canonical_pose_test;
 
 namespace {
 
-// The body by straight distances, which serve as well on convex shapes, and hardly worse on a torus.
+// The body based on Euclidean distances, which are suitable for convex shapes, and nearly so for a
+// torus.
 CP::Lattice_body_3 body(const shapes::Triangle_soup& soup, const double spacing = 0)
 {
   const CP::Point_matrix points = shapes::to_matrix(soup.points);
@@ -57,9 +58,10 @@ shapes::Triangle_soup box(const double x, const double y, const double z)
 
 } // namespace
 
-// The filled parts of the cubes add up to the volume of the solid, within what 27 points per cube tell of a
-// plane face: a sixth of a cube. A cube that had several copies, because parts of a face were taken for
-// parts of another limb, counted as often: 1.95 for the long box, 2.76 for the cube, 1.69 and 1.53 below.
+// The filled parts of the cubes add up to the volume of the solid, within the accuracy of 27 points
+// per cube for a planar face: a sixth of a cube. Cubes with several copies, because parts of a face
+// were mistaken for parts of another limb, were counted several times: 1.95 for the long box, 2.76
+// for the cube, 1.69 and 1.53 below.
 TEST(Lattice_of_large_faces, boxes)
 {
   EXPECT_NEAR(volume_ratio(box(9., 1., 0.7)), 1, 0.03);
@@ -78,7 +80,7 @@ TEST(Lattice_of_large_faces, round_shapes)
   EXPECT_NEAR(volume_ratio(shapes::tube_soup(2, 6, 10., 0.3)), 1, 0.03);
 }
 
-// The surface is given by its vertices and faces as before, however the body cuts them.
+// The vertices and faces of the surface are unchanged, regardless of how the body splits them.
 TEST(Lattice_of_large_faces, embeds_the_vertices_given)
 {
   const shapes::Triangle_soup soup = shapes::icosphere_soup(1, 1.);
@@ -88,8 +90,8 @@ TEST(Lattice_of_large_faces, embeds_the_vertices_given)
             1e-13);
 }
 
-// Splitting moves nothing: area and volume stay, a closed surface stays closed (each directed edge comes back
-// once), new vertices are middles, and no edge is too long.
+// Splitting moves nothing: area and volume do not change, a closed surface remains closed (each
+// directed edge has one opposite edge), new vertices are midpoints, and no edge is too long.
 TEST(Lattice_of_large_faces, edges_are_split)
 {
   const double longest = 0.3;
@@ -125,8 +127,8 @@ TEST(Lattice_of_large_faces, edges_are_split)
   }
 }
 
-// Bounds on the work are found by enlarging steps: samples beyond one per face vanish with large steps, so
-// that this ends for any number of faces.
+// The work is bounded by enlarging the steps: for large steps, there is only one sample per face,
+// so this terminates for any number of faces.
 TEST(Lattice_of_large_faces, number_of_samples)
 {
   const shapes::Triangle_soup soup = shapes::icosphere_soup(3, 1.);

@@ -33,7 +33,7 @@ Eigen::MatrixXd random_matrix(const Eigen::Index rows, const Eigen::Index column
   return result;
 }
 
-// A symmetric matrix of given eigenvalues.
+// A symmetric matrix with given eigenvalues.
 Eigen::MatrixXd matrix_of(const Eigen::VectorXd& eigenvalues)
 {
   const Eigen::Index n = eigenvalues.size();
@@ -61,8 +61,8 @@ void expect_leading(const Eigen::MatrixXd& matrix, const Eigen::Index count)
 
 } // namespace
 
-// Nothing but rounding lies between the two ways. Of random matrices the largest eigenvalues are close to one
-// another; 9 and 17 rows are one more than one block and two; 2 and 5 are fewer than a block.
+// The two methods only differ by rounding. The largest eigenvalues of random matrices are close to
+// each other; 9 and 17 rows are one more than one and two blocks; 2 and 5 are less than a block.
 TEST(Leading_eigenvectors, of_random_matrices)
 {
   for(const Eigen::Index n : {2, 5, 8, 9, 16, 17, 40, 350})
@@ -73,7 +73,7 @@ TEST(Leading_eigenvectors, of_random_matrices)
   expect_leading(random_matrix(400, 12) * random_matrix(400, 12).transpose(), 11);
 }
 
-// A block of eight finds an eigenvalue up to eight times; more are not asked for.
+// A block of eight finds an eigenvalue of multiplicity up to eight; higher ones are not requested.
 TEST(Leading_eigenvectors, multiple)
 {
   for(const Eigen::Index copies : {2, 3, 5, 8, 40})
@@ -85,7 +85,7 @@ TEST(Leading_eigenvectors, multiple)
   expect_leading(Eigen::MatrixXd::Identity(320, 320), 6);
 }
 
-// The largest ones are asked for, not those of largest modulus.
+// The largest eigenvalues are requested, not those of largest modulus.
 TEST(Leading_eigenvectors, beside_large_negative_ones)
 {
   Eigen::VectorXd values = Eigen::VectorXd::LinSpaced(320, -1, 1);
@@ -95,7 +95,8 @@ TEST(Leading_eigenvectors, beside_large_negative_ones)
   expect_leading(matrix_of(Eigen::VectorXd::LinSpaced(320, -5, -1)), 6);
 }
 
-// The space that a block spans is then exhausted after a step or two; the rest of the values are 0.
+// The space spanned by a block is then exhausted after one or two steps; the other eigenvalues are
+// 0.
 TEST(Leading_eigenvectors, of_low_rank)
 {
   expect_leading(Eigen::MatrixXd::Zero(320, 320), 6);
@@ -107,8 +108,9 @@ TEST(Leading_eigenvectors, of_low_rank)
   }
 }
 
-// Classical scaling is exact on Euclidean distances (see test_landmark_mds): also with more landmarks than are
-// decomposed fully. Points of the plane stay flat, and a regular octahedron has three equal eigenvalues.
+// Classical scaling is exact on Euclidean distances (see test_landmark_mds): also with more
+// landmarks than are fully decomposed. Points in the plane remain flat, and a regular octahedron
+// has three equal eigenvalues.
 TEST(Leading_eigenvectors, landmark_mds)
 {
   Eigen::MatrixXd octahedra = Eigen::MatrixXd::Zero(402, 3);

@@ -7,9 +7,9 @@
 //
 // Author(s) : The Canonical_pose_3 authors
 
-// With the paper's weights, kernel and fairing the package computes what the paper prints: compared
-// after each iteration with paper_equations.h, a dense reference that shares no code with it. Both
-// differ by rounding alone, about 1e-14 here.
+// With the weights, kernel and fairing of the paper, the package implements the paper as printed:
+// it is compared after each iteration with paper_equations.h, a dense reference that shares no code
+// with it. Both differ only by rounding, about 1e-14 here.
 
 #include <CGAL/Canonical_pose_3/Gaussian_kernel.h>
 #include <CGAL/Canonical_pose_3/Landmark_mds_target_builder_3.h>
@@ -45,7 +45,8 @@ namespace {
 
 using Spring = std::optional<CP::Spring_3>;
 
-// Bent, squeezed to a fifth across and creased, one corner pulled in: some cells come inverted.
+// Bent, squeezed to a fifth of its width and creased, with one corner pulled in: some cells are
+// inverted.
 Point_matrix bent_target(const Tetrahedral_soup& body)
 {
   Point_matrix target = to_matrix(Canonical_pose_test::transformed(
@@ -65,7 +66,7 @@ void compare(const Tetrahedral_soup& box, const Spring& spring)
   if(spring)
     springs.insert({spring->p, spring->q, spring->rest_length, spring->stiffness / double(n)});
 
-  const double length_scale = 2.7; // any: it cancels
+  const double length_scale = 2.7; // arbitrary: it cancels
   CP::Registration_options options;
   options.set_paper_weights(Canonical_pose_test::PAPER_ALPHA, Canonical_pose_test::PAPER_BETA, n,
                             body.volume(), length_scale);
@@ -87,7 +88,7 @@ void compare(const Tetrahedral_soup& box, const Spring& spring)
   }
 }
 
-// Of its 36 vertices 2 are inside.
+// 2 of its 36 vertices are interior.
 const Tetrahedral_soup BOX = Canonical_pose_test::tetrahedral_box(3, 2, 2, {{2., 0.8, 0.5}});
 
 } // namespace
@@ -96,7 +97,7 @@ TEST(Literal_mode, equation_13) { compare(BOX, {}); }
 
 TEST(Literal_mode, equation_16) { compare(BOX, CP::Spring_3{0, 35, 0.4, 50.}); }
 
-// The one call in literal mode; here rotations are in closed form.
+// The one call in literal mode, with rotations in closed form.
 TEST(Literal_mode, one_call)
 {
   using Point_3 = CGAL::Simple_cartesian<double>::Point_3;
@@ -121,8 +122,8 @@ TEST(Literal_mode, one_call)
   EXPECT_LT((to_matrix(pose) - expected).cwiseAbs().maxCoeff(), 1e-6);
 }
 
-// Equation 3 with the affinity of Section 5, not centered. The paper leaves the unit of the
-// coordinates open, and signs of eigenvectors are arbitrary.
+// Equation 3 with the affinity of Section 5, not centered. The paper does not specify the unit of
+// the coordinates, and signs of eigenvectors are arbitrary.
 TEST(Literal_mode, equation_3)
 {
   const int n = 60, l = 20;
@@ -149,7 +150,7 @@ TEST(Literal_mode, equation_3)
   double scale = 0;
   for(int c = 0; c < 3; ++c)
   {
-    const Eigen::Index k = l - 1 - c; // they come in increasing order
+    const Eigen::Index k = l - 1 - c; // they are in increasing order
     const Eigen::VectorXd q = eigen.eigenvectors().col(k) / std::sqrt(eigen.eigenvalues()[k]);
     const Eigen::VectorXd expected = (g.rowwise() - g_mean.transpose()) * q;
     const Eigen::VectorXd found = builder.targets().col(c);

@@ -22,7 +22,7 @@ namespace {
 using CGAL::Canonical_pose_3::internal::Updated_factor;
 using Long_matrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
 
-// A chain that is held weakly: entries of very different size, as those of a registration.
+// A weakly constrained chain: entries of very different magnitude, as in a registration.
 Eigen::SparseMatrix<double> chain(const int n)
 {
   std::vector<Eigen::Triplet<double>> entries;
@@ -40,7 +40,7 @@ Eigen::SparseMatrix<double> chain(const int n)
   return result;
 }
 
-// Three points of the chain, the last two the same.
+// Three points of the chain; the last two are the same.
 Eigen::SparseMatrix<double> points_of_chain(const int n)
 {
   Eigen::SparseMatrix<double> u(n, 3);
@@ -61,9 +61,9 @@ bool update(Updated_factor& factor, const Eigen::SparseMatrix<double>& u, const 
 
 } // namespace
 
-// D of any kind, stiff, singular, indefinite, and one that takes away what A0 has: the residual is
-// that of rounding alone, and the solution that of a dense factorization of the sum with more
-// digits (which doubles could not even hold, where 1e6 meets 1e-4).
+// Different D: stiff, singular, indefinite, and one that removes entries of A0: the residual is due
+// to rounding only, and the solution is that of a dense factorization of the sum with more digits
+// (double precision could not even represent sums of 1e6 and 1e-4).
 TEST(Low_rank_update, solves_as_a_new_factorization)
 {
   const int n = 60;
@@ -97,8 +97,8 @@ TEST(Low_rank_update, solves_as_a_new_factorization)
   EXPECT_LT((chain(n) * x - b).norm(), 1e-9);
 }
 
-// Refused: a sum that is not positive definite; and an update that takes away nearly all of A0, as what
-// is left of it would have lost its digits.
+// Refused: a sum that is not positive definite; and an update that removes nearly all of A0, since
+// the rest would have lost its digits.
 TEST(Low_rank_update, refuses_what_it_cannot_solve)
 {
   const int n = 60;
@@ -115,8 +115,8 @@ TEST(Low_rank_update, refuses_what_it_cannot_solve)
   EXPECT_FALSE(update(factor, u, d));
 }
 
-// The factors give the matrix again, weak entries beside stiff ones with all their digits; a rank
-// below the number of rows is found.
+// The factors reproduce the matrix, including all digits of weak entries next to stiff ones; a rank
+// below the number of rows is detected.
 TEST(Low_rank_update, factors_of_a_matrix)
 {
   std::vector<Eigen::Triplet<double>> entries;
@@ -127,7 +127,7 @@ TEST(Low_rank_update, factors_of_a_matrix)
   add_spring(3, 71, -1e-9);
   add_spring(4, 5, 0.5);
   add_spring(5, 99, 0.25);
-  entries.emplace_back(50, 50, 0.); // no entry
+  entries.emplace_back(50, 50, 0.); // stored zero
   Eigen::SparseMatrix<double> matrix(100, 100), v;
   matrix.setFromTriplets(entries.begin(), entries.end());
   Eigen::VectorXd d;

@@ -56,9 +56,9 @@ void expect_hangs(const CP::Embedded_body_3& body, const CP::Point_matrix& point
 
 } // namespace
 
-// Rest positions are reproduced exactly, whatever the cells; the volume is that of the surface up to
-// the distance allowed, a tenth of the cell size, and again at any scale, which is a power of two
-// here: then the bytes are the same, too.
+// Rest positions are reproduced exactly for any cells; the volume is that of the surface up to the
+// permitted distance, a tenth of the cell size; at other scales, powers of two here, the bytes are
+// the same.
 TEST(Mesh_3_body, hangs_the_surface_in_cells)
 {
   const Mesh mesh = Canonical_pose_test::torus<Mesh>(48, 24, 1., 0.4);
@@ -89,7 +89,7 @@ TEST(Mesh_3_body, keeps_thin_parts)
   EXPECT_NEAR(body.volume() / PMP::volume(mesh), 1, 0.2);
 }
 
-// Few vertices are no start for Mesh_3: the faces of a tetrahedron are sampled.
+// Few vertices are not a sufficient start for Mesh_3: the faces of a tetrahedron are sampled.
 TEST(Mesh_3_body, takes_large_faces)
 {
   const Mesh mesh
@@ -113,7 +113,7 @@ TEST(Mesh_3_body, refuses_by_name)
                     "intersects itself");
 }
 
-// What the class itself checks.
+// Checks of the class itself.
 TEST(Embedded_body, checks_the_embedding)
 {
   CP::Point_matrix points(4, 3);

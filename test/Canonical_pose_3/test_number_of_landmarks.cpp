@@ -39,7 +39,7 @@ CP::Registration_summary summary(const Mesh& mesh, const CP::Options& options)
 
 } // namespace
 
-// There are as many landmarks as vertices at most, 4096 at most, and 2^29 distances.
+// There are at most as many landmarks as vertices, at most 4096, and at most 2^29 distances.
 TEST(Number_of_landmarks, bounds)
 {
   using CP::internal::check_number_of_landmarks;
@@ -55,8 +55,8 @@ TEST(Number_of_landmarks, bounds)
   EXPECT_NO_THROW(check_number_of_landmarks(1, 0));
 }
 
-// A number that would take gigabytes is refused before anything is computed, with the largest one allowed.
-// A small mesh has no more landmarks than vertices, whatever the number.
+// A number that would require gigabytes is refused before anything is computed, stating the largest
+// number allowed. A small mesh has at most as many landmarks as vertices, regardless of the number.
 TEST(Number_of_landmarks, of_the_call)
 {
   CP::Options options;

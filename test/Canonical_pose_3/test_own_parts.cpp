@@ -70,7 +70,7 @@ CP::Elastic_body_3 fine_lattice(const Point_matrix& points, const Triangles& tri
 
 } // namespace
 
-// What the options name, given as a part of one's own, gives the same bytes.
+// Built-in choices, passed as user-defined parts, yield the same bytes.
 TEST(Own_parts, are_used_as_those_named)
 {
   CP::Options named, own;
@@ -185,7 +185,7 @@ TEST(Own_parts, constraints_by_vertex_descriptors)
   EXPECT_EQ(on_complex.constraints().springs.at(0).q, 4u);
 }
 
-// Parts get the surface as it was repaired, one component at a time.
+// Parts receive the repaired surface, one component at a time.
 TEST(Own_parts, of_components)
 {
   CP::Options options = shapes::each_component();
@@ -201,7 +201,7 @@ TEST(Own_parts, of_components)
                                               Eigen::Index(shapes::bar().points.size())}));
 }
 
-// What is of no use is refused.
+// Invalid results are refused.
 TEST(Own_parts, bad_ones_are_named)
 {
   const auto expect_refused = [](const CP::Options& options, const std::string& text) {
@@ -237,15 +237,15 @@ TEST(Own_parts, bad_ones_are_named)
   expect_refused(options, "surface vertices for a surface of");
 }
 
-// Vertices of the input, whatever is sewn; the way to another component is infinite. A function of one's own is called
-// with the repaired surface.
+// Rows are vertices of the input, regardless of stitching; the distance to another component is
+// infinite. A user-defined function is called with the repaired surface.
 TEST(Own_parts, distances_on_a_soup)
 {
   const auto bars = shapes::unsewn(shapes::merged(shapes::small_bar(), shapes::bar(), 20.));
   const Point_matrix points = shapes::to_matrix(bars.points);
   CP::Options options;
   options.geodesics
-    = CP::Options::Geodesics::WAVEFRONT; // lengths of paths: not below straight distances
+    = CP::Options::Geodesics::WAVEFRONT; // lengths of paths: not below Euclidean distances
   const Eigen::MatrixXd d = CP::geodesic_distances(points, bars.polygons, {0}, options);
   std::size_t infinite = 0, zero = 0;
   for(Eigen::Index i = 0; i < points.rows(); ++i)
@@ -268,7 +268,7 @@ TEST(Own_parts, distances_on_a_soup)
                     std::invalid_argument, "a source names vertex");
 }
 
-// A mesh of points and triangles has them in their order, whatever the data structure.
+// A mesh of points and triangles has them in the given order, for any data structure.
 template <class Triangle_mesh>
 void expect_made()
 {

@@ -73,7 +73,7 @@ Tetrahedral_soup bar(const bool has_cavity)
   return soup;
 }
 
-// The vertices of the first come first.
+// Vertices of the first complex are first.
 Tetrahedral_soup merged(Tetrahedral_soup a, const Tetrahedral_soup& b, const double shift)
 {
   const std::size_t n = a.points.size();
@@ -90,8 +90,9 @@ Tetrahedral_soup two_bars() { return merged(small_bar(), bar(true), 20.); }
 
 } // namespace
 
-// The distances are those of the outer surface, so target and scale are those of the full bar; the cavity makes
-// it a little softer. The vertices of the cavity have neither distance nor target, and go with the cells.
+// Distances are those of the outer surface, so target and scale are those of the full bar; the
+// cavity makes it slightly softer. The vertices of the cavity have neither distance nor target, and
+// move with the cells.
 TEST(Parts_of_complexes, cavity_belongs_to_its_part)
 {
   CP::Options options;
@@ -127,7 +128,7 @@ TEST(Parts_of_complexes, several_are_refused)
   EXPECT_THROW_WITH(pose_of(two_bars()), std::invalid_argument, "2 connected components");
 }
 
-// The same bytes as alone.
+// The same bytes as a separate call.
 TEST(Parts_of_complexes, each_is_posed_as_if_alone)
 {
   const CP::Result both = pose_of(two_bars(), with(CP::Options::Components::EACH));
@@ -138,7 +139,8 @@ TEST(Parts_of_complexes, each_is_posed_as_if_alone)
   EXPECT_EQ(both.summary.body.tetrahedra, two_bars().cells.size());
 }
 
-// Stiffness has an entry per cell, weights and constraints name vertices: each part has its own.
+// Stiffness has one entry per cell, weights and constraints refer to vertices: each part uses its
+// own.
 TEST(Parts_of_complexes, options_belong_to_their_part)
 {
   CP::Options options = with(CP::Options::Components::EACH);
@@ -157,7 +159,8 @@ TEST(Parts_of_complexes, options_belong_to_their_part)
   EXPECT_GT((pose - plain).norm(), 1e-3);
 }
 
-// The largest part is posed as if alone, the other one is moved without losing its shape; what is returned can be given again.
+// The largest part has the pose of a separate call, the other one moves without changing its shape;
+// the result can be reused.
 TEST(Parts_of_complexes, the_largest_carries_the_others)
 {
   CP::Options options = with(CP::Options::Components::LARGEST);
@@ -172,7 +175,8 @@ TEST(Parts_of_complexes, the_largest_carries_the_others)
   EXPECT_EQ(pose_of(two_bars(), options).pose, first.pose);
 }
 
-// A few thousand cells around a bar keep their six edges: what is done per part must not depend on the others.
+// A few thousand separate cells around a bar keep their six edges: the work per part must not
+// depend on the others.
 TEST(Parts_of_complexes, thousands)
 {
   Tetrahedral_soup soup = small_bar();
@@ -200,8 +204,8 @@ TEST(Parts_of_complexes, thousands)
   EXPECT_LT(largest_change, 1e-12);
 }
 
-// A cell connected by an edge of the bar has no surface of its own worth a pose: it is part of the body. A
-// vertex of no cell goes with the nearest cell.
+// A cell connected through an edge of the bar has no separate pose: it is part of the body. An
+// isolated vertex is attached to the nearest cell.
 TEST(Parts_of_complexes, fragments_and_vertices_of_no_cell)
 {
   Tetrahedral_soup soup = small_bar();

@@ -65,10 +65,10 @@ const Articulated_figure& figure()
 
 } // namespace
 
-// What the package is for. The poses of the figure differ by bending only, so that geodesics, and
-// with them the canonical poses, nearly agree: a seventh of the difference of the inputs is left, by the
-// change of the geodesics at the joints. The strain bound says that this was not bought by giving up the shape;
-// cells that turn over, 1 in 1700 at worst, lie in the joints.
+// The purpose of the package. The poses of the figure differ only by bending, so geodesics, and
+// thus the canonical poses, nearly agree: a seventh of the difference of the inputs remains, due to
+// changes of the geodesics at the joints. The strain bound ensures that the shape is preserved;
+// inverted cells, at most 1 in 1700, are in the joints.
 TEST(Pipeline, poses_of_the_figure_end_in_nearly_the_same_pose)
 {
   std::vector<Point_matrix> inputs, poses;
@@ -93,8 +93,8 @@ TEST(Pipeline, poses_of_the_figure_end_in_nearly_the_same_pose)
   EXPECT_LE(after, before / 4.5);
 }
 
-// Along the fibres of a bent bar distances are those of the straight bar up to the thickness, hence
-// the middles of its ends, which lie 8 apart along the bar, must come (nearly) that far apart in
+// Along the fibers of a bent bar, distances are those of the straight bar up to the thickness.
+// Hence the centers of its ends, at distance 8 along the bar, must have (nearly) this distance in
 // space, and opposite corners sqrt(8^2 + 1 + 1).
 TEST(Pipeline, bent_bar_becomes_straight)
 {
@@ -104,8 +104,8 @@ TEST(Pipeline, bent_bar_becomes_straight)
   EXPECT_NEAR(largest_distance(pose), std::sqrt(66.), 0.15);
 }
 
-// Geodesics on a ball are up to pi / 2 times as long as the straight ways, so that a target at their
-// scale has more than twice the volume; it is the body that has to keep its own.
+// Geodesics on a ball are up to pi / 2 times as long as straight segments, so a target at their
+// scale has more than twice the volume; the body must preserve its volume.
 TEST(Pipeline, ball_keeps_its_volume)
 {
   const CP::Result outcome = canonical_pose(Canonical_pose_test::icosphere<Mesh>(4, 1.));
@@ -114,7 +114,7 @@ TEST(Pipeline, ball_keeps_its_volume)
   EXPECT_NEAR(outcome.summary.volume_ratio, 1, 0.05);
 }
 
-// Of all stages together: the same bytes on one thread and on more than there are cores.
+// All stages together: the same bytes on one thread and on more threads than cores.
 TEST(Pipeline, number_of_threads_does_not_matter)
 {
   const Mesh mesh = figure().make_mesh<Mesh>(Articulated_figure::named_poses()[1].angles);
@@ -123,9 +123,10 @@ TEST(Pipeline, number_of_threads_does_not_matter)
     [&] { EXPECT_EQ(canonical_pose(mesh).pose, first.pose); });
 }
 
-// Kernels, distances and solvers are choices of the same method. Three squares across the bar are few for the
-// heat, whose distances are 5 % too long: from the other two it differs by 0.075 radii of gyration, which
-// differ from each other by 0.005 (the input differs by 0.28). Solvers differ by rounding.
+// Kernels, distances and solvers are variants of the same method. Three squares across the bar are
+// few for the heat method, whose distances are 5 % too long: it differs from the other two by 0.075
+// radii of gyration, while these differ from each other by 0.005 (the input differs by 0.28).
+// Solvers differ by rounding.
 TEST(Pipeline, distances_and_solvers_are_choices)
 {
   const Mesh mesh = Canonical_pose_test::bent_bar<Mesh>(24, 3, 3, 3.);
@@ -145,8 +146,9 @@ TEST(Pipeline, distances_and_solvers_are_choices)
   EXPECT_NE(eigen.summary.solver.find("Eigen"), std::string::npos);
 }
 
-// Gaussian kernels tell large distances hardly apart and unbend less than the classical one, which makes the
-// bar longer by 2.0: by 0.62, and by 1.08 in the literal mode, whose body is softer.
+// Gaussian kernels hardly distinguish large distances and unbend less than the classical one, which
+// makes the bar longer by 2.0: they do by 0.62, and by 1.08 in the literal mode, whose body is
+// softer.
 TEST(Pipeline, kernels_are_choices)
 {
   const Mesh mesh = Canonical_pose_test::bent_bar<Mesh>(24, 3, 3, 3.);
@@ -165,7 +167,7 @@ TEST(Pipeline, kernels_are_choices)
   EXPECT_EQ(literal.summary.target.kernel, "gaussian-uncentred");
 }
 
-// Named parameters replace options; without options, the defaults.
+// Named parameters take precedence over options or, without options, over defaults.
 TEST(Pipeline, named_parameters)
 {
   namespace params = CGAL::parameters;
@@ -199,7 +201,7 @@ TEST(Pipeline, named_parameters)
             CGAL::canonical_pose_3(bar, map, seeded).pose);
 }
 
-// The closer to what is prescribed, the stiffer; without constraints, both are far from it.
+// The stiffer, the closer to the prescribed values; without constraints, both are far from them.
 TEST(Pipeline, handles_and_symmetric_pairs)
 {
   const Mesh mesh = figure().make_mesh<Mesh>(Articulated_figure::named_poses()[1].angles);
@@ -231,7 +233,7 @@ TEST(Pipeline, handles_and_symmetric_pairs)
   EXPECT_LT(symmetry.energy(canonical_pose(mesh, options).pose), 0.5 * symmetry.energy(free_pose));
 }
 
-// A spring joins two hands: the stiffer, the nearer to its rest length.
+// A spring connects two hands: the stiffer, the closer to its rest length.
 TEST(Pipeline, springs_pull_the_hands_together)
 {
   const Mesh mesh = figure().make_mesh<Mesh>({});

@@ -39,7 +39,7 @@ Point_matrix mirrored(Point_matrix points)
 
 } // namespace
 
-// Position, orientation and scale do not count, whatever the unit; rounding errors alone are left.
+// Position, orientation and scale do not count, in any unit; only rounding errors remain.
 TEST(Pose_difference, congruent_poses)
 {
   const Eigen::Matrix3d turn
@@ -64,8 +64,9 @@ TEST(Pose_difference, largest_value)
   EXPECT_NEAR(CP::pose_difference(a, b, true), std::sqrt(2.), 1e-15);
 }
 
-// The covariance of centered points with their mirror image has the singular values s of theirs, and the
-// determinant is negative: the best rotation has the trace s1 + s2 - s3, of s1 + s2 + s3 = 1.
+// The covariance of centered points and their mirror image has the singular values s of that of the
+// points, and the determinant is negative: the best rotation has the trace s1 + s2 - s3, of s1 + s2
+// + s3 = 1.
 TEST(Pose_difference, mirror_image)
 {
   Point_matrix centered = corner();

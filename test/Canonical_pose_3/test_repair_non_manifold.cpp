@@ -13,8 +13,8 @@
 #include <cmath>
 #include <vector>
 
-// What becomes of surfaces that are not manifold, have holes or odd sizes. Counts and volumes are known
-// by construction; repaired() checks what holds for all surfaces.
+// Repair of surfaces that are not manifold, have holes or unusual sizes. Counts and volumes are
+// known by construction; repaired() checks the guarantees for all surfaces.
 
 namespace CP = CGAL::Canonical_pose_3;
 using namespace Canonical_pose_test;
@@ -52,7 +52,7 @@ TEST(Repair, bow_tie)
   EXPECT_EQ(surface.caps.size(), 2u);
 }
 
-// The ball stays closed, on whichever side of it the fin stands.
+// The ball remains closed, on whichever side the fin is.
 TEST(Repair, fin)
 {
   for(const std::array<double, 3>& tip : Points{{{-3., 3., 0.}}, {{0.1, 0., 0.}}})
@@ -79,7 +79,7 @@ TEST(Repair, cubes_with_a_common_edge_stay_two)
   EXPECT_DOUBLE_EQ(volume(surface), 2);
 }
 
-// A wall that two rooms share is a face once; one room keeps it, or none does.
+// A wall shared by two cubes is a single face; at most one cube keeps it.
 TEST(Repair, cubes_with_a_common_wall)
 {
   Polygon_soup soup = merged(quad_cube(), quad_cube(), 1.);
@@ -90,10 +90,10 @@ TEST(Repair, cubes_with_a_common_wall)
   EXPECT_NEAR(volume(surface), 2, 1e-12);
 }
 
-// A tube whose ends meet in one edge of four faces around which only one way is left to go.
+// A tube with a common edge of four faces, around which only one pairing is possible.
 TEST(Repair, edges_that_coincide_are_cut)
 {
-  Polygon_soup soup = quad_cube(); // a square tube along z, two opposite edges of its wall are one
+  Polygon_soup soup = quad_cube(); // a square tube along z; two opposite edges of its wall coincide
   soup.polygons = {{0, 1, 5, 4}, {1, 3, 7, 5}, {3, 2, 6, 7}, {2, 0, 4, 6}};
   soup = renamed(renamed(soup, 3, 0), 7, 4);
   const auto surface = repaired(soup);
@@ -101,7 +101,7 @@ TEST(Repair, edges_that_coincide_are_cut)
   EXPECT_EQ(copies_of(surface, 0), 2u);
 }
 
-// Half a twist: there is no orientation, so one cut across the band is needed at least.
+// Half a twist: there is no orientation, so at least one cut across the band is required.
 TEST(Repair, moebius_strip_is_cut)
 {
   const auto surface = repaired(moebius_strip(20));
@@ -118,7 +118,7 @@ TEST(Repair, holes_are_capped_without_new_vertices)
   soup.polygons.erase(soup.polygons.begin(), soup.polygons.begin() + 2);
   EXPECT_EQ(repaired(soup).caps.size(), 1 + 2u);
 
-  // The rim of a disk of 300 triangles around its center, and of a cone; the caps are flat.
+  // The boundary of a disk of 300 triangles around its center, and of a cone; the caps are flat.
   soup = {{{{0, 0, 1}}}, {}};
   for(std::size_t i = 0; i < 300; ++i)
   {
@@ -136,7 +136,7 @@ TEST(Repair, components_by_decreasing_area)
   for(auto& p : large.points)
     p = {{3 * p[0], 3 * p[1], 3 * p[2]}};
   Polygon_soup soup = merged(ball(), large, 10.);
-  soup.points.push_back({{7, 7, 7}}); // in no face: no copy
+  soup.points.push_back({{7, 7, 7}}); // isolated: no copy
   const auto surface = repaired(soup);
   EXPECT_EQ(surface.number_of_components, 2u);
   EXPECT_EQ(surface.component_of_triangle.front(), 1u);

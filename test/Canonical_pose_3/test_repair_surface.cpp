@@ -16,7 +16,8 @@
 #include <random>
 #include <vector>
 
-// Counts, areas and volumes are known by construction; repaired() checks what holds for all surfaces.
+// Counts, areas and volumes are known by construction; repaired() checks the guarantees for all
+// surfaces.
 
 namespace CP = CGAL::Canonical_pose_3;
 using namespace Canonical_pose_test;
@@ -52,7 +53,7 @@ TEST(Repair, what_throws)
 TEST(Repair, one_triangle)
 {
   const auto surface = repaired({{{{0, 0, 0}}, {{1, 0, 0}}, {{0, 1, 0}}}, {{0, 1, 2}}});
-  EXPECT_EQ(surface.triangles, Triangles({{{0, 1, 2}}})); // flat sheets stay as they are
+  EXPECT_EQ(surface.triangles, Triangles({{{0, 1, 2}}})); // flat sheets do not change
   EXPECT_EQ(surface.caps.size(), 1u);
 }
 
@@ -85,7 +86,7 @@ TEST(Repair, polygons)
 TEST(Repair, faces_that_repeat_vertices_or_others)
 {
   Polygon_soup soup = ball();
-  soup.polygons[3].push_back(soup.polygons[3][2]); // a quad that is a triangle
+  soup.polygons[3].push_back(soup.polygons[3][2]); // a degenerate quad: a triangle
   soup.polygons.push_back({0, 1, 1});
   soup.polygons.push_back({soup.polygons[5][1], soup.polygons[5][0], soup.polygons[5][2]});
   const auto surface = repaired(soup);
@@ -118,7 +119,7 @@ TEST(Repair, soup_of_separate_faces_is_sewn)
   }
 }
 
-// Two balls that touch in a vertex each stay two; the vertices are not on a boundary.
+// Two balls that touch at a vertex remain separate; the vertices are not on a boundary.
 TEST(Repair, closed_surfaces_that_touch_are_not_glued)
 {
   const double gap = 2 * ball().points[8][0];
@@ -127,8 +128,8 @@ TEST(Repair, closed_surfaces_that_touch_are_not_glued)
   EXPECT_EQ(surface.origins.size(), 24u);
 }
 
-// Faces drawn at random over few vertices: nearly every edge has many faces. Only the promises that
-// hold for all surfaces are checked.
+// Random faces over few vertices: nearly every edge has many faces. Only the guarantees for all
+// surfaces are checked.
 TEST(Repair, random_soups)
 {
   std::mt19937 random(1);

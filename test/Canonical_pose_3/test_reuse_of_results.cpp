@@ -7,8 +7,8 @@
 //
 // Author(s) : The Canonical_pose_3 authors
 
-// Results that are given to another call. With the same distances all that follows is the same computation:
-// the same bytes, whatever the vertices of the surface are named inside.
+// Results that are passed to another call. With the same distances, all subsequent computations are
+// the same: the same bytes, regardless of internal vertex indices.
 
 #include <CGAL/canonical_pose_3.h>
 
@@ -43,8 +43,8 @@ Result pose_with_fields(const Polygon_soup& soup, CP::Options options = CP::Opti
   return pose_of(soup, options);
 }
 
-// Given distances lead to the same target and pose, a given target to nearly the same pose: the iteration
-// begins at the shrunk target, and ends within its tolerance.
+// Given distances lead to the same target and pose, a given target to nearly the same pose: the
+// iteration starts at the shrunk target, and ends within its tolerance.
 void expect_reusable(const Polygon_soup& soup, CP::Options options = CP::Options())
 {
   const Result first = pose_with_fields(soup, options);
@@ -70,7 +70,7 @@ void expect_reusable(const Polygon_soup& soup, CP::Options options = CP::Options
 
 TEST(Reuse_of_results, clean_surface) { expect_reusable(bar()); }
 
-// Vertices of the input and of the repaired surface have different names.
+// Vertices of the input and of the repaired surface have different indices.
 TEST(Reuse_of_results, isolated_vertices_in_front)
 {
   for(const std::size_t number : {1, 500})
@@ -86,7 +86,7 @@ TEST(Reuse_of_results, largest_component)
   expect_reusable(shapes::merged(small_bar(), bar(), 20.), options);
 }
 
-// A target for each of several components comes back, no distances do.
+// A target is returned for each of several components, but no distances.
 TEST(Reuse_of_results, each_component)
 {
   const Polygon_soup bars = shapes::merged(small_bar(), bar(), 20.);
@@ -99,8 +99,9 @@ TEST(Reuse_of_results, each_component)
   EXPECT_LT(shapes::relative_rms(second.pose, first.pose), 1e-3);
 }
 
-// The surface is cut at a vertex of two fans. What is returned has one row for both copies, the nearer distance
-// and the mean target, so that a pose from it is another one, by as much as the copies are apart; that is said.
+// The surface is split at a vertex of two fans. The result has one row for both copies, with the
+// smaller distance and the mean target, so a pose computed from it differs by about the distance
+// between the copies; this is reported.
 TEST(Reuse_of_results, vertex_of_two_fans)
 {
   const Polygon_soup soup = shapes::renamed(bar(), 40, 42);
@@ -115,7 +116,7 @@ TEST(Reuse_of_results, vertex_of_two_fans)
   EXPECT_LT(shapes::relative_rms(second.pose, first.pose), 0.02);
 }
 
-// The rest pose as target has no energy.
+// The rest pose as target has energy 0.
 TEST(Reuse_of_results, own_target)
 {
   CP::Options options;
@@ -123,7 +124,7 @@ TEST(Reuse_of_results, own_target)
   EXPECT_LT(pose_of(bar(), options).summary.energy, 1e-16);
 }
 
-// Messages name rows and vertices of the input, not those of the surface inside.
+// Messages refer to rows and vertices of the input, not of the repaired surface.
 TEST(Reuse_of_results, what_does_not_fit_is_named)
 {
   const Polygon_soup soup = shapes::with_isolated_vertices(bar(), 3);

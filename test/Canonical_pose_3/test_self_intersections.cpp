@@ -47,7 +47,7 @@ Face_pairs all_pairs(const Polygon_soup& soup)
   return pairs(soup, (std::numeric_limits<std::size_t>::max)());
 }
 
-// The same by CGAL.
+// The same, computed by CGAL.
 Face_pairs expected_pairs(const Polygon_soup& soup)
 {
   using Mesh = CP::internal::Indexed_mesh;
@@ -70,7 +70,7 @@ Polygon_soup two_balls()
   return merged(ball, ball, 0.5);
 }
 
-// All neighbors lie in a plane.
+// All neighbors are coplanar.
 Polygon_soup two_sheets()
 {
   const Polygon_soup sheet = to_polygons(plane_grid_soup(100, 100, 1., 1.));
@@ -80,7 +80,7 @@ Polygon_soup two_sheets()
   return merged(sheet, standing, 0.2);
 }
 
-// Neighbors along the fold lie on one another.
+// Neighbors along the fold coincide.
 Polygon_soup folded_sheet()
 {
   Polygon_soup sheet = to_polygons(plane_grid_soup(20, 20, 1., 1.));
@@ -101,7 +101,7 @@ TEST(Self_intersections, are_those_that_polygon_mesh_processing_finds)
   }
 }
 
-// All of them, and the first ones where there are too many.
+// All of them, and the first ones if there are too many.
 TEST(Self_intersections, number_of_threads_does_not_matter)
 {
   for(const Polygon_soup& soup : {two_balls(), two_sheets(), folded_sheet()})
@@ -123,7 +123,7 @@ TEST(Self_intersections, where_there_are_too_many_some_are_found)
   EXPECT_EQ(pairs(soup, all.size() + 1), all);
 }
 
-// The bounding boxes of n parallel triangles all overlap, but no two triangles meet.
+// The bounding boxes of n parallel triangles all overlap, but no two triangles intersect.
 TEST(Self_intersections, search_is_given_up_where_too_many_boxes_overlap)
 {
   constexpr std::size_t n = 1000, overlaps = n * (n - 1) / 2;

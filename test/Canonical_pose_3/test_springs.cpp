@@ -25,7 +25,7 @@ using CP::Point_matrix;
 
 namespace {
 
-// Counts how often it gives its matrix: once per factorization or update of the factor.
+// Counts how often its matrix is read: once per factorization or update of the factor.
 struct Counting_springs : CP::Spring_constraint_adaptor_3
 {
   using CP::Spring_constraint_adaptor_3::Spring_constraint_adaptor_3;
@@ -37,7 +37,7 @@ struct Counting_springs : CP::Spring_constraint_adaptor_3
   mutable int factorizations = 0;
 };
 
-const std::size_t left = 13 + 39, right = left + 12; // middles of the two ends of the bar, 8 apart
+const std::size_t left = 13 + 39, right = left + 12; // centers of the two ends of the bar, 8 apart
 
 CP::Registration_options exact()
 {
@@ -50,8 +50,8 @@ CP::Registration_options exact()
 
 } // namespace
 
-// With the rest length it has anyway a spring stores no energy and must not move anything: the pose
-// stays at rest.
+// With its current length as rest length, a spring has no energy and must not move anything: the
+// pose stays at rest.
 TEST(Springs, relaxed_spring_does_nothing)
 {
   const CP::Conforming_body_3 body = Canonical_pose_test::bar_body(12, 2, 2);
@@ -66,9 +66,9 @@ TEST(Springs, relaxed_spring_does_nothing)
   EXPECT_LT((pose - body.points()).norm(), 1e-9);
 }
 
-// Two separate tetrahedra with one target each move rigidly, without elastic energy. For targets D
-// apart, of weight m each, and a spring of rest length r between them, stationarity along the line
-// gives the length x = (m D + kappa r) / (m + kappa).
+// Two separate tetrahedra with one target each move rigidly, without elastic energy. For targets at
+// distance D, with weight m each, and a spring of rest length r between them, stationarity along
+// the line yields the length x = (m D + kappa r) / (m + kappa).
 TEST(Springs, length_in_equilibrium_is_exact)
 {
   Point_matrix points(8, 3);
@@ -120,8 +120,8 @@ TEST(Springs, rest_length_needs_no_factorization)
   EXPECT_EQ(springs.factorizations, 2);
 }
 
-// Ends that start at the same point have no direction; the spring must push them apart all the
-// same, without a NaN.
+// Ends that start at the same point have no direction; the spring must still push them apart,
+// without NaN.
 TEST(Springs, coinciding_ends)
 {
   const CP::Conforming_body_3 body = Canonical_pose_test::bar_body(12, 2, 2);

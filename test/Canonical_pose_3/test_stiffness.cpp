@@ -50,7 +50,8 @@ double largest_edge_strain(const CP::Conforming_body_3& body, const Point_matrix
 
 } // namespace
 
-// Stiffness multiplies the elastic term as the squared detail length does. 1 changes no digit.
+// Stiffness multiplies the elastic term like the squared detail length. A stiffness of 1 changes no
+// digit.
 TEST(Stiffness, everywhere_is_detail_length)
 {
   const CP::Conforming_body_3 body = conforming_bar(0.);
@@ -75,9 +76,9 @@ TEST(Stiffness, everywhere_is_detail_length)
   }
 }
 
-// The energy at rest is that of matching alone, E0, and bounds the energy of the result. So
-// |F_t - R_t|^2 <= E0 / (l^2 S w_t) in cells of stiffness S, and this number bounds the squared
-// relative change of any length in the cell.
+// The energy at rest is the matching energy E0, and bounds the energy of the result. So |F_t -
+// R_t|^2 <= E0 / (l^2 S w_t) in cells of stiffness S, which bounds the squared relative change of
+// any length in the cell.
 TEST(Stiffness, stiff_half_stays_rigid)
 {
   const CP::Conforming_body_3 body = conforming_bar(0.);
@@ -110,8 +111,8 @@ TEST(Stiffness, stiff_half_stays_rigid)
   EXPECT_GT(largest_of_soft, 5 * largest_bound);
 }
 
-// The volume is not weighted by stiffness: for a target that is half as long everywhere, and cells so
-// soft that they follow, it is half of that at rest, whatever the factors are.
+// The volume is not weighted by stiffness: for a target of half the length everywhere, and cells so
+// soft that they follow, it is half of that at rest, regardless of the factors.
 TEST(Stiffness, volume_does_not_know_it)
 {
   const CP::Conforming_body_3 body = conforming_bar(0.);

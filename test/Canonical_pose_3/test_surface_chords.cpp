@@ -79,8 +79,9 @@ shapes::Triangle_soup plate(const double z)
 
 } // namespace
 
-// Between parallel planes the length is their distance, but for rounding. The opposite sides of a prism with an
-// even number of sides are parallel, 2 r cos(pi / sides) apart; so are its ends.
+// Between parallel planes, the length is their distance, up to rounding. The opposite sides of a
+// prism with an even number of sides are parallel, at distance 2 r cos(pi / sides); so are its
+// ends.
 TEST(Surface_chords, of_parallel_faces)
 {
   const std::array<double, 3> lengths = {{1., 0.8, 0.1}};
@@ -104,8 +105,8 @@ TEST(Surface_chords, of_parallel_faces)
                 1e-12);
 }
 
-// Facets of the sphere differ from it by h^2 / 8 at most, h = 0.08 being the length of an edge, and the way from one
-// passes the center at a distance of h at most.
+// Facets of the sphere differ from it by at most h^2 / 8, where h = 0.08 is the length of an edge,
+// and the ray from one passes the center at a distance of at most h.
 TEST(Surface_chords, of_a_ball)
 {
   const shapes::Triangle_soup sphere = shapes::icosphere_soup(4, 1.);
@@ -117,8 +118,8 @@ TEST(Surface_chords, of_a_ball)
     EXPECT_NEAR(chord.length, 2, 2 * 0.08 * 0.08);
 }
 
-// Two plates that overlap by half of their height, and are far apart by geodesics: the way through one of them
-// leads through the side of the other, but ends at its own other side.
+// Two plates that overlap by half of their height, and are far apart by geodesics: the ray through
+// one of them crosses the side of the other, but the chord ends at the opposite side of the first.
 TEST(Surface_chords, of_overlapping_limbs)
 {
   shapes::Triangle_soup both = plate(0);
@@ -143,7 +144,7 @@ TEST(Surface_chords, of_overlapping_limbs)
   EXPECT_GT(plates.chords.size(), 400u);
 }
 
-// A box without lid: from its bottom there is no way out, until a cap closes it.
+// A box without lid: there is no exit from its bottom, until a cap closes it.
 TEST(Surface_chords, of_an_open_surface)
 {
   shapes::Triangle_soup soup = shapes::boundary(shapes::tetrahedral_box(8, 8, 4, {{1., 1., 0.5}}));

@@ -26,8 +26,8 @@ namespace {
 
 using shapes::Surface;
 
-// All that is hit for certain is found, with the distance of the plane; nothing is found that is certainly
-// not hit; hits come in the order of distance.
+// All certain hits are found, with the distance of the plane; no certain misses are reported; hits
+// are in the order of distance.
 void expect_all_hits(const Surface& s, const int number_of_rays)
 {
   CGAL::Random random(3);
@@ -69,8 +69,8 @@ void expect_all_hits(const Surface& s, const int number_of_rays)
 
 } // namespace
 
-// A hit is a hit whatever the grid: the formula face by face decides. Boxes of 12 faces and long tubes have
-// faces of many cells.
+// Hits do not depend on the grid: they are compared with the formula, face by face. Boxes of 12
+// faces and long tubes have faces that intersect many cells.
 TEST(Surface_rays, find_what_the_formula_finds)
 {
   expect_all_hits(Surface(shapes::icosphere_soup(3, 1.)), 200);
@@ -94,8 +94,8 @@ TEST(Surface_rays, of_any_unit)
     expect_all_hits(Surface(soup, unit), 50);
 }
 
-// From the inside of a convex surface every ray leaves, through a vertex, across an edge, or along an axis
-// onto a face that lies on the border of the grid. Where it leaves is known for the vertices and edges.
+// From the inside of a convex surface, every ray exits: through a vertex, an edge, or along an axis
+// through a face on the border of the grid. The exit is known for vertices and edges.
 TEST(Surface_rays, do_not_slip_through)
 {
   for(const shapes::Triangle_soup& soup :
@@ -123,8 +123,8 @@ TEST(Surface_rays, do_not_slip_through)
   }
 }
 
-// The boxes around these needles have a hundred thousand cells each, which took minutes; along them are a few
-// dozen.
+// The bounding boxes of these needles have a hundred thousand cells each, which took minutes; the
+// needles intersect a few dozen.
 TEST(Surface_rays, of_many_needles)
 {
   const std::size_t n = 40000;

@@ -54,8 +54,8 @@ Triangle_soup sheet(const Function& f)
 
 } // namespace
 
-// A flat sheet has no inside, whatever rounding makes of it: the third moment decides alone, which
-// does not depend on the input. The target is a twisted sheet, so that its moment is not 0.
+// A flat sheet has no inside, regardless of rounding: only the third moment counts, which does not
+// depend on the input. The target is a twisted sheet, so its moment is not 0.
 TEST(Target_handedness, of_a_flat_sheet_is_that_of_its_target)
 {
   const Triangle_soup soup = sheet([](double) { return 0.; });
@@ -65,7 +65,7 @@ TEST(Target_handedness, of_a_flat_sheet_is_that_of_its_target)
   const double value = CP::internal::chirality(twisted, Canonical_pose_test::uniform_weights(flat));
   EXPECT_GT(std::abs(value), 0.1);
   std::mt19937 random(1);
-  for(const double noise : {0., 1e-15, 1e-8}) // the last one is that of single precision
+  for(const double noise : {0., 1e-15, 1e-8}) // the last one corresponds to single precision
     for(const double angle : {0., 0.3, 1.7, 2.5})
       for(const double offset : {0., 1e3, 1e12})
       {
@@ -79,9 +79,9 @@ TEST(Target_handedness, of_a_flat_sheet_is_that_of_its_target)
       }
 }
 
-// Of the open sheets, half a pipe encloses a volume with the cone over it: that of the sheet in itself
-// is 1, and -1 in its mirror image; its third moment is 0 by symmetry. What the sheet of a cubic parabola
-// encloses is 0, as the point reflection that maps it to itself changes the sign.
+// Among the open sheets, half a pipe encloses a volume with the cone over it: relative to itself it
+// is 1, and -1 for its mirror image; its third moment is 0 by symmetry. The volume of the sheet of
+// a cubic parabola is 0, since the point reflection that maps it to itself changes the sign.
 TEST(Target_handedness, of_open_curved_sheets)
 {
   const Triangle_soup pipe = sheet([](const double x) { return std::sqrt(17 - x * x); });
@@ -97,9 +97,9 @@ TEST(Target_handedness, of_open_curved_sheets)
   }
 }
 
-// The inside of a closed plate counts, however thin: that of a sheet of paper, and of a hundredth of it:
-// of a box in itself the volume part is 1, the other 0. So it is in any unit, also where squares and
-// cubes of lengths vanish or overflow.
+// The inside of a closed plate counts, even if it is thin: that of a sheet of paper, and of a
+// hundredth of it. For a box relative to itself, the volume part is 1 and the other 0, in any unit,
+// even if squares and cubes of lengths vanish or overflow.
 TEST(Target_handedness, of_a_thin_plate_in_any_unit)
 {
   const double thickness = 0.1; // mm

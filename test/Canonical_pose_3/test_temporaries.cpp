@@ -7,7 +7,8 @@
 //
 // Author(s) : The Canonical_pose_3 authors
 
-// What is kept by reference must not be a temporary: it would be gone at the end of the line.
+// Arguments stored by reference must not be temporaries, which are destroyed at the end of the
+// statement.
 
 #include <CGAL/Canonical_pose_3/Body_deformer_3.h>
 #include <CGAL/Canonical_pose_3/Conforming_body_3.h>
@@ -47,7 +48,8 @@ using Map = boost::const_associative_property_map<std::map<Mesh::Vertex_index, K
 using Body = CP::Conforming_body_3;
 using Triangles = std::vector<std::array<std::size_t, 3>>;
 
-// Whether T can be made of an lvalue, constant or not, and the other arguments, but of no rvalue.
+// Whether T can be constructed from an lvalue, constant or not, and the other arguments, but not
+// from an rvalue.
 template <class T, class Kept, class... Others>
 constexpr bool takes_lvalues_only
   = std::is_constructible_v<T, Kept&, Others...>&& std::is_constructible_v<
@@ -118,7 +120,8 @@ static_assert(!is_added<Handles> && !is_added<const Handles>);
 
 } // namespace
 
-// The rest is asked of the compiler, above. The registrar's parameter is still deduced.
+// The rest is checked at compile time, above. The template parameter of the registrar is still
+// deduced.
 TEST(Temporaries, lvalues_are_taken)
 {
   CP::Point_matrix points(4, 3);

@@ -46,7 +46,7 @@ TEST(Tetgen_body, fills_the_surface)
   }
 }
 
-// TetGen would end the process on this one: two faces drawn through the opposite side.
+// TetGen would terminate the process on this surface: two faces moved through the opposite side.
 TEST(Tetgen_body, refuses_what_tetgen_dies_of)
 {
   Mesh mesh = Canonical_pose_test::torus<Mesh>(24, 12, 1., 0.4);

@@ -47,7 +47,8 @@ Tetrahedra indexed(const Canonical_pose_test::Tetrahedral_soup& soup)
   return result;
 }
 
-// The boundary with its vertices in the complex; each vertex must lie where its origin does.
+// The boundary with the corresponding vertices of the complex; each vertex must have the position
+// of its origin.
 template <class Complex>
 Mesh checked_boundary(const Complex& complex)
 {
@@ -75,8 +76,8 @@ void expect_same_volume(const Complex& complex)
 
 } // namespace
 
-// A box of 3x2x4 cubes of six tetrahedra each, with every other cell turned inside out: orientation
-// must not matter.
+// A box of 3x2x4 cubes of six tetrahedra each, with every other cell inverted: orientation must not
+// matter.
 TEST(Tetrahedral_complex, indexed_cells_in_any_orientation)
 {
   Tetrahedra box = indexed(Canonical_pose_test::tetrahedral_box(3, 2, 4, {{1., 2., 3.}}));
@@ -86,7 +87,7 @@ TEST(Tetrahedral_complex, indexed_cells_in_any_orientation)
   EXPECT_NEAR(CP::complex_body(box).volume(), 6., 1e-12);
   const Mesh boundary = checked_boundary(box);
   EXPECT_EQ(boundary.number_of_faces(), 2u * 2 * (3 * 2 + 2 * 4 + 3 * 4));
-  EXPECT_EQ(boundary.number_of_vertices(), 4u * 3 * 5 - 2u * 1 * 3); // all but those inside
+  EXPECT_EQ(boundary.number_of_vertices(), 4u * 3 * 5 - 2u * 1 * 3); // all except interior ones
 }
 
 // Two cells that share only an edge: the boundary is split there into two closed surfaces, so that
@@ -112,8 +113,8 @@ TEST(Tetrahedral_complex, mesh_3_complex)
   EXPECT_NEAR(CP::complex_body(c3t3).volume(), 2. / 3 * Canonical_pose_test::pi, 0.1);
 }
 
-// The cells of a Delaunay triangulation of a grid tile its hull: of those in the complex the volume
-// is known.
+// The cells of a Delaunay triangulation of a grid tile its hull: the volume of the cells in the
+// complex is known.
 TEST(Tetrahedral_complex, triangulation_with_subdomains)
 {
   using Remeshing_triangulation = CGAL::Tetrahedral_remeshing::Remeshing_triangulation_3<Kernel>;

@@ -30,7 +30,7 @@ namespace {
 
 const double length_scale = 8;
 
-// Has what the concept RegistrationVisitor_3 asks for, and nothing else.
+// Has only the requirements of the concept RegistrationVisitor_3.
 class Visitor_archetype
 {
 public:
@@ -44,7 +44,7 @@ private:
   int m_last;
 };
 
-// A bar that is to be bent, with a spring.
+// A bar to be bent, with a spring.
 class Visitor : public testing::Test
 {
 protected:
@@ -72,8 +72,8 @@ protected:
 
 } // namespace
 
-// To stop after iteration k must be the same as to allow k iterations, bit by bit, since a visitor
-// only looks; and the energies seen are those of the summary.
+// Stopping after iteration k must be the same as allowing k iterations, bit by bit, since a visitor
+// only observes; the energies passed to it are those of the summary.
 TEST_F(Visitor, stops_where_the_cap_would)
 {
   for(const int fairing_passes : {0, 1})
@@ -98,9 +98,9 @@ TEST_F(Visitor, stops_where_the_cap_would)
     }
 }
 
-// One call per iteration, with the numbers of that iteration; a visitor that never stops changes
-// nothing. Convergence says that no surface vertex moved by more than the tolerance; without
-// acceleration that is the move of the last iteration.
+// One call per iteration, with the values of that iteration; a visitor that never stops changes
+// nothing. Convergence means that no surface vertex moved by more than the tolerance; without
+// acceleration, this is the move of the last iteration.
 TEST_F(Visitor, sees_every_iteration_once)
 {
   CP::Registration_options options;
@@ -131,7 +131,7 @@ TEST_F(Visitor, sees_every_iteration_once)
   EXPECT_EQ(seen.back().energy_arap, summary.energy_arap);
 }
 
-// The move that is shown is the one between the poses of two caps.
+// The reported move is the difference of the poses with two different iteration limits.
 TEST_F(Visitor, largest_move_is_that_of_the_surface)
 {
   CP::Registration_options options;
@@ -149,7 +149,7 @@ TEST_F(Visitor, largest_move_is_that_of_the_surface)
   EXPECT_NEAR(last.largest_move, move, 1e-12);
 }
 
-// What a visitor throws arrives, the points are as they were, and the registrar works on.
+// Exceptions of a visitor propagate, the points are unchanged, and the registrar can still be used.
 TEST_F(Visitor, exception_passes_through)
 {
   const auto throwing = registrar({}), fresh = registrar({});
@@ -168,8 +168,8 @@ TEST_F(Visitor, exception_passes_through)
   EXPECT_EQ(points, expected);
 }
 
-// Where nothing is left to do, convergence counts and not the wish to stop; and a visitor is not
-// asked where there is no iteration.
+// If the iteration has converged, this takes precedence over a request to stop; a visitor is not
+// called if there is no iteration.
 TEST_F(Visitor, convergence_and_empty_runs)
 {
   m_target = m_body.points();

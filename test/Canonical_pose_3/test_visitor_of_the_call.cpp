@@ -23,8 +23,8 @@ namespace shapes = Canonical_pose_test;
 using CP::Point_matrix;
 using CP::Registration_summary;
 
-// Geodesics around a ball make its target too large: it is registered twice. Iterations are counted
-// through, one call each. To stop in the first registration is not to begin with the second.
+// Geodesics around a ball make its target too large: it is registered twice. Iterations are
+// numbered consecutively, with one call each. Stopping in the first registration skips the second.
 TEST(Visitor_of_the_one_call, counts_all_iterations)
 {
   const shapes::Triangle_soup ball = shapes::icosphere_soup(3, 1.);
@@ -46,7 +46,7 @@ TEST(Visitor_of_the_one_call, counts_all_iterations)
   EXPECT_NE(stopped.summary.warnings.back().find("canceled"), std::string::npos);
 }
 
-// To stop one component is to begin with the next: all have a pose.
+// After stopping a component, the next one starts: all have a pose.
 TEST(Visitor_of_the_one_call, stops_each_component)
 {
   const shapes::Triangle_soup bars = shapes::two_bars();

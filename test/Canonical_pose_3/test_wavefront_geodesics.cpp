@@ -42,7 +42,7 @@ double largest_relative_error(const Eigen::VectorXd& d, const Eigen::VectorXd& e
   return largest;
 }
 
-// In a convex piece of the plane the shortest path is the straight segment, through triangles of any
+// In a convex planar region, the shortest path is the straight segment, through triangles of any
 // shape: on the grid, with displaced vertices, and stretched 15 times.
 TEST(Wavefront_geodesics, plane)
 {
@@ -55,7 +55,7 @@ TEST(Wavefront_geodesics, plane)
     }
 }
 
-// The square of sides 2 without its upper right quarter, whose vertices are isolated. From the lower
+// The square of side 2 without its upper right quarter, whose vertices are isolated. From the lower
 // arm, the path to a point behind the inner corner bends there; all others are straight.
 TEST(Wavefront_geodesics, bend_at_a_reentrant_corner)
 {
@@ -85,8 +85,9 @@ TEST(Wavefront_geodesics, bend_at_a_reentrant_corner)
   }
 }
 
-// The faceted cylinder unrolls into a rectangle, over whose cut a path may go either way: the
-// distance is the shorter of the two straight segments. Exact, since all inner vertices are flat.
+// The faceted cylinder unrolls into a rectangle; a path may run around it in either direction: the
+// distance is the shorter of the two straight segments. It is exact, since all interior vertices
+// are flat.
 TEST(Wavefront_geodesics, cylinder)
 {
   const std::size_t sides = 24, rings = 30;
@@ -104,8 +105,8 @@ TEST(Wavefront_geodesics, cylinder)
         1e-12);
 }
 
-// On the sphere the distance is the angle. The faces are secants, at a distance from the sphere that
-// is a quarter when edges are halved, and so is the error of shortest paths on them.
+// On the sphere, the distance is the angle. When edges are halved, the distance of the faces to the
+// sphere is quartered, and so is the error of shortest paths on them.
 TEST(Wavefront_geodesics, refined_spheres)
 {
   double last = 1;
@@ -120,8 +121,9 @@ TEST(Wavefront_geodesics, refined_spheres)
   }
 }
 
-// Every distance is the length of a path: never less than that of the shortest. How much more is
-// bounded in the mean and at worst, on shapes of long thin faces, of strong curvature, thin and long.
+// Every distance is the length of a path: never less than that of the shortest path. The mean and
+// the largest excess are bounded, on shapes with long thin faces, with strong curvature, and on
+// thin and long shapes.
 TEST(Wavefront_geodesics, close_to_exact_paths_from_above)
 {
   const double mean_bound = 2.5e-3, worst_bound = 0.03;
@@ -144,9 +146,10 @@ TEST(Wavefront_geodesics, close_to_exact_paths_from_above)
   }
 }
 
-// A grid of random heights and one of random holes, the same on every machine. Ears and corners that
-// no beam enters are reached along edges. A source that sees a vertex on both sides of a hole is
-// believed to see what lies between: the one case in which a distance may be too short, a little.
+// A grid with random heights and one with random holes, the same on every machine. Ears and corners
+// that no beam enters are reached along edges. A source that sees a vertex on both sides of a hole
+// is assumed to see everything in between: the only case in which a distance may be slightly too
+// short.
 TEST(Wavefront_geodesics, rough_and_perforated)
 {
   unsigned int state = 7;
@@ -180,8 +183,8 @@ TEST(Wavefront_geodesics, rough_and_perforated)
   }
 }
 
-// Shortest paths are the same both ways, those found only nearly so: the bound is on the asymmetry of
-// the worst pair relative to the largest distance.
+// Shortest paths are symmetric, but the paths found are only nearly so: the bound is on the
+// asymmetry of the worst pair relative to the largest distance.
 TEST(Wavefront_geodesics, nearly_symmetric)
 {
   const Mesh mesh = torus<Mesh>(60, 24, 2., 0.8);
@@ -195,8 +198,8 @@ TEST(Wavefront_geodesics, nearly_symmetric)
   EXPECT_LT((between - between.transpose()).cwiseAbs().maxCoeff(), 2e-3 * d.maxCoeff());
 }
 
-// Lengths are normalized by a power of two: such a scale changes no mantissa, any other one only
-// rounds.
+// Lengths are normalized by a power of two: such a scale changes no mantissa, any other scale only
+// causes rounding.
 TEST(Wavefront_geodesics, any_unit)
 {
   const Triangle_soup soup = torus_soup(40, 20, 2., 0.7);
@@ -213,8 +216,8 @@ TEST(Wavefront_geodesics, any_unit)
     EXPECT_LT((distances(scale) / scale - d).cwiseAbs().maxCoeff(), 1e-3 * d.maxCoeff()) << scale;
 }
 
-// Other numbers of vertices and faces may break ties another way, which moves distances within their
-// error; on this shape nothing else.
+// Relabeling vertices and faces may break ties differently, which changes distances within their
+// error; on this shape, nothing else changes.
 TEST(Wavefront_geodesics, relabeled)
 {
   const Triangle_soup soup = tube_soup(40, 16, 6., 0.4);
@@ -229,7 +232,7 @@ TEST(Wavefront_geodesics, relabeled)
   EXPECT_LT((d - e).cwiseAbs().maxCoeff(), 2e-3 * d.maxCoeff());
 }
 
-// A column of a batch has the bytes of its single query.
+// A column of a batch is bitwise equal to its single query.
 TEST(Wavefront_geodesics, batch_is_single_queries)
 {
   const Mesh mesh = icosphere<Mesh>(3, 1.);
@@ -249,7 +252,7 @@ TEST(Wavefront_geodesics, number_of_threads_does_not_matter)
   with_each_number_of_threads([&] { EXPECT_EQ(Wavefront(mesh).distances(sources), batch); });
 }
 
-// The nearest of several sources: in the plane the least of the straight distances, exactly.
+// The nearest of several sources: in the plane, the smallest of the Euclidean distances, exactly.
 TEST(Wavefront_geodesics, nearest_source)
 {
   const Triangle_soup soup = stretched_square(30, 3.);
@@ -266,7 +269,7 @@ TEST(Wavefront_geodesics, nearest_source)
   EXPECT_EQ(wavefront.distance_to_nearest(std::vector<Mesh::Vertex_index>()).minCoeff(), INF);
 }
 
-// The coordinates of all these meshes are the same numbers, which float holds exactly.
+// The coordinates of all these meshes are the same numbers, which float represents exactly.
 TEST(Wavefront_geodesics, any_mesh_kernel_and_map)
 {
   Triangle_soup soup = torus_soup(20, 12, 2., 0.7);

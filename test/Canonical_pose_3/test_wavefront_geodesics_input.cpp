@@ -71,8 +71,8 @@ TEST(Wavefront_geodesics_input, one_triangle)
   EXPECT_EQ(d, Eigen::Vector3d(0., 1., 1.));
 }
 
-// Components of sizes 1 and 1e-12, and a lonely vertex: each as if it were alone, infinitely far
-// from the others.
+// Components of sizes 1 and 1e-12, and an isolated vertex: each is independent of the others, and
+// infinitely far from them.
 TEST(Wavefront_geodesics_input, components)
 {
   Triangle_soup soup = icosphere_soup(2, 1.);
@@ -102,8 +102,8 @@ TEST(Wavefront_geodesics_input, components)
   EXPECT_TRUE((lonely.head(rows).array() == INF).all() && (lonely.tail(rows).array() == INF).all());
 }
 
-// A vertex in the middle of an edge of a grid makes a face without area; one on top of another
-// makes several. The distances to the other vertices are what they are without.
+// A vertex at the midpoint of an edge of a grid creates a face without area; a coincident vertex
+// creates several. The distances to the other vertices do not change.
 TEST(Wavefront_geodesics_input, degenerate_faces)
 {
   Mesh mesh = plane_grid<Mesh>(20, 20, 20., 20.);

@@ -21,7 +21,7 @@ namespace CP = CGAL::Canonical_pose_3;
 using namespace Canonical_pose_test;
 using Eigen::VectorXd;
 
-// A vertex of weight 0 has no target: where it is said to be does not matter, bit by bit.
+// A vertex of weight 0 has no target: the given position does not matter, bit by bit.
 TEST(Weights, zero_is_no_target)
 {
   const CP::Conforming_body_3 body = conforming_bar(0.);
@@ -35,7 +35,7 @@ TEST(Weights, zero_is_no_target)
   EXPECT_GT((register_bar(body, target, weights).pose - pose).norm(), 1e-3);
 }
 
-// Weights are divided by their sum; with a factor of 2 no digit changes.
+// Weights are divided by their sum; a factor of 2 changes no digit.
 TEST(Weights, common_factor_does_not_matter)
 {
   const CP::Conforming_body_3 body = conforming_bar(0.);

@@ -44,7 +44,8 @@ VectorXd ones(const shapes::Triangle_soup& soup)
 
 } // namespace
 
-// Weights of 2 and stiffness of 1 are none, bit by bit; stiffness 4 is twice the detail length.
+// Constant weights of 2 and stiffness 1 have no effect, bit by bit; stiffness 4 is equivalent to
+// twice the detail length.
 TEST(Weights_of_surfaces, constants)
 {
   const shapes::Triangle_soup bar = shapes::bent_bar();
@@ -61,8 +62,8 @@ TEST(Weights_of_surfaces, constants)
   EXPECT_GT((stiff - pose).norm(), 1e-3);
 }
 
-// Each component has the factors of its own vertices: those of one bar have no influence on the other.
-// The factors of vertices that are on no face do not count.
+// Each component has the factors of its own vertices: those of one bar have no influence on the
+// other. The factors of isolated vertices do not count.
 TEST(Weights_of_surfaces, belong_to_the_vertices_of_a_component)
 {
   shapes::Triangle_soup bars = shapes::two_bars();
@@ -90,8 +91,8 @@ TEST(Weights_of_surfaces, belong_to_the_vertices_of_a_component)
   EXPECT_TRUE(shapes::pose_of(with_isolated, options).pose == one);
 }
 
-// Factors go with their vertices: with all vertices in the opposite order the pose is the same, up to
-// what ties and rounding change.
+// Factors follow their vertices: with all vertices in reverse order, the pose is the same up to
+// ties and rounding.
 TEST(Weights_of_surfaces, do_not_depend_on_the_order_of_the_vertices)
 {
   shapes::Triangle_soup bar = shapes::bent_bar();
@@ -116,7 +117,8 @@ TEST(Weights_of_surfaces, do_not_depend_on_the_order_of_the_vertices)
   EXPECT_GT(relative_rms(other), 2e-2);
 }
 
-// On a complex stiffness is per cell, weights are per vertex; those of inner vertices do not count.
+// For a complex, stiffness is per cell, weights are per vertex; those of interior vertices do not
+// count.
 TEST(Weights_of_complexes, are_those_of_cells_and_vertices)
 {
   const shapes::Tetrahedral_soup soup = shapes::tetrahedral_bent_bar(12, 2, 2, 2.);
@@ -168,7 +170,7 @@ TEST(Weights_of_surfaces, bad_factors_are_named)
                       "the stiffness of vertex " + std::to_string(n - 2));
   }
   options = shapes::each_component();
-  options.matching_weights = VectorXd::Zero(n); // and then in one component
+  options.matching_weights = VectorXd::Zero(n); // then in a single component
   EXPECT_THROW_WITH(shapes::pose_of(bars, options), std::invalid_argument,
                     "the matching weight of every vertex is 0");
   options.matching_weights.head(n / 2).setOnes();

@@ -21,8 +21,8 @@
 
 namespace Canonical_pose_test {
 
-// Calls f() on 1, 2, and 4 threads, however many cores there are. Without TBB there is nothing to compare:
-// the test counts as skipped.
+// Calls f() on 1, 2, and 4 threads, regardless of the number of cores. Without TBB, there is
+// nothing to compare, and the test is skipped.
 template <class Function>
 void with_each_number_of_threads(const Function& f)
 {

@@ -22,7 +22,7 @@
 
 namespace Canonical_pose_fuzz {
 
-/// Numbers from the bytes of the fuzzer; zeros when they are used up.
+/// Numbers from the bytes of the fuzzer; zeros when none are left.
 class Byte_source
 {
 public:
@@ -41,7 +41,7 @@ private:
   const std::uint8_t* m_end;
 };
 
-/// A shape by formula, and what the bytes do to its faces and coordinates.
+/// A procedural shape whose faces and coordinates are modified by the bytes.
 class Mutated_soup
 {
 public:

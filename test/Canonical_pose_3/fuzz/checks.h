@@ -24,7 +24,7 @@
 #include <utility>
 #include <vector>
 
-// What must hold of any input.
+// Conditions that must hold for any input.
 
 namespace Canonical_pose_fuzz {
 
@@ -32,7 +32,7 @@ using CGAL::Canonical_pose_3::Point_matrix;
 using CGAL::Canonical_pose_3::Repaired_surface_3;
 using Polygons = std::vector<std::vector<std::size_t>>;
 
-/// Ends the fuzzer, which then keeps the input.
+/// Terminates the fuzzer, which then saves the input.
 inline void require(const bool holds, const char* what)
 {
   if(holds)
@@ -41,8 +41,8 @@ inline void require(const bool holds, const char* what)
   std::abort();
 }
 
-/// Runs a function that may refuse its input; returns whether it did not. Other exceptions, those of
-/// CGAL's assertions among them, end the fuzzer.
+/// Runs a function that may refuse its input; returns whether it accepted it. Other exceptions,
+/// including those of CGAL's assertions, terminate the fuzzer.
 template <class Function>
 bool is_accepted(const Function& function)
 {
@@ -58,7 +58,7 @@ bool is_accepted(const Function& function)
   return false;
 }
 
-/// Each edge is passed as often in one direction as in the other.
+/// Each edge is traversed equally often in both directions.
 inline bool is_closed(const std::vector<std::array<std::size_t, 3>>& triangles)
 {
   std::vector<std::pair<std::size_t, std::size_t>> there, back;
@@ -99,7 +99,7 @@ inline void check_repaired(const Repaired_surface_3& surface, const Point_matrix
           "each triangle has a component");
 }
 
-/// Examines and repairs a soup, and each component of what comes out.
+/// Examines and repairs a soup, and each component of the result.
 inline void check_surface(const Point_matrix& points, const Polygons& polygons)
 {
   namespace CP = CGAL::Canonical_pose_3;

@@ -7,7 +7,7 @@
 //
 // Author(s) : The Canonical_pose_3 authors
 
-// The tool's readers, then what is done with a mesh at first. The first byte chooses the format, the
+// The readers of the tool, then the first steps with a mesh. The first byte chooses the format, the
 // others are the file.
 
 #include "Cgal_types.h"
@@ -39,7 +39,7 @@ const std::array<Reader, 5> READERS = {{{Format::OFF, read_off},
                                         {Format::STL, read_stl},
                                         {Format::MEDIT, read_medit}}};
 
-// What is written is what is read again; STL has no order of vertices.
+// Written files are read back identically; STL has no order of vertices.
 void check_writer(const Reader& reader, const Mesh_file& mesh)
 {
   if(!CPF::is_accepted([&] { check_format_holds(reader.format, mesh); }))
@@ -65,7 +65,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, const std::size_
   const Reader& reader = READERS[data[0] % READERS.size()];
   const std::string bytes(data + 1, data + size);
   if(bytes.find_first_not_of(" \t\r\n") == std::string::npos)
-    return 0; // refused before a reader sees it
+    return 0; // refused before it is read
   Mesh_file mesh;
   if(!CPF::is_accepted([&] { reader.read(bytes, mesh); }))
     return 0;

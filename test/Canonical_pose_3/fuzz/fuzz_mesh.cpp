@@ -7,7 +7,7 @@
 //
 // Author(s) : The Canonical_pose_3 authors
 
-// A shape by formula, changed by the bytes, through repair and the one call.
+// A procedural shape, modified by the bytes, is passed to repair and the one call.
 
 #include "Mutated_soup.h"
 #include "checks.h"
@@ -51,7 +51,8 @@ Options read_options(Byte_source& bytes, const std::size_t number_of_points)
   options.registration.detail_length = one_of<6>({{0.1, 0.1, 0.1, 1e-6, 1e6, 0}}, bytes);
   options.registration.tikhonov = one_of<4>({{0, 0, 10, -1}}, bytes);
   options.registration.fairing_passes = int(bytes.below(2));
-  // Half of the cells of an unconverged pose may be inverted: minutes in a lattice of usual size.
+  // Half of the cells of an unconverged pose may be inverted: this takes minutes in a lattice of
+  // usual size.
   options.registration.injective = bytes.below(2) == 1 && options.lattice_spacing != 0;
   const auto vertex = [&] { return bytes.below(number_of_points + 1); };
   const auto length = [&] { return one_of<4>({{0, 0.1, 10, 1e300}}, bytes); };

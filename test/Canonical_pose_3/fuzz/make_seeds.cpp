@@ -7,7 +7,7 @@
 //
 // Author(s) : The Canonical_pose_3 authors
 
-// Writes the inputs that a fuzzer starts from: make_seeds file|mesh DIRECTORY.
+// Writes the initial inputs of a fuzzer: make_seeds file|mesh DIRECTORY.
 
 #include "Mesh_file.h"
 #include "shapes.h"
@@ -52,7 +52,7 @@ void write_files(const std::filesystem::path& directory)
     }
 }
 
-// The shape, a number of changes, and what they are, as Mutated_soup reads them.
+// The shape, the number of changes, and the changes, as read by Mutated_soup.
 void write_meshes(const std::filesystem::path& directory)
 {
   for(int shape = 0; shape < 8; ++shape)

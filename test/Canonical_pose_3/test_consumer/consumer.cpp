@@ -1,5 +1,5 @@
-// Solves a small system and, where TetGen is asked for, fills a small surface: enough to need every
-// library that the targets bring along.
+// Solves a small system and, if TetGen is linked, fills a small surface: this requires every
+// library that the targets link.
 
 #include <CGAL/Canonical_pose_3/Default_factor_traits_d.h>
 

@@ -1,5 +1,5 @@
-// A part of a program that asks for the body of TetGen before main() runs, and prints what it gets. Compiled
-// twice, with TetGen and without.
+// A part of a program that requests the body of TetGen before main() runs, and prints the result.
+// It is compiled twice, with and without TetGen.
 
 #include <CGAL/canonical_pose_3.h>
 
@@ -19,7 +19,7 @@ const char* const part = "with TetGen: ";
 const char* const part = "without TetGen: ";
 #endif
 
-// The kind of the body, or why there is none.
+// The kind of the body, or the reason why there is none.
 std::string body_of_octahedron()
 {
   using Point = CGAL::Simple_cartesian<double>::Point_3;
