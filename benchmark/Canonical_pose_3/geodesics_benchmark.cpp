@@ -7,7 +7,7 @@
 //
 // Author(s) : The Canonical_pose_3 authors
 
-// Times of the geodesic distances from many sources, from scratch: Heat_geodesics_3 beside CGAL's
+// Times of the geodesic distances from many sources, from scratch: Heat_geodesics_3 and CGAL's
 // Heat_method_3 (Intrinsic_Delaunay, its default solver), on the same mesh and sources.
 //
 // How to read: the first table has, for each mesh, medians over --runs of the seconds for setup and

@@ -7,8 +7,8 @@
 //
 // Author(s) : The Canonical_pose_3 authors
 
-// The canonical pose of a tetrahedral mesh made by CGAL's Mesh_3 of an implicit solid: a sausage
-// bent to a half circle comes out straight.
+// The canonical pose of a tetrahedral mesh of an implicit solid, created by Mesh_3: a sausage bent
+// to a half circle is straightened.
 
 #include <CGAL/canonical_pose_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

@@ -7,7 +7,7 @@
 //
 // Author(s) : The Canonical_pose_3 authors
 
-// Face graphs that are not CGAL's. Everything runs on the same arrays whatever the mesh is: equal
+// Face graphs that are not CGAL's. Everything runs on the same arrays for any mesh type: equal
 // vertices and faces in the same order yield the same bytes, in every function that takes a face
 // graph.
 

@@ -1,6 +1,6 @@
-# Each public header compiles alone, and twice over, without a warning of ours: one test per header with the
-# compiler of the build, without what takes long (src/compiled/ includes each part of that first), and one test for
-# all of them together, header-only, with the other of g++ and clang++, if present.
+# Each public header compiles alone, and when included twice, without warnings: one test per header with the
+# compiler of the build, except for slow-compiling parts (each of which src/compiled/ includes first), and one test
+# for all of them together, header-only, with the other one of g++ and clang++, if present.
 
 set(own_headers ${PROJECT_SOURCE_DIR}/include)
 file(GLOB_RECURSE public_headers CONFIGURE_DEPENDS RELATIVE ${own_headers} "${own_headers}/CGAL/*.h")

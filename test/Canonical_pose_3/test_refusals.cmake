@@ -1,4 +1,4 @@
-# What the package refuses to compile, it refuses by a sentence of its own: refused_complexes.cpp, with a
+# Unsupported code is refused at compile time with a message of the package: refused_complexes.cpp, with a
 # macro for each case.
 
 # add_canonical_pose_refusal_test(macro sentence)

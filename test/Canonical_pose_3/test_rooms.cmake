@@ -1,14 +1,14 @@
-# Includes of internal headers lead downwards: a header of a room includes headers of this room and of those after it
-# in the list, and of the public ones only plain data types and what works on points and indices.
-# Called with -DINCLUDE=<the folder of this package's public headers>.
+# Includes of internal headers lead downward: a header of a folder includes only headers of this folder and of those
+# after it in the list, and public headers only of plain data types and of functions on points and indices.
+# Called with -DINCLUDE=<the folder of the public headers of this package>.
 
 cmake_minimum_required(VERSION 3.18...3.31)
 set(rooms pipeline registration injective energy target lattice body wavefront heat intrinsic soup linear_algebra
   support)
-# What any room may use.
+# Public headers that any folder may include.
 set(data_types point_matrix Options Registration_options Registration_progress Registration_summary Diagnosis_3
   Repaired_surface_3 Landmark_fields_3 surface_measures)
-# What a room may use besides. The pipeline puts the public parts together. The default solver is a public class.
+# Additional public headers per folder. The pipeline combines the public parts. The default solver is a public class.
 set(also_in_body Embedded_body_3 Tetrahedral_complex_traits_3)
 set(also_in_linear_algebra Default_factor_traits_d Eigen_factor_traits_d)
 
@@ -40,8 +40,8 @@ foreach(header IN LISTS headers)
     endif()
   endforeach()
 endforeach()
-# X.h ends with X_impl.h. What X_impl.h includes must not lead back to X.h, else a source that begins with that header
-# meets the definitions of X_impl.h before what they use.
+# X.h ends with X_impl.h. Includes of X_impl.h must not lead back to X.h; otherwise, a source that includes such a
+# header first sees the definitions of X_impl.h before the declarations that they use.
 file(GLOB_RECURSE all_headers RELATIVE ${INCLUDE} ${INCLUDE}/*.h)
 foreach(header IN LISTS all_headers)
   set(includes_of_${header} "")

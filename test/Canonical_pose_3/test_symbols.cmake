@@ -1,5 +1,5 @@
-# What headers define is inline, else two sources of one program that include them could not be linked: no
-# object file of the BUILD has a symbol of the package that no other may have. NM lists them.
+# Definitions in headers are inline; otherwise, two sources of a program that include them could not be linked: no
+# object file of the BUILD has a strong symbol of the package. NM lists the symbols.
 
 file(GLOB_RECURSE objects ${BUILD}/*.o)
 set(number 0)

@@ -2,10 +2,10 @@
 #
 #   cmake -DTOOL=path -DMAKE_FIGURE=path -DWORK=directory -P test_tool.cmake
 #
-# WORK is emptied first. MAKE_FIGURE writes the sample; where it is empty, what needs it is left out.
-# test_tool_inputs.cmake and test_tool_bad_files.cmake write the input files, one for each promise that an input can
-# break; test_tool_checks.cmake holds what is asserted of a run and of a report; test_tool_outputs.cmake is about the
-# files that are written.
+# WORK is emptied first. MAKE_FIGURE writes the sample; if it is empty, tests that require it are skipped.
+# test_tool_inputs.cmake and test_tool_bad_files.cmake write the input files, one for each requirement that an input
+# can violate; test_tool_checks.cmake contains the assertions about runs and reports; test_tool_outputs.cmake tests the
+# output files.
 
 cmake_minimum_required(VERSION 3.19)
 
@@ -40,7 +40,7 @@ expect_exit(2 geodesics ball.off -o out/a.txt)
 expect_exit(2 pose ball.off -o out/a.off --geodesics mmp)
 expect_exit(2 geodesics ball.off -o out/a.txt --source -1)
 
-# ---- what cannot be done: exit 1, one line on stderr that says why, and no file ------------------------
+# ---- failures: exit 1, one line on stderr that states the reason, and no file --------------------------
 
 foreach(input IN LISTS bad_inputs)
   list(POP_FRONT messages message)
@@ -161,8 +161,8 @@ expect_exit(0 pose ball.off -o out/a.off --kernel gaussian --landmarks 6 --detai
 expect_exit(0 pose ball.off -o out/a.off --paper-weights 100,10 --kernel gaussian-uncentred)
 expect_exit(0 pose ball.off -o out/a.off --matching-weights factors.txt --stiffness factors.txt)
 
-# What goes on is told to a terminal, in one line that is blank in the end, and to nobody else: in all other
-# runs that succeed, nothing is on stderr.
+# Progress is only shown on a terminal, in one line that is blank in the end: in all other successful runs, nothing
+# is printed to stderr.
 find_program(SCRIPT script)
 if(SCRIPT AND CMAKE_HOST_SYSTEM_NAME STREQUAL "Linux")
   foreach(quiet IN ITEMS "" --quiet)
@@ -181,7 +181,7 @@ else()
   message(STATUS "What the tool tells a terminal is not tested: the program script was not found")
 endif()
 
-# What was computed is given: the distances exactly, the target as it was written.
+# Computed values are given: the distances exactly, the target as it was written.
 expect_exit(0 geodesics ball.off --source 0 --source 3 --source 8 -o out/distances.txt)
 expect_exit(0 pose ball.off -o out/a.off --given-distances out/distances.txt --target out/target.off
   --report out/report.json)
@@ -238,7 +238,7 @@ if(MAKE_FIGURE)
   expect_same_faces(figure.off out/pose_1.off)
   expect_match("${stdout}" "converged after [0-9]+ iterations, energy .*stress")
 
-  # Inverted cells, unless the mode is on.
+  # There are inverted cells, unless the injective mode is on.
   execute_process(COMMAND ${MAKE_FIGURE} --vertices 2500 --pose sitting ${WORK}/sitting.off
     COMMAND_ERROR_IS_FATAL ANY OUTPUT_QUIET)
   expect_exit(0 pose sitting.off -o out/a.off)

@@ -1,12 +1,12 @@
-# Files that test_tool.cmake expects to be refused, as those of test_tool_inputs.cmake, with whose words they are
-# written: they announce what is not there, leave out what is there, or hold numbers that are no integers where
-# integers belong. Those of `strange_inputs` look odd, but are as they should be.
+# Files that test_tool.cmake expects to be refused, in addition to those of test_tool_inputs.cmake, whose functions
+# write them: they announce missing content, do not announce existing content, or contain non-integers where integers
+# are required. Those of `strange_inputs` are unusual, but valid.
 
 set(strange_inputs "")
 
 # ---- PLY: the header, then lists and numbers -------------------------------------------------------------
 
-# bad_ply(name message elements data): the properties `xyz` and `corners` are what is expected.
+# bad_ply(name message elements data): the properties `xyz` and `corners` are the expected ones.
 macro(bad_ply name message elements data)
   file(WRITE ${WORK}/${name}.ply "ply\nformat ascii 1.0\n${elements}end_header\n${data}")
   bad(${name}.ply "${message}")
@@ -97,7 +97,7 @@ string(REPLACE "End" "Hexahedra 0\nCorners\n1\n1\nNormals 1\nnan 0 -inf\nGeometr
 file(WRITE ${WORK}/sections.mesh "${text}")
 list(APPEND strange_inputs sections.mesh)
 
-# A triangle, and a polygon of 256 corners, which is as it should be, too, but cannot be written as PLY.
+# A triangle, and a polygon of 256 corners, which is also valid, but cannot be written as PLY.
 set(corner_lines "0 0 0\n")
 set(polygon 256)
 foreach(corner RANGE 1 256)

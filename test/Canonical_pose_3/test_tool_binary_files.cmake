@@ -6,13 +6,13 @@ if(NOT PRINTF)
   return()
 endif()
 
-# Writes the bytes that printf makes of its arguments.
+# Writes the bytes printed by printf for the arguments.
 function(write_bytes name)
   string(CONCAT bytes ${ARGN})
   execute_process(COMMAND ${PRINTF} "${bytes}" OUTPUT_FILE ${WORK}/${name} COMMAND_ERROR_IS_FATAL ANY)
 endfunction()
 
-# Floating-point numbers of four bytes, the least significant one first.
+# Four-byte floating-point numbers, in little-endian order.
 set(float_0 "\\000\\000\\000\\000")
 set(float_1 "\\000\\000\\200\\077")
 set(float_1.5 "\\000\\000\\300\\077")
@@ -21,7 +21,7 @@ set(float_3 "\\000\\000\\100\\100")
 set(points "0 0 0" "1 0 0" "0 1 0" "0 0 1")
 set(triangles "0 2 1" "0 1 3" "1 2 3" "2 0 3")
 
-# The floats of texts with blanks between them.
+# Converts space-separated numbers to floats.
 function(floats result)
   set(bytes "")
   string(REPLACE " " ";" numbers "${ARGN}")
@@ -31,7 +31,7 @@ function(floats result)
   set(${result} "${bytes}" PARENT_SCOPE)
 endfunction()
 
-# binary_ply(name number_of_corners triangles rest): the first triangle announces so many. Indices are floats.
+# binary_ply(name number_of_corners triangles rest): the first triangle announces `number_of_corners`. Indices are floats.
 function(binary_ply name number triangles rest)
   floats(bytes ${points})
   foreach(triangle IN LISTS triangles)
@@ -52,7 +52,7 @@ bad(minus.ply "face 0: the number of its 'vertex_indices' is -3")
 binary_ply(longer.ply "\\003" "${triangles}" "\\003${float_0}${float_1}${float_2}")
 bad(longer.ply "the file goes on for 13 bytes after face 3, the last one announced")
 
-# binary_stl(name number rest): announces so many faces, and has four.
+# binary_stl(name number rest): announces `number` faces, and has four.
 function(binary_stl name number rest)
   string(REPEAT "x" 80 bytes)
   string(APPEND bytes "\\00${number}\\000\\000\\000")

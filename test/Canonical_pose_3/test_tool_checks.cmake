@@ -1,4 +1,4 @@
-# What test_tool.cmake asserts. A broken promise ends the test with what was run and what it said.
+# The assertions of test_tool.cmake. A failure stops the test and prints the command and its output.
 
 # Runs the tool in WORK; sets command, exit_code, stdout and stderr.
 macro(run_tool)
@@ -52,7 +52,7 @@ function(expect_same_bytes a b)
   endif()
 endfunction()
 
-# The lines of whole numbers alone are those of faces and cells, and of numbers of elements.
+# Lines that contain only integers are faces, cells, and numbers of elements.
 function(expect_same_faces a b)
   set(numbers "^ *[0-9]+( +[0-9]+)* *$")
   file(STRINGS ${WORK}/${a} of_a REGEX "${numbers}")
@@ -75,7 +75,7 @@ function(expect_json file value)
   endif()
 endfunction()
 
-# All fields are there, and all numbers are numbers.
+# All fields are present, and all numbers are numbers.
 function(expect_complete_report file)
   file(READ ${WORK}/${file} json)
   foreach(field IN ITEMS
@@ -98,7 +98,7 @@ function(expect_complete_report file)
   endforeach()
 endfunction()
 
-# Turns a positive number of seconds (0.25, 1.5e-05) into whole microseconds.
+# Converts a positive number of seconds (0.25, 1.5e-05) to integer microseconds.
 function(microseconds result seconds)
   if(NOT seconds MATCHES "^([0-9]+)(\\.([0-9]+))?(e([+-])0*([0-9]+))?$")
     fail("'${seconds}' is not a time.")
@@ -118,7 +118,7 @@ function(microseconds result seconds)
   set(${result} ${whole} PARENT_SCOPE)
 endfunction()
 
-# The stages add up to at least 95 percent of the total, and not to more than it.
+# The stages add up to at least 95 percent of the total, and at most the total.
 function(expect_accounted_time file)
   file(READ ${WORK}/${file} json)
   set(sum 0)

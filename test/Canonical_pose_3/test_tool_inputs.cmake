@@ -1,14 +1,14 @@
 # Writes the input files of test_tool.cmake to WORK: a ball of 12 vertices and 20 faces in all formats, and
-# files that break one promise each. bad_inputs names those that are refused, messages says what the tool has to say
-# of them; dirty_inputs names those that are repaired inside, defects and defect_messages what is wrong with them.
+# files that violate one requirement each. bad_inputs lists the files that are refused, messages the expected messages;
+# dirty_inputs lists the files that are repaired internally, defects and defect_messages their defects.
 
-# An icosahedron, stretched so that its axes differ.
+# An icosahedron, stretched such that its axes differ.
 set(vertices "0 1 1.7" "0 -1 1.7" "0 1 -1.7" "0 -1 -1.7" "1.1 1.8 0" "-1.1 1.8 0" "1.1 -1.8 0" "-1.1 -1.8 0"
              "1.9 0 1" "-1.9 0 1" "1.9 0 -1" "-1.9 0 -1")
 set(faces "0 1 8" "0 8 4" "0 4 5" "0 5 9" "0 9 1" "1 9 7" "1 7 6" "1 6 8" "8 6 10" "8 10 4"
           "4 10 2" "4 2 5" "5 2 11" "5 11 9" "9 11 7" "3 6 7" "3 7 11" "3 11 2" "3 2 10" "3 10 6")
 
-# The lines of a list, each with `prefix` before it.
+# The lines of a list, each preceded by `prefix`.
 function(join result prefix)
   list(TRANSFORM ARGN PREPEND "${prefix}")
   list(JOIN ARGN "\n" text)
@@ -135,7 +135,7 @@ bad(line.off "all its faces are degenerate")
 file(WRITE ${WORK}/points.off "OFF\n2 0 0\n0 0 0\n1 0 0\n")
 bad(points.off "no face")
 
-# ---- files that are repaired inside ---------------------------------------------------------------------
+# ---- files that are repaired internally -----------------------------------------------------------------
 
 set(dirty_inputs "")
 set(defects "")

@@ -1,5 +1,5 @@
-# How canonical-pose puts its outputs where they belong, see test_tool.cmake: all of them or none, through symbolic
-# links, and through nothing that lies where it writes at first.
+# How canonical-pose moves its outputs to their destinations, see test_tool.cmake: all or none of them, through
+# symbolic links, but not through files at its temporary names.
 
 string(REPEAT a 246 long) # a name can have 255 bytes
 expect_exit(0 geodesics ball.off --source 0 -o out/${long}.txt)
@@ -11,7 +11,7 @@ if(NOT SH OR NOT CMAKE_HOST_SYSTEM_NAME STREQUAL "Linux")
   return()
 endif()
 
-# Runs a text of sh, in which $TOOL is the tool, as run_tool() does.
+# Runs a shell script, in which $TOOL is the tool, like run_tool().
 macro(run_sh text)
   set(command "${text}")
   execute_process(COMMAND ${CMAKE_COMMAND} -E env "TOOL=${TOOL}" ${SH} -c "${text}" WORKING_DIRECTORY ${WORK} TIMEOUT 120
@@ -39,7 +39,7 @@ foreach(words IN ITEMS "geodesics ball.off --source 0 -o ''" "check ball.off --r
   expect_match("${exit_code}<${stderr}>" "^2<[^\n]*the path is empty\n")
 endforeach()
 
-# ---- symbolic links are followed, even if there is no file behind them yet ---------------------------------
+# ---- symbolic links are followed, even if their target does not exist yet ----------------------------------
 
 run_tool(geodesics ball.off --source 0 -o distances.txt)
 file(READ ${WORK}/distances.txt distances)
@@ -72,7 +72,7 @@ endforeach()
 expect_files(deep/*.txt deep/chained.txt deep/new.txt)
 expect_files(deep/far/* deep/far/plain.txt deep/far/second.txt)
 
-# ---- nothing is written through what lies where a file is written at first ---------------------------------
+# ---- nothing is written through existing files at the temporary names --------------------------------------
 
 file(WRITE ${WORK}/victim.txt "precious")
 foreach(plant IN ITEMS "ln -s ../victim.txt" "ln -s nowhere.txt" "ln ../victim.txt" mkdir)
@@ -84,7 +84,7 @@ foreach(plant IN ITEMS "ln -s ../victim.txt" "ln -s nowhere.txt" "ln ../victim.t
   expect_content(victim.txt "precious")
   file(GLOB files ${WORK}/out/*)
   list(LENGTH files length)
-  expect_match(${length} "^2$") # the other one is what was planted
+  expect_match(${length} "^2$") # the other one was planted
 endforeach()
 
 # ---- all or nothing --------------------------------------------------------------------------------------
@@ -97,7 +97,7 @@ expect_match("${exit_code}<${stderr}>" "^1<canonical-pose: [^\n]*'out/c.json' ca
 expect_content(out/a.off "before")
 expect_files(out/* out/a.off)
 
-# A folder takes the name of the last output while the input is read, hence after the outputs were checked.
+# A folder with the name of the last output is created while the input is read, that is, after the outputs were checked.
 foreach(before IN ITEMS before "")
   file(REMOVE_RECURSE ${WORK}/out ${WORK}/pipe.off)
   file(MAKE_DIRECTORY ${WORK}/out)

@@ -1,4 +1,4 @@
-# Builds and runs a small project that uses the package from outside, in the three ways there are:
+# Builds and runs a small external project that uses the package in three ways:
 # find_package() on an installation, add_subdirectory() and FetchContent.
 
 set(installation ${CMAKE_CURRENT_BINARY_DIR}/test_consumer/installation)
@@ -32,7 +32,7 @@ add_canonical_pose_consumer_test(FetchContent FetchContent ${as_here} ${tetgen})
 add_canonical_pose_consumer_test(bare add_subdirectory -DPACKAGE_DIRECTORY=${PROJECT_SOURCE_DIR}
   -DWITH_CHOLMOD=OFF -DWITH_TBB=OFF -DWITH_TETGEN=OFF)
 
-# The program in the README, installed. Not optimized: the run takes seconds, optimization a minute.
+# The program in the installed README. Not optimized: the run takes seconds, optimization a minute.
 if(WITH_compiled)
   add_test(NAME consumer.readme
     COMMAND ${CMAKE_CTEST_COMMAND} --build-and-test

@@ -1,5 +1,5 @@
-# Runs the README's program on a mesh, which has to converge without an inverted cell. The programs of two parts
-# are run for what these print.
+# Runs the program of the README on a mesh, which must converge without inverted cells. For the programs of two parts,
+# the output is checked.
 
 function(run program)
   execute_process(COMMAND ./${program} tube.off OUTPUT_VARIABLE output ERROR_VARIABLE output)

@@ -1,4 +1,4 @@
-# Writes FILE: a tube with a right angle in it, of 37 hexagons. A closed surface of 222 vertices, all integers.
+# Writes FILE: a tube of 37 hexagons with a right-angle bend, a closed surface of 222 vertices with integer coordinates.
 
 set(ring "2 0" "1 2" "-1 2" "-2 0" "-1 -2" "1 -2")
 set(points "")
