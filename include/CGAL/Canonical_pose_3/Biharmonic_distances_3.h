@@ -47,8 +47,8 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 Let \f$ \lambda_k \f$ and \f$ \varphi_k \f$ be the positive eigenvalues and the orthonormal
 eigenfunctions of the Laplacian of the surface. The distance between \f$ x \f$ and \f$ y \f$ is the
-square root of \f$ \sum_k (\varphi_k(x) - \varphi_k(y))^2 / \lambda_k^2 \f$. It has the unit of a
-length, is a metric, and smooth; it depends on all paths between two points, not only on the
+square root of \f$ \sum_k (\varphi_k(x) - \varphi_k(y))^2 / \lambda_k^2 \f$. It has the unit of
+length, is a metric, and is smooth; it depends on all paths between two points, not only on the
 shortest. It is not a geodesic distance: it grows more slowly, and differs by a factor that depends
 on the shape.
 

@@ -51,7 +51,7 @@ struct Registration_options
   double move_tolerance = 5e-4;
 
   /// number of previous steps that correct a step by limited-memory BFGS
-  /// \cgalCite{cgal:canonical-lbk-qnm-17}, which halves the number of iterations; 0 for none. There
+  /// \cgalCite{cgal:canonical-lbk-qnm-17}, which roughly halves the iterations; 0 for none. There
   /// is no correction with fairing or a Tikhonov term. Nonnegative.
   int acceleration_window = 5;
 

@@ -27,7 +27,7 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-template <typename...>
+template <class...>
 struct Make_void
 {
   using type = void;
