@@ -113,13 +113,9 @@ canonical_pose_3(const TriangleMesh& tmesh, PoseVertexPointMap pose_vertex_point
   using Traits = typename GetGeomTraits<TriangleMesh, NamedParameters>::type;
 
   const Traits traits = choose_parameter<Traits>(get_parameter(np, internal_np::geom_traits));
-  const Point_matrix points
-    = point_matrix(tmesh,
-                   choose_parameter(get_parameter(np, internal_np::vertex_point),
-                                    get_const_property_map(vertex_point, tmesh)),
-                   traits);
   const Result result = Canonical_pose_3::internal::pose_of_surface(
-    points, Canonical_pose_3::internal::index_polygons(tmesh),
+    Canonical_pose_3::internal::points_of_parameters(tmesh, np),
+    Canonical_pose_3::internal::index_polygons(tmesh),
     Canonical_pose_3::internal::options_of_parameters(options, np),
     Canonical_pose_3::internal::linked_bodies());
   if(result.is_usable())

@@ -161,7 +161,9 @@ public:
 
   Biharmonic_distances_3(const Biharmonic_distances_3&) = delete;
   Biharmonic_distances_3& operator=(const Biharmonic_distances_3&) = delete;
+  /// moves; the source may only be assigned to or destroyed afterwards.
   Biharmonic_distances_3(Biharmonic_distances_3&&) = default;
+  /// moves, see above.
   Biharmonic_distances_3& operator=(Biharmonic_distances_3&&) = default;
 
   /// @}

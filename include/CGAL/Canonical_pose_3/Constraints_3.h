@@ -26,8 +26,8 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 /// \ingroup PkgCanonicalPose3Ref
-/// returns constraints on the vertices of one component. Row \f$ i \f$ of the constraints is vertex `vertices[i]` of the
-/// input; the rows of a surface without defect are its vertices in their order.
+/// returns constraints on the vertices of one component. Row \f$ i \f$ of the constraints corresponds to
+/// vertex `vertices[i]` of the input. For a connected surface without defects, `vertices[i]` is `i`.
 using Constraints_function
   = std::function<std::vector<Registration_constraint_3>(const std::vector<std::size_t>& vertices)>;
 
@@ -36,23 +36,23 @@ using Constraints_function
 
 \brief holds the constraints of `canonical_pose_3()`.
 
-Vertices are indices: in the order of `vertices(tmesh)`, of the points of a soup, or of the vertices of a complex.
-`Vertex_constraints_3` takes vertex descriptors instead. The vertices of a constraint belong to one component, which has
-a pose of its own. Vectors and positions are in the frame of the input, where the pose lies (see `align_target()`).
+Vertices are given as indices in the order of `vertices(tmesh)`, of the points of a soup, or of the
+vertices of a complex; `Vertex_constraints_3` accepts vertex descriptors instead. All vertices of a
+constraint must belong to the same component, and this must be one that is posed. Vectors and
+positions are given in the coordinate system of the input (see `align_target()`).
 */
 struct Constraints_3
 {
-  /// springs between vertices.
+  /// springs between pairs of vertices.
   std::vector<Spring_3> springs;
 
-  /// pairs of vertices with the prescribed vector between them.
+  /// pairs of vertices with a prescribed difference.
   std::vector<Directed_pair_3> directions;
 
-  /// vertices with their prescribed positions.
+  /// vertices with prescribed positions.
   std::vector<Handle_3> handles;
 
-  /// pairs of vertices that are to be mirror images of each other in one common plane; the vertices
-  /// of each component have a plane of their own.
+  /// pairs of vertices that become mirror images with respect to one common plane per component.
   std::vector<Symmetric_pair_3> symmetric_pairs;
 
   /// if set, returns further constraints, of any type, on each component.

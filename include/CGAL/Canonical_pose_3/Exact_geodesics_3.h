@@ -178,7 +178,9 @@ public:
 
   Exact_geodesics_3(const Exact_geodesics_3&) = delete;
   Exact_geodesics_3& operator=(const Exact_geodesics_3&) = delete;
+  /// moves; the source may only be assigned to or destroyed afterwards.
   Exact_geodesics_3(Exact_geodesics_3&&) = default;
+  /// moves, see above.
   Exact_geodesics_3& operator=(Exact_geodesics_3&&) = default;
 
   /// @}

@@ -177,7 +177,9 @@ public:
 
   Heat_geodesics_3(const Heat_geodesics_3&) = delete;
   Heat_geodesics_3& operator=(const Heat_geodesics_3&) = delete;
+  /// moves; the source may only be assigned to or destroyed afterwards.
   Heat_geodesics_3(Heat_geodesics_3&&) = default;
+  /// moves, see above.
   Heat_geodesics_3& operator=(Heat_geodesics_3&&) = default;
 
   /// @}

@@ -23,17 +23,17 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief holds the type of a linear solver, so that it can be chosen at run time.
+\brief stores the type of a linear solver, which can thus be chosen at run time.
 
 \sa `Options::linear_solver`
 */
 class Linear_solver
 {
 public:
-  /// constructs the solver `Default_factor_traits_d`.
+  /// selects `Default_factor_traits_d`.
   Linear_solver() = default;
 
-  /// takes the type of a solver.
+  /// selects the type of the argument.
   /// \tparam FactorTraits a model of `SparseLinearAlgebraWithBlockFactorTraits_d`
   template <class FactorTraits>
   explicit Linear_solver(const FactorTraits&)

@@ -83,9 +83,10 @@ using Body_function = std::function<Elastic_body_3(
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief holds the options of `canonical_pose_3()` that do not depend on the vertices of the input.
+\brief holds the options of `canonical_pose_3()` that do not refer to vertices of the input.
 
-Distances, kernel, body and solver are chosen by enumerations, or are the user's own: a function or a model of a concept.
+Distances, kernel, body and solver are selected by enumerations, or provided by the user as functions or models of
+concepts.
 */
 struct Method_options
 {
@@ -100,8 +101,7 @@ struct Method_options
   enum class Body { AUTOMATIC, LATTICE, TETGEN, MESH_3 };
 
   /// what to do with several connected components, of a surface (by edges) or of the cells of a complex (by
-  /// common faces): refuse them; take the largest one, to which the others stay attached; or bring each into its
-  /// own pose.
+  /// common faces): refuse them; pose the largest one, to which the others stay attached; or pose each on its own.
   enum class Components { REFUSE, LARGEST, EACH };
 
   /// linear solver: `AUTOMATIC` is CHOLMOD where the package was configured with it, else Eigen.
@@ -110,11 +110,11 @@ struct Method_options
   /// the distances.
   Geodesics geodesics = Geodesics::HEAT;
 
-  /// if set, this measures instead, with `Exact_geodesics_3` for instance: see `landmark_fields_function()`.
+  /// if set, computes the distances instead, for example with `Exact_geodesics_3`; see `landmark_fields_function()`.
   Landmark_fields_function landmark_fields_function;
 
-  /// if set, the target is made of these distances, in the unit of the mesh, whereas the body and the length
-  /// \f$ L \f$ keep to those above.
+  /// if set, computes the distances for the target, in the unit of the mesh, while the body and the length
+  /// \f$ L \f$ are still based on the distances above.
   Landmark_fields_function target_fields_function;
 
   /// number of landmarks, at least 1. Of those that a surface of \f$ n \f$ vertices can have, \f$ n \f$, at
@@ -128,13 +128,13 @@ struct Method_options
   /// the kernel.
   Kernel kernel = Kernel::CLASSICAL;
 
-  /// if set, a model of `MdsKernel` that takes the place of `kernel`.
+  /// if set, a model of `MdsKernel` that replaces `kernel`.
   std::optional<Mds_kernel> mds_kernel;
 
   /// the body of a surface; a complex is its own body.
   Body body = Body::AUTOMATIC;
 
-  /// if set, this makes the body of a surface instead.
+  /// if set, creates the body of a surface instead.
   Body_function make_body;
 
   /// spacing of the lattice as a fraction of \f$ L \f$; 0: chosen from the thickness of the shape.
@@ -151,15 +151,15 @@ struct Method_options
   /// as the paper does.
   std::optional<Paper_weights> paper_weights;
 
-  /// the target is scaled down, and the registration repeated, where the volume of the pose exceeds this multiple of the
-  /// volume at rest: geodesics lead around a compact body, so that its target is too large. Positive. If not set,
-  /// 1.15 for a target that is computed, without paper weights, and otherwise no limit.
+  /// if the volume of the pose exceeds this multiple of the rest volume, the target is scaled down and the
+  /// registration is repeated: geodesics run around compact bodies, so their targets are too large. Positive. By
+  /// default 1.15, but unlimited for given targets and with `paper_weights`.
   std::optional<double> volume_ratio_limit;
 
   /// the linear solver.
   Solver solver = Solver::AUTOMATIC;
 
-  /// if set, a solver that takes the place of `solver`.
+  /// if set, replaces `solver`.
   std::optional<Linear_solver> linear_solver;
 
   /// upper bound on the number of threads; 0 for none. The result does not depend on it.

@@ -27,24 +27,24 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief is an input as the steps of `canonical_pose_3()` take it: its components, connected and without defect, and what
-the options say of each.
+\brief holds an input as the steps of `canonical_pose_3()` require it: its components, connected and
+without defects, with the options that apply to each.
 
 \sa `prepare_surface()`, `joined_result()`
 */
 struct Prepared_surface_3
 {
-  /// a component with the options in its rows instead of those of the input.
+  /// a component with its options, which refer to its own vertices instead of those of the input.
   struct Component
   {
     Surface_component_3 surface; ///< the surface.
-    Options options;             ///< its options.
+    Options options;             ///< the options.
   };
 
-  /// what was found on the input.
+  /// what was found in the input.
   Diagnosis_3 diagnosis;
 
-  /// the components that get a pose of their own, by decreasing size.
+  /// the components to be posed, by decreasing size.
   std::vector<Component> components;
 
   /// \cond SKIP_IN_MANUAL

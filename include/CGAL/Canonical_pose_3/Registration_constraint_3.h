@@ -29,7 +29,7 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief holds a constraint of any type, so that it can be chosen at run time.
+\brief holds a constraint of any type, which can thus be chosen at run time.
 
 Copies share the constraint.
 
@@ -40,7 +40,7 @@ Copies share the constraint.
 class Registration_constraint_3
 {
 public:
-  /// takes a constraint.
+  /// stores a constraint.
   /// \tparam Constraint a model of `RegistrationConstraint_3`
   template <class Constraint,
             std::enable_if_t<!std::is_same<Constraint, Registration_constraint_3>::value, int> = 0>

@@ -26,7 +26,7 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief is the body of a surface.
+\brief holds the body of a surface.
 
 \sa `surface_body()`
 */
@@ -38,16 +38,16 @@ struct Surface_body_3
   /// the body.
   Elastic_body_3 body;
 
-  /// \f$ L \f$, the length that the detail length refers to: the largest distance on the surface.
+  /// \f$ L \f$, the length that the detail length is relative to: the largest distance on the surface.
   double length_scale = 0;
 
-  /// the surface vertex of the body that each vertex of the surface is.
+  /// the surface vertex of the body for each vertex of the surface.
   std::vector<std::size_t> surface_vertices;
 
-  /// positive factors of the weights of the cells, or none.
+  /// positive factors of the cell weights, or empty.
   Eigen::VectorXd stiffness;
 
-  /// one line each, see `Registration_summary::warnings`.
+  /// warnings of one line each, see `Registration_summary::warnings`.
   std::vector<std::string> warnings;
 };
 

@@ -24,7 +24,7 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief is a connected surface that gets a pose of its own: an oriented 2-manifold, perhaps with boundary.
+\brief is a connected component of the input, an oriented 2-manifold with or without boundary.
 
 \sa `prepare_surface()`
 */
@@ -36,18 +36,18 @@ struct Surface_component_3
   /// triples of rows of `points`.
   std::vector<std::array<std::size_t, 3>> triangles;
 
-  /// triangles over the same vertices that close the loops of the boundary.
+  /// triangles with the same vertices that close the boundary loops.
   std::vector<std::array<std::size_t, 3>> caps;
 
   /// the face of the input that each triangle is part of.
   std::vector<std::size_t> face_of_triangle;
 
-  /// the vertex of the input that each point is; for a tetrahedral complex, the vertex of its boundary. Where the input
-  /// is not manifold, several points are the same vertex.
+  /// the vertex of the input that each point stems from; for a tetrahedral complex, the vertex of its
+  /// boundary. Where the input is not manifold, several points stem from the same vertex.
   std::vector<std::size_t> origins;
 
-  /// the vertex of the input that each surface vertex of the body is: `origins`, unless the input is a complex, whose
-  /// surface vertices are those of its cells.
+  /// the vertex of the input that each surface vertex of the body stems from. The same as `origins`,
+  /// except for a complex: all its vertices are surface vertices.
   std::vector<std::size_t> body_origins;
 };
 

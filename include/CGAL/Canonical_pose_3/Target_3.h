@@ -24,7 +24,7 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief is the target of a surface, in its final position.
+\brief holds the target of a surface in its final position.
 
 \sa `mds_target()`
 */
@@ -33,13 +33,13 @@ struct Target_3
   /// \f$ n \times 3 \f$, the target of each vertex of the surface.
   Point_matrix points;
 
-  /// whether it is that of `Options::given`.
+  /// whether the target was given, see `Options::given`.
   bool is_given = false;
 
-  /// how it was made.
+  /// how the target was computed.
   Registration_summary::Target summary;
 
-  /// one line each, see `Registration_summary::warnings`.
+  /// warnings of one line each, see `Registration_summary::warnings`.
   std::vector<std::string> warnings;
 };
 

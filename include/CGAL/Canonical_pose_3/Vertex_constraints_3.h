@@ -62,10 +62,10 @@ struct Constrained_graph<Complex, true>
 
 \brief collects constraints on the vertices of a mesh or a tetrahedral complex, for `Options::constraints`.
 
-Vertices that are added to the mesh or removed from it afterwards invalidate the constraints.
+The object must be constructed again if vertices are added to the mesh or removed from it.
 
 \tparam Graph a model of `VertexListGraph` with an internal point property map, or a type for which
-       `Tetrahedral_complex_traits_3` is specialized. Its vertex descriptors can be hashed by `std::hash`.
+       `Tetrahedral_complex_traits_3` is specialized. `std::hash` must be specialized for its vertex descriptors.
 \tparam Traits a model of `CanonicalPoseTraits_3`, by default the kernel of the points
 
 \sa `Constraints_3`
@@ -76,10 +76,10 @@ template <class Graph,
 class Vertex_constraints_3
 {
 public:
-  /// the vertices.
+  /// the vertex descriptors.
   using vertex_descriptor = typename internal::Constrained_graph<Graph>::Vertex;
 
-  /// the points.
+  /// the point type.
   using Point_3 = typename Traits::Point_3;
 
   /// constructs an object without constraints.
@@ -91,7 +91,7 @@ public:
   }
 
   /// adds a spring, see `Spring_3`.
-  /// \throws std::invalid_argument if a vertex is none of the mesh, as all functions here.
+  /// \throws std::invalid_argument if a vertex does not belong to the mesh; so do all functions below.
   void add_spring(const vertex_descriptor p, const vertex_descriptor q, const double rest_length,
                   const double stiffness = 1)
   {
@@ -99,7 +99,7 @@ public:
   }
 
   /// prescribes the vector from `q` to `p`, see `Directed_pair_3`.
-  /// \tparam Vector a vector of a kernel
+  /// \tparam Vector a vector type of a \cgal kernel
   template <class Vector>
   void add_direction(const vertex_descriptor p, const vertex_descriptor q, const Vector& vector,
                      const double stiffness = 1)
@@ -123,7 +123,7 @@ public:
     m_constraints.symmetric_pairs.push_back({index(p), index(q), stiffness});
   }
 
-  /// returns the constraints, by indices.
+  /// returns the constraints with vertex indices.
   const Constraints_3& constraints() const { return m_constraints; }
 
 private:

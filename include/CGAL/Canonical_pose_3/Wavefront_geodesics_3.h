@@ -150,7 +150,9 @@ public:
 
   Wavefront_geodesics_3(const Wavefront_geodesics_3&) = delete;
   Wavefront_geodesics_3& operator=(const Wavefront_geodesics_3&) = delete;
+  /// moves; the source may only be assigned to or destroyed afterwards.
   Wavefront_geodesics_3(Wavefront_geodesics_3&&) = default;
+  /// moves, see above.
   Wavefront_geodesics_3& operator=(Wavefront_geodesics_3&&) = default;
 
   /// @}

@@ -19,9 +19,12 @@
 #include <CGAL/Canonical_pose_3/Target_3.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/body_of_surface.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/linked_bodies.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/options_of_parameters.h>
 #include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
+
+#include <CGAL/Named_function_parameters.h>
 
 #include <cstddef>
 #include <vector>
@@ -33,14 +36,14 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief examines and repairs a polygon soup and brings the options to its components: the first step of
-`canonical_pose_3()`.
+\brief examines and repairs a polygon soup, splits it into components, and assigns the options to
+them: the first step of `canonical_pose_3()`.
 
 \param points \f$ n \times 3 \f$, positions.
 \param polygons sequences of rows of `points`.
-\param options the options, in the rows of the input.
+\param options the options, which refer to the vertices of the input.
 
-\throws std::invalid_argument as `canonical_pose_3()`.
+\throws std::invalid_argument under the same conditions as `canonical_pose_3()`.
 
 <em>Complexity:</em> \f$ O(n \log n) \f$.
 */
@@ -51,28 +54,36 @@ Prepared_surface_3 prepare_surface(const Point_matrix& points,
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief examines and repairs a polygon mesh and brings the options to its components.
+\brief examines and repairs a polygon mesh, splits it into components, and assigns the options to
+them.
 
-\tparam TriangleMesh a model of `FaceListGraph` with an internal point property map
+\tparam TriangleMesh a model of `FaceListGraph`
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param tmesh the mesh.
+\param options the options, which refer to the vertices of the mesh.
+\param np `vertex_point_map` and `geom_traits`, as for `canonical_pose_3()`
 */
-template <class TriangleMesh>
-Prepared_surface_3 prepare_surface(const TriangleMesh& tmesh, const Options& options = Options())
+template <class TriangleMesh, class NamedParameters = parameters::Default_named_parameters>
+Prepared_surface_3 prepare_surface(const TriangleMesh& tmesh, const Options& options = Options(),
+                                   const NamedParameters& np = parameters::default_values())
 {
-  return prepare_surface(point_matrix(tmesh), internal::index_polygons(tmesh), options);
+  return prepare_surface(internal::points_of_parameters(tmesh, np), internal::index_polygons(tmesh),
+                         options);
 }
 
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief returns landmarks on a surface and the distances to them: the second step of `canonical_pose_3()`, after
-`prepare_surface()`.
+\brief chooses landmarks on a surface and computes the distances to them: the second step of
+`canonical_pose_3()`, after `prepare_surface()`.
 
 \param surface the surface.
 \param options `geodesics`, `landmark_fields_function`, `number_of_landmarks`, `random_seed`, the solver and
        `number_of_threads` are used.
 
-\throws std::invalid_argument if a face has no area where the distances need one, or a function of the options returns
-        something else than distances.
+\throws std::invalid_argument if the distances require faces with an area and a face has none, or the
+        function in the options returns invalid distances.
 
 \sa `mds_target()`
 */
@@ -82,14 +93,15 @@ Landmark_fields_3 landmark_fields(const Surface_component_3& surface,
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief returns the target of a surface, by landmark multidimensional scaling, aligned and of its handedness; or the one
-that is given: the third step of `canonical_pose_3()`.
+\brief computes the target of a surface by landmark multidimensional scaling, mirrors it if its
+handedness requires it, and aligns it with the surface; or returns the given target: the third step of
+`canonical_pose_3()`.
 
 \param surface the surface.
-\param fields distances, with a row per vertex.
+\param fields distances, one row per vertex.
 \param options `kernel`, `mds_kernel` and `given.target` are used.
 
-\pre `fields` and a given target have a row per vertex.
+\pre `fields` and the given target, if any, have one row per vertex.
 
 \throws std::invalid_argument see `Landmark_mds_target_builder_3::build()`.
 
@@ -105,16 +117,16 @@ inline namespace CGAL_CANONICAL_POSE_3_BODIES {
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief makes the body of a surface: the fourth step of `canonical_pose_3()`.
+\brief creates the body of a surface: the fourth step of `canonical_pose_3()`.
 
 \param surface the surface.
-\param fields distances, with a row per vertex.
+\param fields distances, one row per vertex.
 \param options `body`, `make_body`, `lattice_spacing` and `stiffness` are used.
 
 \pre `fields.distances.rows() == surface.points.rows()`
 
-\throws std::invalid_argument if a function of the options returns something else than a body of the surface.
-\throws std::runtime_error if the mesher fails, or the program was built without the requested body.
+\throws std::invalid_argument if the function in the options returns a body of another surface.
+\throws std::runtime_error if the mesher fails, or the program was built without support for the requested body.
 
 \sa `Lattice_body_3`
 */
@@ -138,11 +150,11 @@ inline Surface_body_3 surface_body(const Surface_component_3& surface,
 \param options `registration`, `paper_weights`, `volume_ratio_limit`, `matching_weights`, `constraints`, `followers`, the
        solver, `number_of_threads` and `visitor` are used.
 
-\returns the pose of the surface vertices of the body, that of the followers, the target and the outcome.
+\returns the pose of the surface vertices of the body, the pose of the followers, the target, and the summary.
 
 \pre `target.points.rows() == surface.points.rows()`
 
-\throws std::invalid_argument if a weight or an option is out of its bounds.
+\throws std::invalid_argument if a weight or an option is out of range.
 \throws std::runtime_error if the solver fails.
 
 \sa `Tetrahedral_arap_registrar_3`
@@ -153,12 +165,13 @@ Result registered_pose(const Surface_component_3& surface, const Target_3& targe
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief brings the results of the components to the rows of the input: the last step of `canonical_pose_3()`.
+\brief transfers the poses of the components to the vertices of the input: the last step of
+`canonical_pose_3()`.
 
-Vertices that are on no component with a pose go with the nearest.
+Vertices of other components, and isolated vertices, move with the nearest component that has a pose.
 
 \param surface the surface.
-\param results a result of `registered_pose()` for each component.
+\param results the result of `registered_pose()` for each component.
 
 \pre `results.size() == surface.components.size()`
 */

@@ -13,9 +13,11 @@
 #include <CGAL/Canonical_pose_3/Linear_solver.h>
 #include <CGAL/Canonical_pose_3/Options.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+#include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
 
 #include <iterator>
 #include <type_traits>
@@ -43,6 +45,19 @@ auto traits_of_parameters(const NamedParameters& np)
     return typename Kernel_traits<Point>::Kernel();
   else
     return Given(parameters::get_parameter(np, internal_np::geom_traits));
+}
+
+// The points of a mesh, read with the map and the traits given.
+template <class TriangleMesh, class NamedParameters>
+Point_matrix points_of_parameters(const TriangleMesh& tmesh, const NamedParameters& np)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  using Traits = typename GetGeomTraits<TriangleMesh, NamedParameters>::type;
+  return point_matrix(tmesh,
+                      choose_parameter(get_parameter(np, internal_np::vertex_point),
+                                       get_const_property_map(vertex_point, tmesh)),
+                      choose_parameter<Traits>(get_parameter(np, internal_np::geom_traits)));
 }
 
 // The options, where named parameters do not replace them.
