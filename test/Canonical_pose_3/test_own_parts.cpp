@@ -217,6 +217,7 @@ TEST(Own_parts, bad_ones_are_named)
   expect_refused(options, "have 0 landmarks, but 2 columns");
   fields.landmarks = {0, std::size_t(n)};
   expect_refused(options, "have landmark " + std::to_string(n));
+  fields.landmarks = {0, 1};
   fields.distances(3, 1) = std::numeric_limits<double>::infinity();
   expect_refused(options, "not finite");
 

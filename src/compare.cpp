@@ -7,14 +7,16 @@
 //
 // Author(s) : The Canonical_pose_3 authors
 
-#ifndef CGAL_CANONICAL_POSE_3_TOOL_COMPARE_POSES_H
-#define CGAL_CANONICAL_POSE_3_TOOL_COMPARE_POSES_H
+// The command compare.
 
-#include <CGAL/Canonical_pose_3/point_matrix.h>
+#include "Cgal_types.h"
+#include "Mesh_file.h"
+#include "commands.h"
+
 #include <CGAL/Canonical_pose_3/pose_difference.h>
 
 #include <cstddef>
-#include <ostream>
+#include <iostream>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -22,12 +24,12 @@
 
 namespace Canonical_pose_tool {
 
-using CGAL::Canonical_pose_3::Point_matrix;
+namespace {
 
 // Writes the difference of each pair of poses, and their mean: proper, and with reflection.
 // Throws std::invalid_argument that names the files if two of them cannot be compared.
-inline void write_differences(std::ostream& out, const std::vector<std::string>& names,
-                              const std::vector<Point_matrix>& poses)
+void write_differences(std::ostream& out, const std::vector<std::string>& names,
+                       const std::vector<Point_matrix>& poses)
 {
   std::ostringstream text;
   text.precision(6);
@@ -58,6 +60,14 @@ inline void write_differences(std::ostream& out, const std::vector<std::string>&
   out << text.str();
 }
 
-} // namespace Canonical_pose_tool
+} // namespace
 
-#endif // CGAL_CANONICAL_POSE_3_TOOL_COMPARE_POSES_H
+void run_compare(const Arguments& arguments)
+{
+  std::vector<Point_matrix> poses;
+  for(const std::string& path : arguments.poses)
+    poses.push_back(matrix_of(points_of(read_mesh_file(path))));
+  write_differences(std::cout, arguments.poses, poses);
+}
+
+} // namespace Canonical_pose_tool

@@ -1,0 +1,26 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_TOOL_COMMANDS_H
+#define CGAL_CANONICAL_POSE_3_TOOL_COMMANDS_H
+
+#include "Command_line.h"
+
+namespace Canonical_pose_tool {
+
+// The commands. Each throws an exception if it cannot be carried out.
+
+void run_pose(Arguments& arguments);
+void run_check(const Arguments& arguments);
+void run_geodesics(const Arguments& arguments);
+void run_compare(const Arguments& arguments);
+
+} // namespace Canonical_pose_tool
+
+#endif // CGAL_CANONICAL_POSE_3_TOOL_COMMANDS_H

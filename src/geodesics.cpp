@@ -1,0 +1,43 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+// The command geodesics.
+
+#include "Cgal_types.h"
+#include "Mesh_file.h"
+#include "Output_files.h"
+#include "commands.h"
+#include "exact_geodesics.h"
+
+#include <CGAL/Canonical_pose_3/geodesic_distances.h>
+
+#include <Eigen/Core>
+
+#include <ostream>
+#include <stdexcept>
+
+namespace Canonical_pose_tool {
+
+void run_geodesics(const Arguments& arguments)
+{
+  Output_files files({arguments.output});
+  const Mesh_file input = read_mesh_file(arguments.input);
+  if(input.is_tetrahedral)
+    throw std::invalid_argument("this is a tetrahedral mesh, but a surface is needed");
+  const bool is_exact = arguments.geodesics == "exact";
+  const Eigen::MatrixXd distances = CGAL::Canonical_pose_3::geodesic_distances(
+    matrix_of(points_of(input)), input.faces, arguments.sources, arguments.options,
+    is_exact ? exact_distances : CGAL::Canonical_pose_3::Distances_function());
+  files.write(arguments.output, [&](std::ostream& out) {
+    out << distances.format(Eigen::IOFormat(17, Eigen::DontAlignCols, " ", "\n", "", "", "", "\n"));
+  });
+  files.commit();
+}
+
+} // namespace Canonical_pose_tool
