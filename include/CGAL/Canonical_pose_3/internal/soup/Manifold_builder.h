@@ -89,9 +89,12 @@ private:
   void pair_sides(const Corner_table& corners, std::vector<std::size_t> places)
   {
     m_place = std::move(places);
-    const std::vector<Index_triangle> placed = placed_triangles();
-    if(placed == m_soup.triangles)
+    bool is_sewn = false;
+    for(std::size_t v = 0; v < m_place.size(); ++v)
+      is_sewn = is_sewn || m_place[v] != v;
+    if(!is_sewn)
       return take(Side_pairing(m_points, corners));
+    const std::vector<Index_triangle> placed = placed_triangles();
     m_soup.keep_if([&](const std::size_t t) { return !names_a_vertex_twice(placed[t]); });
     drop_if(is_duplicate_face(number_of_rows(), placed_triangles()));
     check_area();
@@ -184,9 +187,9 @@ private:
       if(!has_corner[v]) // all its faces have been dropped
         rows.unite(v, m_place[v]);
     const Component_labels labels = label_components(rows);
-    std::vector<std::size_t> result;
-    for(const std::size_t label : labels.of_items)
-      result.push_back(labels.first_items[label]);
+    std::vector<std::size_t> result(n);
+    for(std::size_t v = 0; v < n; ++v)
+      result[v] = labels.first_items[labels.of_items[v]];
     return result;
   }
 
