@@ -191,8 +191,10 @@ TEST(Landmark_mds, bad_distances_are_named)
   EXPECT_THROW_WITH(builder.build(fields), std::invalid_argument,
                     "have landmark 9, but there are 9 vertices");
   fields.landmarks.pop_back();
-  EXPECT_THROW_WITH(builder.build(fields), std::invalid_argument, "3 landmarks but 4 columns");
-  EXPECT_THROW_WITH(builder.build(CP::Landmark_fields_3()), std::invalid_argument, "no landmark");
+  EXPECT_THROW_WITH(builder.build(fields), std::invalid_argument,
+                    "have 3 landmarks, but 4 columns");
+  EXPECT_THROW_WITH(builder.build(CP::Landmark_fields_3()), std::invalid_argument,
+                    "have no column");
   EXPECT_THROW(CP::Landmark_mds_target_builder_3<>(CP::Squared_distance_kernel(), 0),
                CGAL::Precondition_exception);
 }
