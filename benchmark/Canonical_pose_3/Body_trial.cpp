@@ -11,11 +11,13 @@
 
 #include <CGAL/Canonical_pose_3/Lattice_body_3.h>
 #include <CGAL/Canonical_pose_3/Tetrahedral_arap_registrar_3.h>
-#include <CGAL/Canonical_pose_3/diagnose.h>
 #include <CGAL/Canonical_pose_3/mesh_3_body.h>
 #include <CGAL/Canonical_pose_3/surface_measures.h>
 #ifdef CGAL_CANONICAL_POSE_3_USE_TETGEN
+#include <CGAL/Canonical_pose_3/make_triangle_mesh.h>
 #include <CGAL/Canonical_pose_3/tetgen_body.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
 #endif
 #ifdef CGAL_CANONICAL_POSE_3_USE_CHOLMOD
 #include <Eigen/CholmodSupport>
@@ -36,10 +38,9 @@ namespace Canonical_pose_benchmark {
 
 namespace {
 
-using CGAL::Canonical_pose_3::internal::Body_view;
-
 // Number of entries of the Cholesky factor of the registration; 0 if it is not known.
-std::size_t factor_nonzeros(const Body_view& body)
+template <class ElasticBody>
+std::size_t factor_nonzeros(const ElasticBody& body)
 {
 #ifdef CGAL_CANONICAL_POSE_3_USE_CHOLMOD
   std::vector<Eigen::Triplet<double>> entries;
@@ -67,13 +68,10 @@ void with_body(const Body_kind kind, const Body_problem& problem, const Function
   switch(kind)
   {
   case Body_kind::TETGEN: {
-    const CP::Diagnosis_3 diagnosis = CP::diagnose(problem.points, problem.triangles);
-    if(!diagnosis.is_clean())
-      throw std::invalid_argument("the surface is not clean");
 #ifdef CGAL_CANONICAL_POSE_3_USE_TETGEN
-    use([&] {
-      return CP::internal::tetgen_body_of_clean_surface(problem.points, problem.triangles);
-    });
+    using Mesh = CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3>;
+    const Mesh mesh = CP::make_triangle_mesh<Mesh>(problem.points, problem.triangles);
+    use([&] { return CP::tetgen_body(mesh, mesh.points()); });
 #else
     throw std::invalid_argument("built without TetGen");
 #endif
@@ -97,12 +95,12 @@ void with_body(const Body_kind kind, const Body_problem& problem, const Function
   }
 }
 
-long long euler_characteristic(const Body_view& body)
+long long euler_characteristic(const std::vector<std::array<int, 4>>& cells)
 {
   std::set<std::array<int, 2>> edges;
   std::set<std::array<int, 3>> facets;
   std::set<int> vertices;
-  for(std::array<int, 4> cell : body.cells())
+  for(std::array<int, 4> cell : cells)
   {
     std::sort(cell.begin(), cell.end());
     for(int i = 0; i < 4; ++i)
@@ -114,18 +112,19 @@ long long euler_characteristic(const Body_view& body)
     }
   }
   return static_cast<long long>(vertices.size()) - static_cast<long long>(edges.size())
-         + static_cast<long long>(facets.size()) - static_cast<long long>(body.cells().size());
+         + static_cast<long long>(facets.size()) - static_cast<long long>(cells.size());
 }
 
-double farthest_outside(const Body_view& body, const Body_problem& problem)
+double farthest_outside(const Point_matrix& points, const std::vector<std::array<int, 4>>& cells,
+                        const Body_problem& problem)
 {
   double result = 0;
   if(problem.distance_outside)
-    for(const std::array<int, 4>& cell : body.cells())
+    for(const std::array<int, 4>& cell : cells)
     {
       Eigen::Vector3d sum = Eigen::Vector3d::Zero();
       for(const int v : cell)
-        sum += body.points().row(v);
+        sum += points.row(v);
       result = (std::max)(result, problem.distance_outside(sum / 4));
     }
   return result;
@@ -159,11 +158,11 @@ std::string try_body_here(const Body_kind kind, const Body_problem& problem)
       (stage == "factorization" ? numbers.factorization_seconds : numbers.iteration_seconds)
         += seconds / (stage == "factorization" ? 1 : summary.iterations);
     numbers.strain = CP::median_edge_strain(problem.points, pose, problem.triangles);
-    numbers.nonzeros = factor_nonzeros(Body_view(body));
+    numbers.nonzeros = factor_nonzeros(body);
     if(problem.distance_outside)
     {
-      numbers.euler_characteristic = euler_characteristic(Body_view(body));
-      numbers.farthest_outside = farthest_outside(Body_view(body), problem);
+      numbers.euler_characteristic = euler_characteristic(body.cells());
+      numbers.farthest_outside = farthest_outside(body.points(), body.cells(), problem);
     }
   });
   std::string bytes(reinterpret_cast<const char*>(&numbers), sizeof(numbers));

@@ -11,10 +11,11 @@
 #define CGAL_CANONICAL_POSE_3_BENCHMARK_LITERAL_REGISTRATION_H
 
 #include <CGAL/Canonical_pose_3/Conforming_body_3.h>
-#include <CGAL/Canonical_pose_3/internal/linear_algebra/Sparse_factor.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <CGAL/Real_timer.h>
+
+#include "Sparse_system.h"
 
 #include <Eigen/Dense>
 #include <Eigen/SparseCore>
@@ -84,11 +85,10 @@ public:
     }
     m_seconds.rotations += timer.time();
     timer.reset();
-    CGAL::Canonical_pose_3::internal::Sparse_factor factor;
-    factor.factor(matrix(), "the literal matrix");
+    const Sparse_system system(matrix());
     m_seconds.matrix += timer.time();
     timer.reset();
-    v = solve(factor, right);
+    v = solve(system, right);
     m_seconds.solution += timer.time();
   }
 
@@ -154,14 +154,13 @@ private:
     return result;
   }
 
-  template <class Factor>
-  Point_matrix solve(const Factor& factor, const Point_matrix& right) const
+  Point_matrix solve(const Sparse_system& system, const Point_matrix& right) const
   {
     if(m_unknowns == ONE_PER_VERTEX)
-      return factor.solve(right);
+      return system.solve(right);
     const Eigen::Matrix3Xd columns = right.transpose();
     const Eigen::MatrixXd solution
-      = factor.solve(Eigen::Map<const Eigen::VectorXd>(columns.data(), columns.size()));
+      = system.solve(Eigen::Map<const Eigen::VectorXd>(columns.data(), columns.size()));
     return Eigen::Map<const Eigen::Matrix3Xd>(solution.data(), 3, right.rows()).transpose();
   }
 

@@ -10,10 +10,11 @@
 #ifndef CGAL_CANONICAL_POSE_3_BENCHMARK_SURFACE_ARAP_H
 #define CGAL_CANONICAL_POSE_3_BENCHMARK_SURFACE_ARAP_H
 
-#include <CGAL/Canonical_pose_3/internal/linear_algebra/Sparse_factor.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <CGAL/Deformation_Eigen_closest_rotation_traits_3.h>
+
+#include "Sparse_system.h"
 
 #include <Eigen/Dense>
 #include <Eigen/SparseCore>
@@ -21,6 +22,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 namespace Canonical_pose_benchmark {
@@ -62,7 +64,7 @@ public:
     Eigen::SparseMatrix<double> matrix = -m_cotangents;
     const Eigen::VectorXd sums = m_cotangents * Eigen::VectorXd::Ones(rest.rows());
     matrix += Eigen::SparseMatrix<double>((sums + shares).asDiagonal());
-    m_factor.factor(matrix, "the matrix of the surface");
+    m_system = std::make_unique<Sparse_system>(matrix);
   }
 
   /// Local and global steps in turn from the target on, until the energy decreases by less than a
@@ -80,7 +82,7 @@ public:
       if(iteration > 0 && previous - energy <= 1e-6 * previous)
         break;
       previous = energy;
-      v = m_factor.solve(target_term + rotated_edges());
+      v = m_system->solve(target_term + rotated_edges());
     }
     return m_length_scale * v;
   }
@@ -128,7 +130,7 @@ private:
   Point_matrix m_rest;
   Eigen::VectorXd m_shares;
   Eigen::SparseMatrix<double> m_cotangents; // times l^2 / A
-  CGAL::Canonical_pose_3::internal::Sparse_factor m_factor;
+  std::unique_ptr<Sparse_system> m_system;
   std::vector<Eigen::Matrix3d> m_rotations; // of the vertices
 };
 

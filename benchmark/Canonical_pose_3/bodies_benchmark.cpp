@@ -26,7 +26,8 @@
 //      pose and target, by L, which ought to be 0; Euler characteristic of the body (0 with one
 //      hole, if the cells fit together); largest distance of the centroid of a cell to the solid,
 //      by L: at most about a cell if the hole is not bridged.
-// TetGen requires surfaces without defects and is skipped otherwise.
+// TetGen requires surfaces without defects and is skipped otherwise; its time is that
+// of tetgen_body(), which looks for defects first.
 // Usage: bodies_benchmark [--vertices 10000] [mesh files]
 
 #include <CGAL/Canonical_pose_3/repair_surface.h>

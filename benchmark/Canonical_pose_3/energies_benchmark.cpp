@@ -30,6 +30,7 @@
 #include "Argument_list.h"
 #include "Surface_arap.h"
 #include "dirichlet_pose.h"
+#include "enclosed_volume.h"
 #include "prepare.h"
 
 #include "Cgal_types.h" // of the tool
@@ -58,16 +59,7 @@ namespace {
 
 double volume(const Point_matrix& points, const Body_problem& problem)
 {
-  double sum = 0;
-  for(const Triangles* const triangles : {&problem.triangles, &problem.caps})
-    for(const auto& t : *triangles)
-    {
-      Eigen::Matrix3d corners;
-      for(int k = 0; k < 3; ++k)
-        corners.row(k) = points.row(static_cast<Eigen::Index>(t[static_cast<std::size_t>(k)]));
-      sum += corners.determinant() / 6;
-    }
-  return sum;
+  return enclosed_volume(points, problem.triangles, problem.caps);
 }
 
 void write_off(const std::string& path, const Point_matrix& points, const Triangles& triangles)

@@ -27,9 +27,11 @@
 #include <CGAL/Canonical_pose_3/Exact_geodesics_3.h>
 #include <CGAL/Canonical_pose_3/Heat_geodesics_3.h>
 #include <CGAL/Canonical_pose_3/Wavefront_geodesics_3.h>
-#include <CGAL/Canonical_pose_3/internal/soup/Indexed_mesh.h>
+#include <CGAL/Canonical_pose_3/make_triangle_mesh.h>
 #include <CGAL/Canonical_pose_3/repair_surface.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Heat_method_3/Surface_mesh_geodesic_distances_3.h>
+#include <CGAL/Surface_mesh.h>
 
 #include <algorithm>
 #include <cmath>
@@ -43,7 +45,7 @@
 namespace CP = CGAL::Canonical_pose_3;
 namespace Tool = Canonical_pose_tool;
 using Canonical_pose_benchmark::Argument_list;
-using Mesh = CP::internal::Indexed_mesh;
+using Mesh = CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3>;
 using Heat_of_cgal
   = CGAL::Heat_method_3::Surface_mesh_geodesic_distances_3<Mesh,
                                                            CGAL::Heat_method_3::Intrinsic_Delaunay>;
@@ -56,7 +58,7 @@ Mesh read_mesh(const std::string& file)
   const CP::Repaired_surface_3 surface
     = CP::repair_surface(Tool::matrix_of(Tool::points_of(input)), input.faces);
   const CP::Repaired_surface_3 largest = CP::component_of_surface(surface, 0);
-  return CP::internal::indexed_mesh(largest.points, largest.triangles);
+  return CP::make_triangle_mesh<Mesh>(largest.points, largest.triangles);
 }
 
 Eigen::MatrixXd distances_of_cgal(Mesh mesh, const std::vector<Mesh::Vertex_index>& sources)

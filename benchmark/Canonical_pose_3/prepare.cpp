@@ -13,9 +13,11 @@
 #include <CGAL/Canonical_pose_3/Landmark_mds_target_builder_3.h>
 #include <CGAL/Canonical_pose_3/align_target.h>
 #include <CGAL/Canonical_pose_3/farthest_point_landmarks.h>
-#include <CGAL/Canonical_pose_3/internal/soup/Indexed_mesh.h>
+#include <CGAL/Canonical_pose_3/make_triangle_mesh.h>
 #include <CGAL/Canonical_pose_3/surface_measures.h>
 #include <CGAL/Canonical_pose_3/target_handedness.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
 
 #include "Child_process.h"
 
@@ -32,11 +34,10 @@ namespace {
 std::string targets_here(const Point_matrix& points, const Triangles& triangles)
 {
   namespace CP = CGAL::Canonical_pose_3;
-  const CP::internal::Indexed_mesh mesh = CP::internal::indexed_mesh(points, triangles);
-  const CP::Heat_geodesics_3<CP::internal::Indexed_mesh> geodesics(mesh);
-  const CP::internal::Indexed_mesh::Vertex_index first(
-    static_cast<CP::internal::Indexed_mesh::size_type>(CP::extremal_point(points, triangles)));
-  const CP::Landmark_fields_3 fields = CP::farthest_point_landmarks(geodesics, 80, first);
+  using Mesh = CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3>;
+  const Mesh mesh = CP::make_triangle_mesh<Mesh>(points, triangles);
+  const CP::Landmark_fields_3 fields = CP::farthest_point_landmarks(
+    CP::Heat_geodesics_3<Mesh>(mesh), 80, CP::extremal_vertex(mesh, mesh.points()));
   CP::Landmark_mds_target_builder_3<> builder;
   builder.build(fields);
   const Eigen::VectorXd shares = CP::vertex_area_shares(points, triangles);

@@ -34,13 +34,13 @@
 
 #include "Argument_list.h"
 #include "Child_process.h"
+#include "enclosed_volume.h"
 #include "median.h"
 #include "setting.h"
 #include "take_options.h"
 
 #include "compute_pose.h" // of the tool
 
-#include <CGAL/Canonical_pose_3/internal/soup/signed_volume.h>
 #include <CGAL/Canonical_pose_3/repair_surface.h>
 
 #include <algorithm>
@@ -172,14 +172,13 @@ double surface_volume_ratio(const Tool::Mesh_file& input, const CP::Point_matrix
     return std::numeric_limits<double>::quiet_NaN();
   const CP::Repaired_surface_3 surface
     = CP::repair_surface(Tool::matrix_of(Tool::points_of(input)), input.faces);
-  auto closed = surface.triangles;
-  closed.insert(closed.end(), surface.caps.begin(), surface.caps.end());
   CP::Point_matrix moved(surface.points.rows(), 3);
   for(std::size_t i = 0; i < surface.origins.size(); ++i)
     moved.row(static_cast<Eigen::Index>(i))
       = pose.row(static_cast<Eigen::Index>(surface.origins[i]));
-  return CP::internal::signed_volume(moved, closed)
-         / CP::internal::signed_volume(surface.points, closed);
+  using Canonical_pose_benchmark::enclosed_volume;
+  return enclosed_volume(moved, surface.triangles, surface.caps)
+         / enclosed_volume(surface.points, surface.triangles, surface.caps);
 }
 
 // In the child.

@@ -23,18 +23,21 @@
 #include <CGAL/Canonical_pose_3/diagnose.h>
 #include <CGAL/Canonical_pose_3/farthest_point_landmarks.h>
 #include <CGAL/Canonical_pose_3/front_landmarks.h>
-#include <CGAL/Canonical_pose_3/internal/soup/Indexed_mesh.h>
+#include <CGAL/Canonical_pose_3/make_triangle_mesh.h>
 #include <CGAL/Canonical_pose_3/repair_surface.h>
 #include <CGAL/Canonical_pose_3/surface_measures.h>
 #include <CGAL/Canonical_pose_3/target_handedness.h>
 
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
+#include <CGAL/Surface_mesh.h>
 
 #include <benchmark/benchmark.h>
 
 #include "../../examples/Canonical_pose_3/Articulated_figure.h"
 #include "setting.h"
 
+#include <cstddef>
 #include <cstdlib>
 #include <exception>
 #include <functional>
@@ -45,22 +48,34 @@
 #include <vector>
 
 namespace CP = CGAL::Canonical_pose_3;
-using Mesh = CP::internal::Indexed_mesh;
+using Mesh = CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3>;
 using Geodesics = CP::Heat_geodesics_3<Mesh>;
 using Registrar = CP::Tetrahedral_arap_registrar_3<CP::Lattice_body_3>;
 using Canonical_pose_examples::Articulated_figure;
 
 namespace {
 
+std::vector<std::vector<std::size_t>> polygons_of(const Mesh& mesh)
+{
+  std::vector<std::vector<std::size_t>> polygons;
+  for(const Mesh::Face_index f : mesh.faces())
+  {
+    polygons.emplace_back();
+    for(const Mesh::Vertex_index v : mesh.vertices_around_face(mesh.halfedge(f)))
+      polygons.back().push_back(v);
+  }
+  return polygons;
+}
+
 // A surface, and what its stages leave for the next.
 struct Surface
 {
   explicit Surface(const Mesh& input)
-    : points(CP::point_matrix(input)), polygons(CP::internal::index_polygons(input)),
+    : points(CP::point_matrix(input)), polygons(polygons_of(input)),
       repaired(CP::repair_surface(points, polygons)),
-      mesh(CP::internal::indexed_mesh(repaired.points, repaired.triangles)),
-      first(Mesh::size_type(CP::extremal_point(repaired.points, repaired.triangles))),
-      geodesics(mesh), fields(CP::front_landmarks(geodesics, 80, first)),
+      mesh(CP::make_triangle_mesh<Mesh>(repaired.points, repaired.triangles)),
+      first(CP::extremal_vertex(mesh, mesh.points())), geodesics(mesh),
+      fields(CP::front_landmarks(geodesics, 80, first)),
       shares(CP::vertex_area_shares(repaired.points, repaired.triangles)), body(lattice())
   {}
 

@@ -85,7 +85,7 @@ struct Named_pose
 
 enum class Landmark { LEFT_HAND, RIGHT_HAND, LEFT_FOOT, RIGHT_FOOT, HEAD };
 
-namespace internal {
+namespace detail {
 
 using Vector = Eigen::Vector3d;
 
@@ -433,7 +433,7 @@ inline Rod spine_rod(const Joint_angles::Trunk& spine, const Joint_angles::Trunk
              {{0.17, 0.15, rotation(spine)}, {0.55, 0.07, rotation(neck)}});
 }
 
-} // namespace internal
+} // namespace detail
 
 /// The figure, meshed once in its rest pose; all poses have the same faces and the same order of
 /// the vertices.
@@ -470,10 +470,10 @@ public:
   Points points(const Joint_angles& angles = Joint_angles()) const
   {
     const Pair_of_rods arms
-      = {{internal::arm_rod(angles.right_arm), internal::arm_rod(angles.left_arm)}};
+      = {{detail::arm_rod(angles.right_arm), detail::arm_rod(angles.left_arm)}};
     const Pair_of_rods legs
-      = {{internal::leg_rod(angles.right_leg), internal::leg_rod(angles.left_leg)}};
-    const internal::Rod spine = internal::spine_rod(angles.spine, angles.neck);
+      = {{detail::leg_rod(angles.right_leg), detail::leg_rod(angles.left_leg)}};
+    const detail::Rod spine = detail::spine_rod(angles.spine, angles.neck);
     Points result;
     result.reserve(rest.size());
     double lowest = 1e9;
@@ -528,8 +528,8 @@ public:
 
 private:
   using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
-  using Vector = internal::Vector;
-  using Pair_of_rods = std::array<internal::Rod, 2>; // right, left
+  using Vector = detail::Vector;
+  using Pair_of_rods = std::array<detail::Rod, 2>; // right, left
 
   std::vector<Vector> rest;
   Triangles faces;
@@ -542,15 +542,15 @@ private:
   {
     // Fine enough to separate the fingers, and to leave a choice of collapses.
     const double spacing = (std::min)(0.012, 2.0 / std::sqrt(double(number_of_vertices)));
-    const internal::Rest_shape_mesher mesher(spacing);
+    const detail::Rest_shape_mesher mesher(spacing);
     Mesh mesh;
     for(const Vector& p : mesher.points)
       mesh.add_vertex(Mesh::Point(p.x(), p.y(), p.z()));
     for(const auto& t : mesher.triangles)
       mesh.add_face(index(t[0]), index(t[1]), index(t[2]));
     namespace SMS = CGAL::Surface_mesh_simplification;
-    SMS::edge_collapse(mesh, internal::Number_of_edges_reached{3 * number_of_vertices - 6},
-                       CGAL::parameters::get_cost(internal::Relative_length_cost<Mesh>())
+    SMS::edge_collapse(mesh, detail::Number_of_edges_reached{3 * number_of_vertices - 6},
+                       CGAL::parameters::get_cost(detail::Relative_length_cost<Mesh>())
                          .get_placement(SMS::Midpoint_placement<Mesh>()));
     mesh.collect_garbage();
     return mesh;
@@ -583,19 +583,19 @@ private:
       for(Mesh::Vertex_index w : CGAL::vertices_around_target(v, mesh))
       {
         const Vector p = vector(mesh.point(w));
-        const double weight = (p - vector(mesh.point(v))).norm() / internal::suitable_length(p);
+        const double weight = (p - vector(mesh.point(v))).norm() / detail::suitable_length(p);
         mean += weight * p;
         weights += weight;
       }
       const Vector moved = 0.4 * vector(mesh.point(v)) + 0.6 / weights * mean;
-      const Vector p = internal::projected(internal::projected(moved));
+      const Vector p = detail::projected(detail::projected(moved));
       mesh.point(v) = Mesh::Point(p.x(), p.y(), p.z());
     }
   }
 
   static Vector with_limbs(const Vector& p, const Pair_of_rods& arms, const Pair_of_rods& legs)
   {
-    auto moved = [&](const internal::Rod& rod, double s, bool left) {
+    auto moved = [&](const detail::Rod& rod, double s, bool left) {
       const Vector mirror(left ? 1 : -1, 1, 1);
       return Vector(mirror.cwiseProduct(rod(s, mirror.cwiseProduct(p))));
     };
@@ -604,8 +604,8 @@ private:
     const double arm = std::abs(p.x()) - 1.2 * (std::max)(0., off_axis - 0.05);
     if(arm > 0.075)
       return moved(arms[p.x() > 0], arm, p.x() > 0);
-    // Between the legs, the two motions are blended.
-    const double s = 1.08 - p.y(), left = internal::smoothstep(-0.05, 0.05, p.x());
+    // Between the legs the two motions are blended.
+    const double s = 1.08 - p.y(), left = detail::smoothstep(-0.05, 0.05, p.x());
     return left * moved(legs[1], s, true) + (1 - left) * moved(legs[0], s, false);
   }
 };

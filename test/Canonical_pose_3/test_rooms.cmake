@@ -1,5 +1,6 @@
 # Includes of internal headers lead downward: a header of a folder includes only headers of this folder and of those
 # after it in the list, and public headers only of plain data types and of functions on points and indices.
+# Programs include no internal headers.
 # Called with -DINCLUDE=<the folder of the public headers of this package>.
 
 cmake_minimum_required(VERSION 3.18...3.31)
@@ -80,6 +81,24 @@ foreach(impl IN LISTS all_headers)
 endforeach()
 if(number_of_impls EQUAL 0)
   message(FATAL_ERROR "no _impl.h in ${INCLUDE}")
+endif()
+# The tool, the examples and the benchmarks use the public interface only.
+set(root ${CMAKE_CURRENT_LIST_DIR}/../..)
+file(GLOB_RECURSE sources RELATIVE ${root}
+  ${root}/src/*.h ${root}/src/*.cpp ${root}/examples/*.h ${root}/examples/*.cpp ${root}/benchmark/*.h ${root}/benchmark/*.cpp)
+list(FILTER sources EXCLUDE REGEX "^src/compiled/") # the library
+if(NOT sources)
+  message(FATAL_ERROR "no program in ${root}")
+endif()
+set(strangers "")
+foreach(source IN LISTS sources)
+  file(STRINGS ${root}/${source} lines REGEX "Canonical_pose_3/internal/|(^|[^a-z_])internal *(::|;)")
+  foreach(line IN LISTS lines)
+    string(APPEND strangers "${source}: ${line}\n")
+  endforeach()
+endforeach()
+if(strangers)
+  message(FATAL_ERROR "these use what is internal:\n${strangers}")
 endif()
 if(defects)
   message(FATAL_ERROR "these includes lead upwards, or in a circle:\n${defects}")
