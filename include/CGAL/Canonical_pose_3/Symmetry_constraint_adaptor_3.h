@@ -12,6 +12,7 @@
 
 #include <CGAL/Canonical_pose_3/Constraint_list_3.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+#include <CGAL/Canonical_pose_3/internal/support/weighted_product.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <CGAL/assertions.h>
@@ -112,8 +113,8 @@ public:
     middles /= unit;
     differences /= unit;
     const Eigen::Matrix3d matrix
-      = 4 * middles.transpose() * stiffness.asDiagonal() * middles
-        - Eigen::Matrix3d(differences.transpose() * stiffness.asDiagonal() * differences);
+      = 4 * internal::weighted_product(middles, stiffness, middles)
+        - internal::weighted_product(differences, stiffness, differences);
     return Eigen::Hyperplane<double, 3>(
       Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(matrix).eigenvectors().col(0),
       center.transpose());

@@ -48,16 +48,6 @@ inline Matrix_9 determinant_hessian(const Eigen::Matrix3d& f)
   return result;
 }
 
-// The positive semidefinite matrix closest to a symmetric one. A template, so that it is only
-// compiled where required, since that takes seconds.
-template <class Matrix>
-Matrix positive_part(const Matrix& m)
-{
-  const Eigen::SelfAdjointEigenSolver<Matrix> solver(m);
-  return solver.eigenvectors() * solver.eigenvalues().cwiseMax(0).asDiagonal()
-         * solver.eigenvectors().transpose();
-}
-
 // A cell of an elastic body.
 struct Elastic_cell
 {

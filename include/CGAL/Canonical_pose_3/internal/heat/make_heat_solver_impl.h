@@ -18,6 +18,7 @@
 #include <CGAL/Canonical_pose_3/internal/intrinsic/cotangent_operators.h>
 #include <CGAL/Canonical_pose_3/internal/linear_algebra/Lane_factor.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+#include <CGAL/Canonical_pose_3/internal/support/for_each_index.h>
 #include <CGAL/Canonical_pose_3/internal/support/in_parallel.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
@@ -26,7 +27,6 @@
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 #endif
 
@@ -182,7 +182,7 @@ private:
     };
 #ifdef CGAL_LINKED_WITH_TBB
     tbb::enumerable_thread_specific<Workspace> workspaces;
-    tbb::parallel_for(std::size_t(0), number_of_blocks, [&](std::size_t block) {
+    for_each_index(number_of_blocks, [&](std::size_t block) {
       // a solver waiting for its own tasks must not start another block in this workspace
       tbb::this_task_arena::isolate([&] { call(block, workspaces.local()); });
     });

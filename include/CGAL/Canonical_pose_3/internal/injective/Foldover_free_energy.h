@@ -11,6 +11,7 @@
 #define CGAL_CANONICAL_POSE_3_INTERNAL_INJECTIVE_FOLDOVER_FREE_ENERGY_H
 
 #include <CGAL/Canonical_pose_3/internal/energy/Elastic_cell.h>
+#include <CGAL/Canonical_pose_3/internal/injective/Inversion_penalty.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 
 #include <Eigen/Dense>
@@ -28,19 +29,19 @@ namespace internal {
 //   |F|^2 / (3 x^(2/3)) + (d^2 + 1) / (2 x)  with  x = (d + sqrt(epsilon^2 + d^2)) / 2 > 0.
 // It is 2 at rotations if epsilon is 0. The smaller epsilon, the higher the energy of inverted
 // cells.
-class Foldover_free_energy
+class Foldover_free_energy final : public Inversion_penalty
 {
 public:
   // `epsilon`: positive.
   explicit Foldover_free_energy(const double epsilon) : m_epsilon(epsilon) {}
 
-  double value(const Eigen::Matrix3d& f) const
+  double value(const Eigen::Matrix3d& f) const override
   {
     const Regularised_determinant r(f.determinant(), m_epsilon);
     return f.squaredNorm() * r.power / 3 + (r.d * r.d + 1) / (2 * r.x);
   }
 
-  Eigen::Matrix3d gradient(const Eigen::Matrix3d& f) const
+  Eigen::Matrix3d gradient(const Eigen::Matrix3d& f) const override
   {
     const Regularised_determinant r(f.determinant(), m_epsilon);
     const double by_determinant
@@ -51,7 +52,7 @@ public:
   // The Hessian matrix, with F stored column by column, without the second derivative of det F; a
   // multiple of the outer product of the gradient of det F is added to make it positive
   // semidefinite.
-  Matrix_9 hessian(const Eigen::Matrix3d& f) const
+  Matrix_9 hessian(const Eigen::Matrix3d& f) const override
   {
     const Regularised_determinant r(f.determinant(), m_epsilon);
     const double shape = f.squaredNorm() * r.power / (r.root * r.root);

@@ -14,6 +14,7 @@
 #include <CGAL/Canonical_pose_3/internal/energy/Rotation_routines.h>
 #include <CGAL/Canonical_pose_3/internal/injective/Foldover_free_energy.h>
 #include <CGAL/Canonical_pose_3/internal/injective/Inversion_barrier.h>
+#include <CGAL/Canonical_pose_3/internal/injective/Inversion_penalty.h>
 #include <CGAL/Canonical_pose_3/internal/linear_algebra/Sparse_factor.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
@@ -87,8 +88,7 @@ public:
   }
 
   // Half the energy with the penalty.
-  template <class Penalty>
-  double energy(const Point_matrix& points, const Penalty& penalty) const
+  double energy(const Point_matrix& points, const Inversion_penalty& penalty) const
   {
     const Point_matrix d = points.topRows(free()) - m_start;
     const Point_matrix product = m_matrix * d;
@@ -102,8 +102,7 @@ public:
   }
 
   // Its gradient with respect to the free points.
-  template <class Penalty>
-  Point_matrix gradient(const Point_matrix& points, const Penalty& penalty) const
+  Point_matrix gradient(const Point_matrix& points, const Inversion_penalty& penalty) const
   {
     Point_matrix result = m_matrix * (points.topRows(free()) - m_start) + m_gradient;
     for(const Elastic_cell& cell : m_cells)
@@ -133,8 +132,7 @@ private:
 
   // A step of Newton's method; returns the decrease of the energy, or nothing if the step could not
   // be computed.
-  template <class Penalty>
-  std::optional<double> descend(const Penalty& penalty)
+  std::optional<double> descend(const Inversion_penalty& penalty)
   {
     const double before = energy(m_points, penalty);
     const Point_matrix g = gradient(m_points, penalty);
@@ -163,8 +161,7 @@ private:
     return 0;
   }
 
-  template <class Penalty>
-  Point_matrix newton_step(const Penalty& penalty, const Point_matrix& g) const
+  Point_matrix newton_step(const Inversion_penalty& penalty, const Point_matrix& g) const
   {
     Sparse_factor factor(m_factor_maker);
     factor.factor(hessian(penalty), "the matrix of a part of the body");
@@ -175,8 +172,7 @@ private:
 
   // Positive definite; the coordinates of a vertex are contiguous. The rotations are considered
   // constant.
-  template <class Penalty>
-  Eigen::SparseMatrix<double> hessian(const Penalty& penalty) const
+  Eigen::SparseMatrix<double> hessian(const Inversion_penalty& penalty) const
   {
     Eigen::SparseMatrix<double> result(3 * free(), 3 * free());
     result.resizeNonZeros(9 * m_matrix.nonZeros());

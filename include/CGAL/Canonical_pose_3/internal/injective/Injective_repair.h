@@ -16,13 +16,10 @@
 #include <CGAL/Canonical_pose_3/internal/support/Buckets.h>
 #include <CGAL/Canonical_pose_3/internal/support/Disjoint_sets.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+#include <CGAL/Canonical_pose_3/internal/support/for_each_index.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <Eigen/SparseCore>
-
-#ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/parallel_for.h>
-#endif
 
 #include <algorithm>
 #include <atomic>
@@ -164,19 +161,13 @@ private:
           }
     });
     // reads and writes points of this patch, and reads fixed points
-    const auto change = [&](const int p) {
+    for_each_index(static_cast<std::size_t>(number_of_patches), [&](const std::size_t p) {
       Injective_patch patch = make_patch(vertices[p], cells[p], right_hand_side, points);
       function(patch);
       int i = 0;
       for(const int v : vertices[p])
         points.row(v) = patch.points().row(i++);
-    };
-#ifdef CGAL_LINKED_WITH_TBB
-    tbb::parallel_for(0, number_of_patches, change);
-#else
-    for(int p = 0; p < number_of_patches; ++p)
-      change(p);
-#endif
+    });
   }
 
   template <class Vertices, class Cells>

@@ -10,11 +10,15 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_LINEAR_ALGEBRA_UPDATED_FACTOR_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_LINEAR_ALGEBRA_UPDATED_FACTOR_H
 
+#include <CGAL/Canonical_pose_3/internal/linear_algebra/dense_products.h>
+#include <CGAL/Canonical_pose_3/internal/linear_algebra/leading_eigenvectors.h>
 #include <CGAL/Canonical_pose_3/internal/linear_algebra/Sparse_factor.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 
-#include <Eigen/Dense>
+#include <Eigen/LU>
 #include <Eigen/SparseCore>
+
+#include <optional>
 
 namespace CGAL {
 namespace Canonical_pose_3 {
@@ -53,15 +57,22 @@ public:
     s = (s + s.transpose().eval()) / 2;
     const Eigen::MatrixXd inverse_of_d = d.cwiseInverse().asDiagonal();
     m_core = (inverse_of_d + s).partialPivLu().inverse();
-    const double amplification
-      = (m_core.cwiseAbs() * (inverse_of_d.cwiseAbs() + s.cwiseAbs())).rowwise().sum().maxCoeff();
+    const double amplification = product(m_core.cwiseAbs(), inverse_of_d.cwiseAbs() + s.cwiseAbs())
+                                   .rowwise()
+                                   .sum()
+                                   .maxCoeff();
+    if(!(amplification <= LARGEST_AMPLIFICATION))
+      return false;
     // A is positive definite if and only if I + R^t D R is, with R R^t = S
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> spectrum(s);
+    const std::optional<Eigenpairs> spectrum = all_eigenpairs(s);
+    if(!spectrum)
+      return false;
     const Eigen::MatrixXd root
-      = spectrum.eigenvectors() * spectrum.eigenvalues().cwiseMax(0).cwiseSqrt().asDiagonal();
-    Eigen::MatrixXd sum = root.transpose() * d.asDiagonal() * root;
+      = spectrum->vectors * spectrum->values.cwiseMax(0).cwiseSqrt().asDiagonal();
+    Eigen::MatrixXd sum = product_of_transposed(root, d.asDiagonal() * root);
     sum.diagonal().array() += 1;
-    if(!(amplification <= LARGEST_AMPLIFICATION) || sum.llt().info() != Eigen::Success)
+    const std::optional<Eigenpairs> spectrum_of_sum = all_eigenpairs(sum);
+    if(!spectrum_of_sum || !(spectrum_of_sum->values[0] > 0))
       return false;
     m_u = u;
     return true;
@@ -74,7 +85,8 @@ public:
     m_factor.solve(right_hand_sides, solutions);
     if(m_u.cols() > 0)
     {
-      const Eigen::MatrixXd forces = m_core * (m_u.transpose() * solutions);
+      const Eigen::MatrixXd displacements = m_u.transpose() * solutions;
+      const Eigen::MatrixXd forces = product(m_core, displacements);
       solutions.noalias() -= m_w * forces;
     }
   }

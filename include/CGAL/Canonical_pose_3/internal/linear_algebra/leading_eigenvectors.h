@@ -14,19 +14,24 @@
 
 #include <Eigen/Core>
 
+#include <optional>
+
 namespace CGAL {
 namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// The largest eigenvalues of a symmetric matrix, and their eigenvectors.
+// Eigenvalues of a symmetric matrix, and their eigenvectors.
 struct Eigenpairs
 {
-  Eigen::VectorXd values; // in decreasing order
+  Eigen::VectorXd values;
   Eigen::MatrixXd vectors;
 };
 
-// By full decomposition. Throws `std::runtime_error` if that fails.
+// All of them, in increasing order, or nothing if they could not be computed.
+std::optional<Eigenpairs> all_eigenpairs(const Eigen::MatrixXd& matrix);
+
+// The largest, in decreasing order, by full decomposition. Throws `std::runtime_error` if that fails.
 Eigenpairs largest_of_all_eigenpairs(const Eigen::MatrixXd& matrix, Eigen::Index count);
 
 // The same by the Krylov space of a block, which has at least as many columns, as eigenvalues may be multiple; by full

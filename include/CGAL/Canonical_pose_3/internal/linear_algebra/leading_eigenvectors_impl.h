@@ -10,12 +10,14 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_LINEAR_ALGEBRA_LEADING_EIGENVECTORS_IMPL_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_LINEAR_ALGEBRA_LEADING_EIGENVECTORS_IMPL_H
 
+#include <CGAL/Canonical_pose_3/internal/linear_algebra/dense_products.h>
 #include <CGAL/Canonical_pose_3/internal/linear_algebra/leading_eigenvectors.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
+#include <optional>
 #include <random>
 #include <stdexcept>
 
@@ -24,14 +26,21 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-CGAL_CANONICAL_POSE_3_INLINE Eigenpairs largest_of_all_eigenpairs(const Eigen::MatrixXd& matrix,
-                                                                  const Eigen::Index count)
+CGAL_CANONICAL_POSE_3_INLINE std::optional<Eigenpairs> all_eigenpairs(const Eigen::MatrixXd& matrix)
 {
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(matrix);
   if(solver.info() != Eigen::Success)
+    return std::nullopt;
+  return Eigenpairs{solver.eigenvalues(), solver.eigenvectors()};
+}
+
+CGAL_CANONICAL_POSE_3_INLINE Eigenpairs largest_of_all_eigenpairs(const Eigen::MatrixXd& matrix,
+                                                                  const Eigen::Index count)
+{
+  const std::optional<Eigenpairs> all = all_eigenpairs(matrix);
+  if(!all)
     throw std::runtime_error("the eigenvalues of a symmetric matrix could not be computed");
-  return {solver.eigenvalues().tail(count).reverse(),
-          solver.eigenvectors().rightCols(count).rowwise().reverse()};
+  return {all->values.tail(count).reverse(), all->vectors.rightCols(count).rowwise().reverse()};
 }
 
 // An orthonormal basis of what `block` adds to an orthonormal basis; columns that add less than
@@ -42,7 +51,7 @@ inline Eigen::MatrixXd new_directions(Eigen::MatrixXd block,
 {
   for(const double smallest : {negligible, 0.5})
   {
-    block -= basis * (basis.transpose() * block);
+    block -= product(basis, product_of_transposed(basis, block));
     Eigen::Index kept = 0;
     for(Eigen::Index j = 0; j < block.cols(); ++j)
     {
@@ -70,18 +79,18 @@ CGAL_CANONICAL_POSE_3_INLINE Eigenpairs leading_eigenpairs(const Eigen::MatrixXd
   for(Eigen::Index m = 0, next_check = 4 * width; m <= n / 2;)
   {
     basis.middleCols(m, block.cols()) = block;
-    image.middleCols(m, block.cols()).noalias() = matrix * block;
+    image.middleCols(m, block.cols()) = product(matrix, block);
     m += block.cols();
     block = new_directions(image.middleCols(m - block.cols(), block.cols()), basis.leftCols(m),
                            tolerance);
     if(m < next_check && block.cols() > 0)
       continue;
     next_check = m + m / 4;
-    Eigenpairs result
-      = largest_of_all_eigenpairs(basis.leftCols(m).transpose() * image.leftCols(m), count);
-    result.vectors = basis.leftCols(m) * result.vectors;
+    Eigenpairs result = largest_of_all_eigenpairs(
+      product_of_transposed(basis.leftCols(m), image.leftCols(m)), count);
+    result.vectors = product(basis.leftCols(m), result.vectors);
     const Eigen::MatrixXd residuals
-      = matrix * result.vectors - result.vectors * result.values.asDiagonal();
+      = product(matrix, result.vectors) - result.vectors * result.values.asDiagonal();
     if(block.cols() == 0 || residuals.colwise().norm().maxCoeff() <= tolerance)
       return result;
   }

@@ -10,15 +10,17 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_LINEAR_ALGEBRA_LOW_RANK_FACTORS_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_LINEAR_ALGEBRA_LOW_RANK_FACTORS_H
 
+#include <CGAL/Canonical_pose_3/internal/linear_algebra/leading_eigenvectors.h>
 #include <CGAL/Canonical_pose_3/internal/support/Disjoint_sets.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <Eigen/SparseCore>
 
 #include <cmath>
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -63,15 +65,16 @@ inline bool low_rank_factors(const Eigen::SparseMatrix<double>& matrix, const st
     for(Eigen::Index i = 0; i < k; ++i)
       for(Eigen::Index j = 0; j < k; ++j)
         block(i, j) = matrix.coeff(group[i], group[j]);
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> spectrum(block);
-    const double largest = spectrum.eigenvalues().cwiseAbs().maxCoeff();
+    const std::optional<Eigenpairs> spectrum = all_eigenpairs(block);
+    if(!spectrum)
+      return false;
+    const double largest = spectrum->values.cwiseAbs().maxCoeff();
     for(Eigen::Index j = 0; j < k; ++j)
-      if(std::abs(spectrum.eigenvalues()[j]) > relative_zero * largest)
+      if(std::abs(spectrum->values[j]) > relative_zero * largest)
       {
         for(Eigen::Index i = 0; i < k; ++i)
-          entries.emplace_back(group[i], static_cast<int>(values.size()),
-                               spectrum.eigenvectors()(i, j));
-        values.push_back(spectrum.eigenvalues()[j]);
+          entries.emplace_back(group[i], static_cast<int>(values.size()), spectrum->vectors(i, j));
+        values.push_back(spectrum->values[j]);
       }
   }
   const Eigen::Index rank = static_cast<Eigen::Index>(values.size());

@@ -11,6 +11,7 @@
 #define CGAL_CANONICAL_POSE_3_INTERNAL_SUPPORT_PRINCIPAL_AXES_H
 
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+#include <CGAL/Canonical_pose_3/internal/support/weighted_product.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <Eigen/Eigenvalues>
@@ -28,7 +29,7 @@ struct Principal_axes
     const Eigen::VectorXd share = weights / weights.sum();
     centroid = share.transpose() * points;
     const Point_matrix centered = points.rowwise() - centroid;
-    const Eigen::Matrix3d covariance = centered.transpose() * share.asDiagonal() * centered;
+    const Eigen::Matrix3d covariance = weighted_product(centered, share, centered);
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance);
     axes = solver.eigenvectors().rowwise().reverse();
     variances = solver.eigenvalues().reverse();

@@ -11,11 +11,7 @@
 #define CGAL_CANONICAL_POSE_3_INTERNAL_SUPPORT_FOR_EACH_BLOCK_H
 
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
-
-#ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-#endif
+#include <CGAL/Canonical_pose_3/internal/support/for_each_index.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -38,18 +34,9 @@ inline std::size_t number_of_blocks(const std::size_t n, const std::size_t size 
 template <class Function>
 void for_each_block(const std::size_t n, const Function& f, const std::size_t size = block_size)
 {
-  const auto call
-    = [&](const std::size_t block) { f(block, block * size, (std::min)(n, (block + 1) * size)); };
-#ifdef CGAL_LINKED_WITH_TBB
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, number_of_blocks(n, size)),
-                    [&](const tbb::blocked_range<std::size_t>& blocks) {
-                      for(std::size_t b = blocks.begin(); b != blocks.end(); ++b)
-                        call(b);
-                    });
-#else
-  for(std::size_t b = 0; b < number_of_blocks(n, size); ++b)
-    call(b);
-#endif
+  for_each_index(number_of_blocks(n, size), [&](const std::size_t block) {
+    f(block, block * size, (std::min)(n, (block + 1) * size));
+  });
 }
 
 } // namespace internal

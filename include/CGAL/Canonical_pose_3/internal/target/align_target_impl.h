@@ -13,6 +13,7 @@
 #include <CGAL/Canonical_pose_3/align_target.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/support/rotation_by_traits.h>
+#include <CGAL/Canonical_pose_3/internal/support/weighted_product.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <CGAL/Deformation_Eigen_closest_rotation_traits_3.h>
@@ -38,7 +39,7 @@ CGAL_CANONICAL_POSE_3_INLINE Point_matrix align_target(const Point_matrix& targe
   if(mirrored)
     moved.col(2) *= -1;
   const Eigen::Matrix3d covariance
-    = (points.rowwise() - point_mean).transpose() * share.asDiagonal() * moved;
+    = internal::weighted_product(points.rowwise() - point_mean, share, moved);
   // Normalized, since the models compare determinants and entries to absolute bounds.
   const double size = covariance.cwiseAbs().maxCoeff();
   const Eigen::Matrix3d rotation

@@ -13,6 +13,7 @@
 #include <CGAL/Canonical_pose_3/internal/intrinsic/Delaunay_surface.h>
 #include <CGAL/Canonical_pose_3/internal/intrinsic/Intrinsic_triangulation.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+#include <CGAL/Canonical_pose_3/internal/support/for_each_index.h>
 #include <CGAL/Canonical_pose_3/internal/wavefront/Unfolded_sides.h>
 #include <CGAL/Canonical_pose_3/internal/wavefront/Wavefront.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
@@ -21,7 +22,6 @@
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
 #endif
 
 #include <cmath>
@@ -56,8 +56,7 @@ public:
 #ifdef CGAL_LINKED_WITH_TBB
     // waves keep no state: results do not depend on which thread runs which wave
     tbb::enumerable_thread_specific<Wavefront> waves([this] { return wavefront(); });
-    tbb::parallel_for(std::size_t(0), sources.size(),
-                      [&](std::size_t k) { fill(waves.local(), k); });
+    for_each_index(sources.size(), [&](std::size_t k) { fill(waves.local(), k); });
 #else
     Wavefront wave = wavefront();
     for(std::size_t k = 0; k < sources.size(); ++k)
