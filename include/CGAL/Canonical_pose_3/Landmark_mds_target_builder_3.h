@@ -12,6 +12,7 @@
 
 #include <CGAL/Canonical_pose_3/Landmark_fields_3.h>
 #include <CGAL/Canonical_pose_3/Squared_distance_kernel.h>
+#include <CGAL/Canonical_pose_3/internal/linear_algebra/dense_products.h>
 #include <CGAL/Canonical_pose_3/internal/linear_algebra/leading_eigenvectors.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/target/check_landmark_fields.h>
@@ -191,7 +192,8 @@ private:
                             const Eigen::MatrixXd& projection, const Eigen::MatrixXd& g,
                             const double unit)
   {
-    const Eigen::MatrixXd embedded = (kernel.colwise() - mean).transpose() * projection;
+    const Eigen::MatrixXd embedded
+      = internal::product_of_transposed(kernel.colwise() - mean, projection);
     double dg = 0, dd = 0, gg = 0;
     for(Eigen::Index i = 0; i < g.rows(); ++i)
       for(Eigen::Index j = 0; j < i; ++j)
