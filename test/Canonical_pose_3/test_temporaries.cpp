@@ -88,9 +88,10 @@ using Registrar = CP::Tetrahedral_arap_registrar_3<Body>;
 // What owns memory can be moved.
 template <class... T>
 constexpr bool are_movable = (std::is_move_constructible_v<T> && ...);
-static_assert(are_movable<CP::Heat_geodesics_3<Mesh>, CP::Wavefront_geodesics_3<Mesh>,
-                          CP::Exact_geodesics_3<Mesh>, CP::Body_deformer_3<Body>,
-                          CP::Labeled_cells_3<CP::Indexed_tetrahedra_3<Kernel::Point_3>>, Registrar>);
+static_assert(
+  are_movable<CP::Heat_geodesics_3<Mesh>, CP::Wavefront_geodesics_3<Mesh>,
+              CP::Exact_geodesics_3<Mesh>, CP::Body_deformer_3<Body>,
+              CP::Labeled_cells_3<CP::Indexed_tetrahedra_3<Kernel::Point_3>>, Registrar>);
 static_assert(std::is_same_v<CP::Heat_geodesics_3<Mesh, Map, Kernel>::Vertex_point_map, Map>);
 static_assert(std::is_same_v<CP::Exact_geodesics_3<Mesh, Map, Kernel>::Geom_traits, Kernel>);
 
