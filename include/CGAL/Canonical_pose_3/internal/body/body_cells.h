@@ -13,12 +13,10 @@
 #include <CGAL/Canonical_pose_3/internal/support/Buckets.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 
-#include <Eigen/Core>
+#include <Eigen/LU>
 
 #include <array>
-#include <cmath>
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -37,34 +35,6 @@ inline Buckets<std::size_t> cells_of_vertices(const std::size_t number_of_vertic
   });
 }
 
-// Solves A x = b by elimination with exchange of rows; with the bytes of `PartialPivLU`, which is long to
-// compile.
-inline Eigen::Vector3d solution(Eigen::Matrix3d a, Eigen::Vector3d b)
-{
-  for(int k = 0; k < 2; ++k)
-  {
-    int pivot = k;
-    for(int i = k + 1; i < 3; ++i)
-      if(std::abs(a(i, k)) > std::abs(a(pivot, k)))
-        pivot = i;
-    for(int j = 0; j < 3; ++j)
-      std::swap(a(k, j), a(pivot, j));
-    std::swap(b[k], b[pivot]);
-    for(int i = k + 1; i < 3; ++i)
-    {
-      a(i, k) /= a(k, k);
-      for(int j = k + 1; j < 3; ++j)
-        a(i, j) -= a(i, k) * a(k, j);
-    }
-  }
-  b[1] -= a(1, 0) * b[0];
-  b[2] -= a(2, 0) * b[0] + a(2, 1) * b[1];
-  b[2] /= a(2, 2);
-  b[1] = (b[1] - a(1, 2) * b[2]) / a(1, 1);
-  b[0] = (b[0] - (a(0, 1) * b[1] + a(0, 2) * b[2])) / a(0, 0);
-  return b;
-}
-
 // Returns the barycentric coordinates, with sum 1, of a point with respect to the corners of a
 // tetrahedron.
 inline Eigen::Vector4d barycentric_coordinates(const std::array<Eigen::Vector3d, 4>& corners,
@@ -73,7 +43,7 @@ inline Eigen::Vector4d barycentric_coordinates(const std::array<Eigen::Vector3d,
   Eigen::Matrix3d edges;
   for(std::size_t k = 0; k < 3; ++k)
     edges.col(static_cast<Eigen::Index>(k)) = corners[k + 1] - corners[0];
-  const Eigen::Vector3d x = solution(edges, point - corners[0]);
+  const Eigen::Vector3d x = edges.partialPivLu().solve(point - corners[0]);
   Eigen::Vector4d result;
   result << 1 - x.sum(), x;
   return result;
