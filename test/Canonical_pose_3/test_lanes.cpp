@@ -13,7 +13,7 @@
 #include <CGAL/Canonical_pose_3/Eigen_factor_traits_d.h>
 #include <CGAL/Canonical_pose_3/internal/heat/Gradient_field.h>
 #include <CGAL/Canonical_pose_3/internal/linear_algebra/Lane_factor.h>
-#include <CGAL/Canonical_pose_3/internal/linear_algebra/Supernodal_kernels.h>
+#include <CGAL/Canonical_pose_3/internal/linear_algebra/Supernodal_routines.h>
 
 #include <gtest/gtest.h>
 
@@ -94,16 +94,16 @@ TYPED_TEST(Lane_factors, share_an_analysis)
 }
 
 // Calls f(run) with each version of the routine that this processor supports.
-template <class Kernel, class Function>
+template <class Routine, class Function>
 void for_each_version(const Function& f)
 {
-  f([](auto... arguments) { Kernel::template run<Vector_of_1>(arguments...); });
-  f([](auto... arguments) { Kernel::template run<Portable_vector>(arguments...); });
-#ifdef CGAL_CANONICAL_POSE_3_HAS_X86_KERNELS
+  f([](auto... arguments) { Routine::template run<Vector_of_1>(arguments...); });
+  f([](auto... arguments) { Routine::template run<Portable_vector>(arguments...); });
+#ifdef CGAL_CANONICAL_POSE_3_HAS_X86_ROUTINES
   if(__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
-    f([](auto... arguments) { run_with_avx2<Kernel>(arguments...); });
+    f([](auto... arguments) { run_with_avx2<Routine>(arguments...); });
   if(__builtin_cpu_supports("avx512f"))
-    f([](auto... arguments) { run_with_avx512<Kernel>(arguments...); });
+    f([](auto... arguments) { run_with_avx512<Routine>(arguments...); });
 #endif
 }
 

@@ -38,34 +38,34 @@ struct Face_in_plane
 struct Unit_descent
 {
   template <class Vector>
-  CGAL_CANONICAL_POSE_3_KERNEL static void run(const Face_in_plane* faces, std::size_t size,
-                                               const double* u, double* result)
+  CGAL_CANONICAL_POSE_3_ROUTINE static void run(const Face_in_plane* faces, std::size_t size,
+                                                const double* u, double* result)
   {
     using Numbers = typename Vector::Numbers;
     for(const Face_in_plane* face = faces; face != faces + size; ++face)
-      for(std::size_t lane = 0; lane < NUMBER_OF_LANES; lane += Vector::SIZE)
+      for(std::size_t p = 0; p < NUMBER_OF_PARTS<Vector>; ++p)
       {
         std::array<std::size_t, 3> at;
         for(std::size_t i = 0; i < 3; ++i)
-          at[i] = NUMBER_OF_LANES * static_cast<std::size_t>(face->corners[i]) + lane;
-        const Numbers origin = *reinterpret_cast<const Numbers*>(u + at[0]);
-        const Numbers a = *reinterpret_cast<const Numbers*>(u + at[1]) - origin;
-        const Numbers b = *reinterpret_cast<const Numbers*>(u + at[2]) - origin;
+          at[i] = static_cast<std::size_t>(face->corners[i]);
+        const Numbers origin = part<Vector>(u, at[0], p).numbers;
+        const Numbers a = part<Vector>(u, at[1], p).numbers - origin;
+        const Numbers b = part<Vector>(u, at[2], p).numbers - origin;
         // twice the area times the gradient
         Numbers along = a * face->y, across = b * face->base - a * face->x;
         normalize<Vector>(along, across);
         const Numbers second = across * face->x - along * face->y, third = across * -face->base;
-        *reinterpret_cast<Numbers*>(result + at[0]) -= second + third;
-        *reinterpret_cast<Numbers*>(result + at[1]) += second;
-        *reinterpret_cast<Numbers*>(result + at[2]) += third;
+        part<Vector>(result, at[0], p).numbers -= second + third;
+        part<Vector>(result, at[1], p).numbers += second;
+        part<Vector>(result, at[2], p).numbers += third;
       }
   }
 
 private:
   // Scales a vector to length 1/2, unless it is 0.
   template <class Vector>
-  CGAL_CANONICAL_POSE_3_KERNEL static void normalize(typename Vector::Numbers& x,
-                                                     typename Vector::Numbers& y)
+  CGAL_CANONICAL_POSE_3_ROUTINE static void normalize(typename Vector::Numbers& x,
+                                                      typename Vector::Numbers& y)
   {
     using Numbers = typename Vector::Numbers;
     using Bits = typename Vector::Bits;
@@ -120,7 +120,7 @@ public:
   // divergence, and sums to 0 over each component. `result` must be 0.
   void divergence_of_unit_descent(const Lane_rows& u, Lane_rows& result) const
   {
-    run_kernel<Unit_descent>(m_faces.data(), m_faces.size(), u.data(), result.data());
+    run_routine<Unit_descent>(m_faces.data(), m_faces.size(), u.data(), result.data());
   }
 
 private:

@@ -11,7 +11,7 @@
 #define CGAL_CANONICAL_POSE_3_INTERNAL_LINEAR_ALGEBRA_SUPERNODAL_FACTOR_H
 
 #include <CGAL/Canonical_pose_3/internal/linear_algebra/Cholmod_factor.h>
-#include <CGAL/Canonical_pose_3/internal/linear_algebra/Supernodal_kernels.h>
+#include <CGAL/Canonical_pose_3/internal/linear_algebra/Supernodal_routines.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/support/state_of_the_process.h>
 
@@ -80,8 +80,8 @@ public:
   void solve(Lane_rows& rows, std::size_t) const
   {
     const Supernodal_matrix matrix = view();
-    run_kernel<Forward_substitution>(&matrix, rows.data());
-    run_kernel<Backward_substitution>(&matrix, rows.data());
+    run_routine<Forward_substitution>(&matrix, rows.data());
+    run_routine<Backward_substitution>(&matrix, rows.data());
   }
 
   static const char* name() { return "CHOLMOD"; }
