@@ -36,7 +36,9 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // Searches triangles, manifold or not, for pairs that intersect elsewhere than in the vertices that
-// they share. Polygon_mesh_processing::self_intersections() does the same for a mesh.
+// they share. Polygon_mesh_processing::triangle_soup_self_intersections() of CGAL 6.1 finds the same pairs
+// in 0.7 (curved surfaces) to 2.2 times the time (flat ones) on one thread, but has no bound where boxes
+// overlap without end, and on two threads takes longer than on one.
 class Self_intersections
 {
 public:
