@@ -37,12 +37,12 @@ inline namespace CGAL_CANONICAL_POSE_3_BODIES {
 \brief brings a surface into its detail-preserving canonical pose
 \cgalCite{cgal:canonical-s-sdacm-15}.
 
-Geodesic distances to landmarks give a target point per vertex by multidimensional scaling; a
-tetrahedral body inside the surface is pulled towards it by an as-rigid-as-possible registration
-that keeps details smaller than the detail length. Bent and straight, a shape ends in nearly the
-same pose. Of the target and its mirror image the one of positive
-`Canonical_pose_3::target_handedness()` is taken. The pose lies where the rigid motion that fits the
-target to the input puts it. It follows rigid motions, scaling and relabeling of the input.
+Multidimensional scaling of geodesic distances to landmarks yields a target point for each vertex. A
+tetrahedral body inside the surface is pulled toward these points by an as-rigid-as-possible
+registration, which preserves details smaller than the detail length. A shape has nearly the same
+canonical pose whether it is bent or straight. The target is mirrored if its
+`Canonical_pose_3::target_handedness()` is negative. The pose is positioned by the rigid motion that
+fits the target to the input. It follows rigid motions, scaling and relabeling of the input.
 
 \tparam TriangleMesh a model of `FaceListGraph`
 \tparam PoseVertexPointMap a model of `WritablePropertyMap` with vertex descriptors of
@@ -50,11 +50,11 @@ target to the input puts it. It follows rigid motions, scaling and relabeling of
        itself.
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
-\param tmesh a polygon mesh. It may have holes, intersect itself, and have defects of any kind
-       (see `Canonical_pose_3::repair_surface()`); the repairs stay inside. Vertices that are on no
-       face are carried along.
-\param pose_vertex_point_map receives the pose, unless the result says that there is none.
-\param options the knobs of the method.
+\param tmesh a polygon mesh. It may have holes, self-intersections, and defects of any kind (see
+       `Canonical_pose_3::repair_surface()`); it is repaired internally. Isolated vertices follow
+       the body.
+\param pose_vertex_point_map receives the pose, if there is one (see `Result::is_usable()`).
+\param options the options of the method.
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
        below
 
@@ -84,19 +84,19 @@ target to the input puts it. It follows rigid motions, scaling and relabeling of
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\returns the pose as a matrix, the target and the outcome, which is printed as one line. It can be given to another call, see
-         `Options::given`.
+\returns the pose as a matrix, the target, and the summary. Printing the result writes one line. The
+         result can be passed to another call, see `Options::given`.
 
 \throws std::invalid_argument if the surface has no area, a coordinate is not finite, there are
-       several components and the options do not say what to do with them, the requested body needs a
-       surface without defect (see `Canonical_pose_3::diagnose()`), or an option is out of its bounds;
-       the message names the defect and an element.
-\throws std::runtime_error if the solver or the mesher fails, or the program was built without the
-       requested body.
+       several components and the options do not state how to handle them, the requested body
+       requires a surface without defects (see `Canonical_pose_3::diagnose()`), or an option is out
+       of range; the message states the defect and an element.
+\throws std::runtime_error if the solver or the mesher fails, or the program was built without
+       support for the requested body.
 
-<em>Complexity:</em> with the default distances two factorizations and one solve per landmark of
-sparse matrices of the size of the surface, one factorization of a matrix of the size of the body,
-and per iteration a pass over the cells and a solve.
+<em>Complexity:</em> with the default distances, two factorizations of sparse matrices of the size
+of the surface and one solve per landmark; one factorization of a matrix of the size of the body;
+and one pass over the cells and one solve per iteration.
 */
 template <class TriangleMesh, class PoseVertexPointMap,
           class NamedParameters = parameters::Default_named_parameters,
@@ -150,14 +150,13 @@ Canonical_pose_3::Result canonical_pose_3(const TriangleMesh& tmesh,
 
 \param points the points.
 \param polygons the faces.
-\param pose receives the pose of each point, in the order of `points`, unless the result says that
-       there is none.
-\param options the knobs of the method.
+\param pose receives the pose of each point, in the order of `points`, if there is one.
+\param options the options of the method.
 \param np `geom_traits`, `random_seed`, `sparse_linear_solver` and `visitor`, as for a mesh
 
 \returns as for a mesh.
 
-\throws std::invalid_argument also if a polygon names a point that does not exist.
+\throws std::invalid_argument also if a polygon has an invalid index.
 */
 template <class PointRange, class PolygonRange, class PosePointRange,
           class NamedParameters = parameters::Default_named_parameters,
@@ -194,7 +193,7 @@ canonical_pose_3(const PointRange& points, const PolygonRange& polygons, PosePoi
 
 \brief brings a tetrahedral complex into its detail-preserving canonical pose.
 
-The distances are those on the boundary of the complex, which must be connected; the cells of the
+Distances are measured on the boundary of the complex, which must be connected. The cells of the
 complex are the body.
 
 \tparam TetrahedralComplex a type for which `Canonical_pose_3::Tetrahedral_complex_traits_3` is
@@ -204,14 +203,14 @@ complex are the body.
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param complex the complex; it is not changed.
-\param pose_vertex_point_map receives the pose, unless the result says that there is none.
-\param options the knobs of the method.
+\param pose_vertex_point_map receives the pose, if there is one.
+\param options the options of the method.
 \param np `geom_traits`, `random_seed`, `sparse_linear_solver` and `visitor`, as for a mesh
 
 \returns as for a mesh.
 
-\throws std::invalid_argument also if a cell has no volume, names a vertex that is not there, or
-       shares a face with two others.
+\throws std::invalid_argument also if a cell has no volume, a cell has an invalid vertex, or three
+       cells share a face.
 */
 template <class TetrahedralComplex, class PoseVertexPointMap,
           class NamedParameters = parameters::Default_named_parameters,

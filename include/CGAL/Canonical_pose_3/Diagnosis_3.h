@@ -24,76 +24,77 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief lists what is found on a polygon soup or a polygon mesh before it is used.
+\brief lists the defects and properties of a polygon soup or a polygon mesh.
 
 \sa `diagnose()`
 \sa `repair_surface()`
 */
 struct Diagnosis_3
 {
-  /// is one kind of defect, with the first elements that show it.
+  /// is a type of defect, with the first elements that have it.
   struct Defect
   {
-    /// one of `no_faces`, `degenerate_faces`, `duplicate_faces`, `non_manifold_edges` (of more than
-    /// two faces), `inconsistent_orientation`, `non_manifold_vertices`, `components`,
+    /// one of `no_faces`, `degenerate_faces`, `duplicate_faces`, `non_manifold_edges` (with more
+    /// than two faces), `inconsistent_orientation`, `non_manifold_vertices`, `components`,
     /// `isolated_vertices`, `self_intersections`, `holes`, `inside_out`, `duplicated_points`,
     /// `polygons`; the worst come first.
     std::string kind;
-    /// number of the elements.
+    /// number of elements.
     std::size_t count;
-    /// what an example is: `vertex`, `face`, `edge` (its two vertices), `faces` (two of them) or
-    /// `vertices` (two at the same place). One of a component is its first face, one of a hole an
-    /// edge of it.
+    /// the type of an example: `vertex`, `face`, `edge` (its two vertices), `faces` (two of them)
+    /// or `vertices` (two at the same position). The example of a component is its first face, that
+    /// of a hole is one of its edges.
     std::string element;
-    /// the first few of them, or all, as numbers of vertices or faces.
+    /// the first few of the elements, or all, as indices of vertices or faces.
     std::vector<std::vector<std::size_t>> examples;
-    /// one line that names the defect and an element that shows it.
+    /// one line that states the defect and an element that has it.
     std::string message;
   };
 
-  /// Where the number of pairs of faces that intersect reaches this, the search for more ends.
+  /// If the number of pairs of intersecting faces reaches this, the search ends.
   static constexpr std::size_t MAXIMUM_NUMBER_OF_SELF_INTERSECTIONS = 100000;
 
   /// number of vertices.
   std::size_t vertices = 0;
   /// number of faces.
   std::size_t faces = 0;
-  /// number of faces of more than three corners.
+  /// number of faces with more than three corners.
   std::size_t polygons = 0;
-  /// number of vertices of no face.
+  /// number of isolated vertices.
   std::size_t isolated_vertices = 0;
-  /// number of vertices at the place of one before them.
+  /// number of vertices at the position of an earlier one.
   std::size_t duplicated_points = 0;
-  /// number of connected components of the faces (by common edges or vertices).
+  /// number of connected components of the faces (connected by common edges or vertices).
   std::size_t components = 0;
-  /// number of components that are closed, oriented, and enclose a negative volume.
+  /// number of components that are closed and oriented, and enclose a negative volume.
   std::size_t inside_out_components = 0;
-  /// number of edges of one face only.
+  /// number of edges with only one face.
   std::size_t boundary_edges = 0;
   /// number of connected parts of the boundary edges.
   std::size_t holes = 0;
-  /// number of edges of more than two faces, or of two faces that run through it in the same
+  /// number of edges with more than two faces, or with two faces that traverse the edge in the same
   /// direction.
   std::size_t non_manifold_edges = 0;
-  /// the latter of them.
+  /// number of edges with two faces that traverse the edge in the same direction.
   std::size_t inconsistently_oriented_edges = 0;
   /// number of vertices whose faces form more than one fan.
   std::size_t non_manifold_vertices = 0;
-  /// number of faces without area, those that name a vertex twice included.
+  /// number of faces without area, including those in which a vertex occurs twice.
   std::size_t degenerate_faces = 0;
-  /// number of faces with the same vertices as one before them, in whatever order.
+  /// number of faces with the same vertices as an earlier one, in any order.
   std::size_t duplicate_faces = 0;
   /// number of pairs of faces that intersect without being neighbors, at most
-  /// `MAXIMUM_NUMBER_OF_SELF_INTERSECTIONS`. Degenerate and duplicate faces are left out. Empty where
-  /// the search was given up: there is no face, or the bounding boxes of far too many faces overlap.
+  /// `MAXIMUM_NUMBER_OF_SELF_INTERSECTIONS`. Degenerate and duplicate faces are ignored. Empty if
+  /// the search was abandoned: there is no face, or the bounding boxes of far too many faces
+  /// overlap.
   std::optional<std::size_t> self_intersections;
-  /// what was found, the worst first.
+  /// the defects, the worst first.
   std::vector<Defect> defects;
-  /// message of the first defect; empty if there is none. Holes are a defect here.
+  /// message of the first defect; empty if there is none. Holes count as a defect here.
   std::string first_defect;
 
-  /// returns whether the surface is closed, 2-manifold, oriented, connected and free of degenerate
-  /// and of intersecting faces. It may have polygons and be inside out nevertheless.
+  /// returns whether the surface is closed, 2-manifold, oriented and connected, without degenerate
+  /// or intersecting faces. It may nevertheless have polygons and be inside out.
   bool is_clean() const
   {
     return faces > 0 && components == 1 && isolated_vertices == 0 && boundary_edges == 0

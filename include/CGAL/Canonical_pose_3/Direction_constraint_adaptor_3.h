@@ -28,15 +28,15 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief is a pair of vertices of the surface with the prescribed vector from the second to the first.
+\brief is a pair of vertices of the surface with a prescribed vector from the second to the first.
 */
 struct Directed_pair_3
 {
   std::size_t p = 0; ///< row of the first vertex.
-  std::size_t q = 0; ///< row of the second vertex, another one.
+  std::size_t q = 0; ///< row of the second vertex, different from the first.
   /// prescribed \f$ p - q \f$, in the unit of the mesh.
   Eigen::RowVector3d vector = Eigen::RowVector3d::Zero();
-  double stiffness = 1; ///< \f$ \kappa \f$, without unit. Positive.
+  double stiffness = 1; ///< \f$ \kappa \f$, dimensionless. Positive.
 };
 
 namespace internal {
@@ -58,11 +58,12 @@ struct Constraint_element_traits<Directed_pair_3> : Vertex_pair_traits
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief adds pairs of vertices to a registration whose difference, length and direction, is given.
+\brief prescribes the differences, both length and direction, of pairs of vertices during a
+registration.
 
-Limbs that point in given directions make a Vitruvian pose, the future work of
+Limbs that point in given directions create a Vitruvian pose, the future work of
 \cgalCite{cgal:canonical-s-sdacm-15}. The energy of pair \f$ s \f$ with the vector
-\f$ d_s \f$ is \f$ \frac{1}{2} \kappa_s |p_s - q_s - d_s|^2 \f$. It is quadratic, so that an
+\f$ d_s \f$ is \f$ \frac{1}{2} \kappa_s |p_s - q_s - d_s|^2 \f$. Since it is quadratic, each
 iteration finds its minimum for given rotations of the cells.
 
 \cgalModels `RegistrationConstraint_3`
@@ -87,8 +88,8 @@ public:
   /// \name Requirements of `RegistrationConstraint_3`
   /// @{
 
-  /// appends the entries of \f$ \frac{1}{2} \sum_s \kappa_s b_s b_s^t \f$, \f$ b_s^t x = p_s - q_s
-  /// \f$.
+  /// appends the entries of \f$ \frac{1}{2} \sum_s \kappa_s b_s b_s^t \f$, where
+  /// \f$ b_s^t x = p_s - q_s \f$.
   void add_to_matrix(std::vector<Eigen::Triplet<double>>& matrix) const
   {
     internal::add_difference_matrix(elements(), matrix);

@@ -29,9 +29,9 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief holds a body of any type, so that it can be chosen at run time.
+\brief holds a body of any type, which can thus be chosen at run time.
 
-Copies share the body, which is never changed.
+Copies share the body, which is never modified.
 
 \cgalModels `ElasticBody_3`
 
@@ -40,7 +40,7 @@ Copies share the body, which is never changed.
 class Elastic_body_3
 {
 public:
-  /// takes a body.
+  /// constructs from a body.
   /// \tparam ElasticBody a model of `ElasticBody_3`
   template <class ElasticBody,
             std::enable_if_t<!std::is_same<ElasticBody, Elastic_body_3>::value, int> = 0>

@@ -29,14 +29,14 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief is a vertex of the surface with its prescribed position.
+\brief is a vertex of the surface with a prescribed position.
 */
 struct Handle_3
 {
   std::size_t p = 0; ///< row of the vertex.
   /// prescribed position, in the unit of the mesh.
   Eigen::RowVector3d position = Eigen::RowVector3d::Zero();
-  double stiffness = 1; ///< \f$ \kappa \f$, without unit. Positive.
+  double stiffness = 1; ///< \f$ \kappa \f$, dimensionless. Positive.
 };
 
 namespace internal {
@@ -62,10 +62,11 @@ struct Constraint_element_traits<Handle_3>
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief draws vertices to given positions during a registration.
+\brief pulls vertices toward prescribed positions during a registration.
 
 The energy of handle \f$ s \f$ with the position \f$ x_s \f$ is \f$ \frac{1}{2} \kappa_s |p_s -
-x_s|^2 \f$. It is quadratic, so that an iteration finds its minimum for given rotations of the cells.
+x_s|^2 \f$. Since it is quadratic, each iteration finds its minimum for given rotations of the
+cells.
 
 \cgalModels `RegistrationConstraint_3`
 
@@ -89,13 +90,13 @@ public:
   /// \name Requirements of `RegistrationConstraint_3`
   /// @{
 
-  /// appends \f$ \frac{1}{2} \kappa_s \f$ on the diagonal.
+  /// appends \f$ \frac{1}{2} \kappa_s \f$ to the diagonal.
   void add_to_matrix(std::vector<Eigen::Triplet<double>>& matrix) const
   {
     internal::add_difference_matrix(elements(), matrix);
   }
 
-  /// adds \f$ \frac{1}{2} \kappa_s x_s \f$ in row \f$ p_s \f$.
+  /// adds \f$ \frac{1}{2} \kappa_s x_s \f$ to row \f$ p_s \f$.
   void add_to_right_hand_side(const Point_matrix& points, Point_matrix& right_hand_side) const
   {
     internal::add_difference_right_hand_side(

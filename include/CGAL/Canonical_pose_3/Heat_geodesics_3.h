@@ -41,40 +41,42 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 method \cgalCite{cgal:canonical-cww-ghnac-13}.
 
 The mesh is first replaced by the intrinsic Delaunay triangulation of the same surface: edges are
-flipped on edge lengths alone, so that the surface and its vertices stay, and long thin faces do no
-harm \cgalCite{cgal:canonical-fsbs-aicid-07}. Nearly degenerate faces are made up for by adding one
-tiny number, at most 1e-10 times the mean edge length, to all edges of their component
-\cgalCite{cgal:canonical-sc-lntm-20}. Both linear systems are factored by the constructor; a query
-is two substitutions and one pass over the faces. Sources are worked on eight at a time: eighty of
-them in one call take about a fifth of the time of eighty calls on one thread, less on several.
+flipped based on edge lengths alone, so that the surface and its vertices do not change, and long
+thin faces do no harm \cgalCite{cgal:canonical-fsbs-aicid-07}. To compensate for nearly degenerate
+faces, one tiny number, at most 1e-10 times the mean edge length, is added to all edges of their
+component \cgalCite{cgal:canonical-sc-lntm-20}. Both linear systems are factored by the constructor;
+a query consists of two substitutions and one pass over the faces. Sources are processed in groups
+of eight: eighty of them in one call take about a fifth of the time of eighty calls on one thread,
+less on several.
 
-The distance is an approximation: its error goes to 0 with the edge length, and its mean is usually
-1 to 5 percent. It is not exactly symmetric, and not exactly a metric. Use `Exact_geodesics_3` where
-this matters and time does not. What flips cannot mend is a surface whose *vertices* lie much denser
-in one direction than in the other: from about 15 to 1 on, the steps of the heat no longer reach
-across the gaps, and distances come out far too short. Remesh such a surface, or take a longer time
-step. (The default is the same for all surfaces: nothing that we measured tells these from uneven
-ones on which a longer step makes distances worse.)
+The distance is an approximation: its error converges to 0 with the edge length, and the mean error
+is usually 1 to 5 percent. It is not exactly symmetric, and not exactly a metric. Use
+`Exact_geodesics_3` if this matters and time does not. Flips do not help if the *vertices* of a
+surface are much denser in one direction than in the other: from a ratio of about 15 to 1, the steps
+of the heat no longer reach across the gaps, and distances are far too short. Remesh such a surface,
+or use a longer time step. (The default is the same for all surfaces: nothing that we measured
+distinguishes these from uneven surfaces, where a longer step makes the distances worse.)
 
-<em>Boundary.</em> No heat leaves through it (Neumann). The average with the solution that is 0 on
-the boundary, which would cost a third factorization, was no better: on a square of \f$ 100^2 \f$
-cells, over five sources from the center to a corner, the mean errors are 0.73 percent without and
-0.98 percent with the average; on half of an icosphere of 5 levels 0.61 and 0.82 percent. Only on
-very coarse patches (\f$ 20^2 \f$ cells: 2.6 and 1.9 percent) it is the other way round.
+<em>Boundary.</em> No heat leaves through the boundary (Neumann). The average with the solution that
+is 0 on the boundary, which would require a third factorization, was not better: on a square of
+\f$ 100^2 \f$ cells, over five sources from the center to a corner, the mean errors are 0.73 percent
+without and 0.98 percent with the average; on half of an icosphere of 5 levels, 0.61 and 0.82
+percent. Only on very coarse patches is the average better (\f$ 20^2 \f$ cells: 2.6 and 1.9
+percent).
 
 <em>Time step.</em> \f$ t = h^2 \f$, where \f$ h \f$ is \f$ \sqrt{c} \f$ times the mean edge length of
-the connected component after the flips, or 1/300 of the longest of the shortest paths along edges
-from the first vertex of the component, if this is more: it keeps the heat, which decays like
-\f$ \exp(-d/h) \f$, within the range of `double` everywhere, on meshes of any size. With
-\f$ c = 1 \f$, compact surfaces need it from about a hundred thousand vertices on, long thin ones
-earlier. The <em>time step factor</em> \f$ c \f$ is a parameter of the constructors; it has no unit
-and is 1 by default. The larger it is, the smoother are the distances: kinks where shortest paths from
-two sides meet, and the influence of the boundary, are spread over a width of some \f$ h \f$. With
-much less than 1, errors no longer go to 0 with the edge length.
+the connected component after the flips, or, if this is larger, 1/300 of the length of the longest
+of the shortest paths along edges from the first vertex of the component. The latter keeps the heat,
+which decays like \f$ \exp(-d/h) \f$, within the range of `double` everywhere, on meshes of any
+size. With \f$ c = 1 \f$, compact surfaces need it from about a hundred thousand vertices on, long
+thin ones earlier. The <em>time step factor</em> \f$ c \f$ is a parameter of the constructors; it
+has no unit, and its default is 1. The larger it is, the smoother the distances: kinks where
+shortest paths from two sides meet, and the influence of the boundary, are spread over a width of
+about \f$ h \f$. If it is much smaller than 1, errors do not converge to 0 with the edge length.
 
-<em>Units and determinism.</em> Any unit will do. Multiplying all coordinates by a power of two
-multiplies all distances by it, to the last bit. Distances do not depend on the number of threads,
-nor on the other sources of a batch, nor on the type of the mesh if vertices and faces come in the
+<em>Units and determinism.</em> Points may be in any unit. Multiplying all coordinates by a power of
+two multiplies all distances by it, bit for bit. Distances do not depend on the number of threads,
+the other sources of a batch, or the type of the mesh, provided that vertices and faces are in the
 same order.
 
 \tparam TriangleMesh a model of `FaceListGraph`, oriented and 2-manifold, with or without boundary,
@@ -127,31 +129,31 @@ public:
   /// @{
 
   /*!
-  flips to intrinsic Delaunay and factors both systems, with the points of the mesh's own property
-  map `vertex_point`; else as the other constructor.
+  performs the intrinsic Delaunay flips and factors both systems. Points are read from the property
+  map `vertex_point` of the mesh; otherwise the same as the other constructor.
   */
   explicit Heat_geodesics_3(const TriangleMesh& tmesh, const double time_step_factor = 1)
     : Heat_geodesics_3(tmesh, get(vertex_point, tmesh), Geometry(), time_step_factor)
   {}
 
   /*!
-  flips to intrinsic Delaunay and factors both systems.
+  performs the intrinsic Delaunay flips and factors both systems.
 
-  \param tmesh the mesh, not a temporary one; it must live and keep its vertices as long as this
-         object. Its points are read here only: moving them later changes nothing.
+  \param tmesh the mesh, not a temporary; it must exist and keep its vertices as long as this
+         object. Its points are read only by the constructor: later changes have no effect.
   \param vertex_point_map the point of each vertex, in any unit
   \param traits reads the coordinates of the points
-  \param time_step_factor the time step by the square of the mean edge length; positive and at most
-         1e6, with which the heat has nearly evened out on meshes of any size
+  \param time_step_factor the ratio of the time step to the square of the mean edge length; positive
+         and at most 1e6, for which the heat is nearly constant on meshes of any size
 
-  \throws std::invalid_argument if `time_step_factor` is out of these bounds or not a number
-  \throws std::invalid_argument if the mesh has no face, or no face with an area, or a face that is
-          not a triangle, or a vertex with a coordinate that is not finite. The message names face
-          or vertex by its number in the range of faces or vertices.
+  \throws std::invalid_argument if `time_step_factor` is out of range or not a number
+  \throws std::invalid_argument if the mesh has no face, no face with an area, a face that is not a
+          triangle, or a vertex with a coordinate that is not finite. The message states the index
+          of the face or vertex.
   \throws std::runtime_error if a system cannot be factored (out of memory)
 
-  <em>Complexity:</em> the flips are linear in practice; factoring is \f$ O(n^{1.5}) \f$ for
-  \f$ n \f$ vertices, in \f$ O(n \log n) \f$ memory.
+  <em>Complexity:</em> the flips are linear in practice; factoring takes \f$ O(n^{1.5}) \f$ for
+  \f$ n \f$ vertices, with \f$ O(n \log n) \f$ memory.
   */
   Heat_geodesics_3(const TriangleMesh& tmesh, Point_map vertex_point_map,
                    const Geometry& traits = Geometry(), const double time_step_factor = 1)
@@ -160,7 +162,7 @@ public:
   {}
 
   /// \cond SKIP_IN_MANUAL
-  // By a solver chosen at run time.
+  // With a solver chosen at run time.
   Heat_geodesics_3(const TriangleMesh& tmesh, Point_map vertex_point_map, const Geometry& traits,
                    const internal::Lane_factor_maker factor_maker,
                    const double time_step_factor = 1)
@@ -185,14 +187,14 @@ public:
   /// @}
 
   /// \name Queries
-  /// All of them are safe to call from several threads at once.
+  /// All queries can be called from several threads at the same time.
   /// @{
 
   /// returns the mesh.
   const TriangleMesh& triangle_mesh() const { return *m_tmesh; }
 
   /*!
-  returns the row of `v` in the results: its number in the range `vertices(tmesh)`.
+  returns the row of `v` in the results: its index in the order of `vertices(tmesh)`.
   \pre `v` is a vertex of the mesh.
   */
   std::size_t index(vertex_descriptor v) const
@@ -216,13 +218,12 @@ public:
   }
 
   /*!
-  returns the distances from each of `sources`, taken alone, to all vertices; in parallel, if
-  `CGAL_LINKED_WITH_TBB` is defined.
+  returns the distances from each of `sources` to all vertices, independently of the other sources;
+  in parallel if `CGAL_LINKED_WITH_TBB` is defined.
 
   \tparam VertexRange a range of vertex descriptors
   \param sources the sources, which may repeat
-  \returns one row per vertex and one column per source, which is `distances(source)` to the last
-  bit
+  \returns one row per vertex and one column per source, bit for bit as `distances(source)`
   \pre All of `sources` are vertices of the mesh.
 
   <em>Complexity:</em> \f$ O(n \log n) \f$ per source.
@@ -239,15 +240,15 @@ public:
   from each of them.
 
   Heat that flows from all sources at once would cost no more than one source, but the potential then
-  differs from source to source: in a square of \f$ 60^2 \f$ cells with 20 sources, the mean error is
-  at least 6.6 percent, and 2.9 percent for the smallest of the distances.
+  differs between the sources: in a square of \f$ 60^2 \f$ cells with 20 sources, the mean error is
+  at least 6.6 percent, compared to 2.9 percent for the smallest of the distances.
 
   \tparam VertexRange a range of vertex descriptors
   \param sources the sources, which may repeat
   \returns one number per vertex, as `distances()` does; `+infinity` everywhere if there is no source
   \pre All of `sources` are vertices of the mesh.
 
-  <em>Complexity:</em> \f$ O(n \log n) \f$ per source, in memory for a few fields.
+  <em>Complexity:</em> \f$ O(n \log n) \f$ per source, with memory for a few fields.
   */
   template <class VertexRange>
   Eigen::VectorXd distance_to_nearest(const VertexRange& sources) const

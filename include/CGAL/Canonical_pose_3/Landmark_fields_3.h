@@ -32,9 +32,9 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 \brief holds landmarks and the distances of all points to them.
 
-It is what `front_landmarks()` and `farthest_point_landmarks()` return and what
-`Landmark_mds_target_builder_3` embeds. The distances may as well come from elsewhere: nothing here
-depends on a mesh.
+It is returned by `front_landmarks()` and `farthest_point_landmarks()` and embedded by
+`Landmark_mds_target_builder_3`. The distances may also be computed elsewhere: nothing here depends
+on a mesh.
 
 \sa `farthest_point_landmarks()`
 \sa `front_landmarks()`
@@ -42,29 +42,29 @@ depends on a mesh.
 */
 struct Landmark_fields_3
 {
-  /// the \f$ l \f$ landmarks, as numbers of points (of vertices in the order of `vertices(tmesh)`).
+  /// the \f$ l \f$ landmarks, as indices of points (of vertices in the order of `vertices(tmesh)`).
   std::vector<std::size_t> landmarks;
 
-  /// \f$ n \times l \f$: entry \f$ (i, j) \f$ is the distance of point \f$ i \f$ to landmark \f$ j
-  /// \f$, in the unit of the points.
+  /// \f$ n \times l \f$: entry \f$ (i, j) \f$ is the distance from point \f$ i \f$ to landmark
+  /// \f$ j \f$, in the unit of the points.
   Eigen::MatrixXd distances;
 
-  /// the largest distance of a point to its nearest landmark, in the unit of the points.
+  /// the largest distance from a point to its nearest landmark, in the unit of the points.
   double covering_radius = 0;
 };
 
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief returns the landmark fields of distances that were computed elsewhere.
+\brief returns landmark fields for distances that were computed elsewhere.
 
-The landmark of a column is the first point of distance 0.
+The landmark of a column is the first point with distance 0.
 
-\param distances \f$ n \times l \f$, see `Landmark_fields_3::distances`; infinite in the rows of points that are on no
-       surface.
+\param distances \f$ n \times l \f$, see `Landmark_fields_3::distances`; infinite in the rows of
+       points that are not on a surface.
 
-\throws std::invalid_argument if there is no column, a distance is negative or not a number, or a column has no
-       distance 0; the message names row and column.
+\throws std::invalid_argument if there is no column, a distance is negative or not a number, or a
+       column has no distance 0; the message states row and column.
 
 <em>Complexity:</em> linear.
 */

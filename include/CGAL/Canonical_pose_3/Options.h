@@ -35,21 +35,22 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief holds what `canonical_pose_3()` computes on the way to the pose: it is part of the `Result`, and can be
-given to another call by `Options::given`.
+\brief holds what `canonical_pose_3()` computes on the way to the pose. It is part of the `Result`
+and can be passed to another call as `Options::given`.
 
-Rows are the vertices in the order of `vertices(tmesh)`; for a tetrahedral complex those of its boundary, in the
-order of `extract_boundary()`. Vertices that are on no surface of their own (those of no face, of a cavity, or
-of another component) have infinite distances, and their pose as target. With a pose for each of several
-components, there are no distances.
+Rows correspond to the vertices in the order of `vertices(tmesh)`; for a tetrahedral complex, to
+those of its boundary in the order of `extract_boundary()`. Vertices that are not on the surface of
+a posed component (isolated ones, those of a cavity, or of another component) have infinite
+distances, and their target is their pose. If several components are posed, there are no distances.
 */
 struct Intermediate_results
 {
-  /// landmarks and distances to them; returned where `Options::return_landmark_fields` requests it. Where several
-  /// copies of a vertex were needed, since the surface is not manifold there, the nearest counts.
+  /// landmarks and distances to them; returned if `Options::return_landmark_fields` is set. If a
+  /// vertex is split because the surface is not manifold there, the smallest distance of its copies
+  /// counts.
   std::optional<Landmark_fields_3> landmark_fields;
 
-  /// \f$ n \times 3 \f$, the target in its final position. One that is given is neither aligned nor
+  /// \f$ n \times 3 \f$, the target in its final position. A given target is neither aligned nor
   /// reflected.
   std::optional<Point_matrix> target;
 };
@@ -57,7 +58,8 @@ struct Intermediate_results
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief holds the weights as the paper prints them, see `Registration_options::set_paper_weights()`.
+\brief holds the weights in the notation of the paper, see
+`Registration_options::set_paper_weights()`.
 */
 struct Paper_weights
 {
@@ -66,16 +68,18 @@ struct Paper_weights
 };
 
 /// \ingroup PkgCanonicalPose3Ref
-/// computes landmarks and the distances to them on a connected surface, an oriented 2-manifold perhaps with boundary.
-/// It is called with its points, triples of rows of these, the number of landmarks (larger, perhaps, than that of the
-/// points), and the first landmark, and returns finite distances with a row per point.
+/// computes landmarks and the distances to them on a connected surface, an oriented 2-manifold,
+/// possibly with boundary. The arguments are its points, its triangles as triples of rows, the
+/// number of landmarks (possibly larger than that of the points), and the first landmark. Returns
+/// finite distances with one row per point.
 using Landmark_fields_function = std::function<Landmark_fields_3(
   const Point_matrix& points, const std::vector<std::array<std::size_t, 3>>& triangles,
   std::size_t number_of_landmarks, std::size_t first_landmark)>;
 
 /// \ingroup PkgCanonicalPose3Ref
-/// makes a body of a connected surface, an oriented 2-manifold perhaps with boundary, of its points, triples of rows of
-/// these, and distances. The surface vertices of the body are the points.
+/// creates the body of a connected surface, an oriented 2-manifold, possibly with boundary. The
+/// arguments are its points, its triangles as triples of rows, and distances. The surface vertices
+/// of the body are the points.
 using Body_function = std::function<Elastic_body_3(
   const Point_matrix& points, const std::vector<std::array<std::size_t, 3>>& triangles,
   const Landmark_fields_3& fields)>;
@@ -85,43 +89,45 @@ using Body_function = std::function<Elastic_body_3(
 
 \brief holds the options of `canonical_pose_3()` that do not refer to vertices of the input.
 
-Distances, kernel, body and solver are selected by enumerations, or provided by the user as functions or models of
-concepts.
+Distances, kernel, body and solver are selected by enumerations, or provided by the user as
+functions or models of concepts.
 */
 struct Method_options
 {
-  /// model of `GeodesicDistances_3` to measure with: `Heat_geodesics_3`, `Wavefront_geodesics_3`.
+  /// model of `GeodesicDistances_3`: `Heat_geodesics_3` or `Wavefront_geodesics_3`.
   enum class Geodesics { HEAT, WAVEFRONT };
 
-  /// model of `MdsKernel` of the target.
+  /// model of `MdsKernel` for the target.
   enum class Kernel { CLASSICAL, GAUSSIAN, UNCENTERED_GAUSSIAN };
 
-  /// elastic body of a surface: `AUTOMATIC` is the lattice, see `Lattice_body_3`; the others need a
-  /// surface without defect.
+  /// elastic body of a surface. `AUTOMATIC` is the lattice, see `Lattice_body_3`; the others
+  /// require a surface without defects.
   enum class Body { AUTOMATIC, LATTICE, TETGEN, MESH_3 };
 
-  /// what to do with several connected components, of a surface (by edges) or of the cells of a complex (by
-  /// common faces): refuse them; pose the largest one, to which the others stay attached; or pose each on its own.
+  /// how to handle several connected components of a surface (connected by edges) or a complex
+  /// (connected by common faces): refuse them; pose the largest one, to which the others stay
+  /// attached; or pose each one.
   enum class Components { REFUSE, LARGEST, EACH };
 
-  /// linear solver: `AUTOMATIC` is CHOLMOD where the package was configured with it, else Eigen.
+  /// linear solver. `AUTOMATIC` is CHOLMOD if the package was configured with it, otherwise Eigen.
   enum class Solver { AUTOMATIC, EIGEN, CHOLMOD };
 
   /// the distances.
   Geodesics geodesics = Geodesics::HEAT;
 
-  /// if set, computes the distances instead, for example with `Exact_geodesics_3`; see `landmark_fields_function()`.
+  /// if set, computes the distances instead, for example with `Exact_geodesics_3`; see
+  /// `landmark_fields_function()`.
   Landmark_fields_function landmark_fields_function;
 
-  /// if set, computes the distances for the target, in the unit of the mesh, while the body and the length
-  /// \f$ L \f$ are still based on the distances above.
+  /// if set, computes the distances for the target, in the unit of the mesh; the body and the
+  /// length \f$ L \f$ are still based on the distances above.
   Landmark_fields_function target_fields_function;
 
-  /// number of landmarks, at least 1. Of those that a surface of \f$ n \f$ vertices can have, \f$ n \f$, at
-  /// most 4096, and at most \f$ 2^{29} / n \f$.
+  /// number of landmarks, at least 1. If it exceeds the number \f$ n \f$ of vertices, \f$ n \f$ is
+  /// used. The number used must be at most 4096 and at most \f$ 2^{29} / n \f$.
   std::size_t number_of_landmarks = 80;
 
-  /// 0: the first landmark is `extremal_point()`; otherwise it is drawn with this seed. Nothing
+  /// if 0, the first landmark is `extremal_point()`; otherwise it is drawn with this seed. Nothing
   /// else is random.
   unsigned int random_seed = 0;
 
@@ -137,23 +143,25 @@ struct Method_options
   /// if set, creates the body of a surface instead.
   Body_function make_body;
 
-  /// spacing of the lattice as a fraction of \f$ L \f$; 0: chosen from the thickness of the shape.
+  /// spacing of the lattice as a fraction of \f$ L \f$; if 0, it is chosen based on the thickness
+  /// of the shape.
   double lattice_spacing = 0;
 
-  /// components of a surface or a complex.
+  /// the components of a surface or a complex.
   Components components = Components::REFUSE;
 
   /// the options of the registration.
   Registration_options registration;
 
-  /// if set, these replace detail length, Tikhonov weight and matching weights, and rotations are
-  /// computed from the pose after one pass of fairing (or as many as `registration` says, if more),
-  /// as the paper does.
+  /// if set, these replace the detail length, the Tikhonov weight and the matching weights, and, as
+  /// in the paper, rotations are computed from the pose after one pass of fairing (or more, if
+  /// `registration` requests more).
   std::optional<Paper_weights> paper_weights;
 
-  /// if the volume of the pose exceeds this multiple of the rest volume, the target is scaled down and the
-  /// registration is repeated: geodesics run around compact bodies, so their targets are too large. Positive. By
-  /// default 1.15, but unlimited for given targets and with `paper_weights`.
+  /// if the volume of the pose exceeds this multiple of the rest volume, the target is scaled down
+  /// and the registration is repeated: geodesics run around compact bodies, so their targets are
+  /// too large. Positive. The default is 1.15; for given targets and with `paper_weights`, it is
+  /// unlimited.
   std::optional<double> volume_ratio_limit;
 
   /// the linear solver.
@@ -162,15 +170,15 @@ struct Method_options
   /// if set, replaces `solver`.
   std::optional<Linear_solver> linear_solver;
 
-  /// upper bound on the number of threads; 0 for none. The result does not depend on it.
+  /// maximum number of threads; 0 for no limit. The result does not depend on it.
   int number_of_threads = 0;
 
-  /// a model of `RegistrationVisitor_3` that watches the registration and may stop it, or none. With
-  /// a pose for each of several components it watches one after the other, the smallest first, each
-  /// from iteration 1; to stop one is to begin with the next.
+  /// if set, a model of `RegistrationVisitor_3` that observes the registration and may stop it. If
+  /// several components are posed, it observes them one after the other, the smallest first, each
+  /// from iteration 1; stopping one continues with the next.
   Registration_visitor visitor;
 
-  /// whether the result is to hold the landmarks and the distances to them.
+  /// whether the result contains the landmarks and the distances to them.
   bool return_landmark_fields = false;
 };
 
@@ -181,26 +189,28 @@ struct Method_options
 */
 struct Vertex_options
 {
-  /// nonnegative factors of the matching weights (shares in the area, which have the sum 1 again
-  /// afterwards), one per vertex in the order of `vertices(tmesh)` or of the vertices of the complex,
-  /// or none; see `property_values()`. A vertex of factor 0 has no target and follows the others.
+  /// nonnegative factors of the matching weights, which are shares of the area and are normalized
+  /// to the sum 1 afterwards: one per vertex in the order of `vertices(tmesh)` or of the vertices
+  /// of the complex, or none; see `property_values()`. A vertex with factor 0 has no target and
+  /// follows the others.
   Eigen::VectorXd matching_weights;
 
-  /// positive factors of the weights of the cells, or none: one per vertex of a surface, from where
-  /// `cell_stiffness()` brings them to the cells, but one per cell of a complex. A factor \f$ c \f$
-  /// everywhere is the same as a detail length \f$ \sqrt c \f$ times as large.
+  /// positive factors of the weights of the cells, or none: one per vertex of a surface,
+  /// transferred to the cells by `cell_stiffness()`, or one per cell of a complex. A uniform factor
+  /// \f$ c \f$ has the same effect as multiplying the detail length by \f$ \sqrt c \f$.
   Eigen::VectorXd stiffness;
 
   /// the constraints.
   Constraints_3 constraints;
 
-  /// \f$ m \times 3 \f$, points near the surface, such as markers or the vertices of a finer version of
-  /// it, that are to follow it, each the component that is nearest to it; see `Body_deformer_3`. Their pose is
-  /// `Result::pose_of_followers`.
+  /// \f$ m \times 3 \f$, points near the surface, such as markers or the vertices of a finer
+  /// version of it. Each of them follows the nearest component, see `Body_deformer_3`. Their pose
+  /// is `Result::pose_of_followers`.
   Point_matrix followers;
 
-  /// distances and target to use instead of computing them, as far as they are there. The `Result` of an earlier
-  /// call for the same input can be assigned to it. Distances can be given for a single component only.
+  /// distances and target to be used instead of computing them, if present. The `Result` of an
+  /// earlier call for the same input can be assigned to it. Distances can be given for a single
+  /// component only.
   Intermediate_results given;
 };
 

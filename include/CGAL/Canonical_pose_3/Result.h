@@ -27,17 +27,18 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 \brief holds what `canonical_pose_3()` returns.
 
-Besides the members below there are those of `Intermediate_results`: the target and, where
-`Options::return_landmark_fields` requests them, the landmarks and the distances to them. Both can be given to another
-call for the same input: `options.given = result`.
+It inherits the members of `Intermediate_results`: the target and, if
+`Options::return_landmark_fields` is set, the landmarks and the distances to them. Both can be given
+to another call for the same input: `options.given = result`.
 */
 struct Result : Intermediate_results
 {
-  /// the outcome; iterations, energies and seconds per stage included.
+  /// the outcome, including iterations, energies and seconds per stage.
   Registration_summary summary;
 
-  /// \f$ n \times 3 \f$, the pose of each vertex, in the order of `vertices(tmesh)`, of the points of a soup, or of the
-  /// vertices of a complex. Empty unless `is_usable()`, as are the other members but the summary.
+  /// \f$ n \times 3 \f$, the pose of each vertex, in the order of `vertices(tmesh)`, of the points
+  /// of a soup, or of the vertices of a complex. Empty unless `is_usable()`; the same is true for
+  /// all other members except the summary.
   Point_matrix pose;
 
   /// \f$ m \times 3 \f$, the pose of `Options::followers`.

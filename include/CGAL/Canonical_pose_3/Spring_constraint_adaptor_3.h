@@ -34,9 +34,9 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 struct Spring_3
 {
   std::size_t p = 0;      ///< row of the first vertex.
-  std::size_t q = 0;      ///< row of the second vertex, another one.
+  std::size_t q = 0;      ///< row of the second vertex, different from the first.
   double rest_length = 0; ///< prescribed distance, in the unit of the mesh. Not negative.
-  double stiffness = 1;   ///< \f$ \kappa \f$, without unit. Positive.
+  double stiffness = 1;   ///< \f$ \kappa \f$, dimensionless. Positive.
 };
 
 namespace internal {
@@ -65,14 +65,15 @@ struct Constraint_element_traits<Spring_3> : Vertex_pair_traits
 \ingroup PkgCanonicalPose3Ref
 
 \brief adds springs between pairs of vertices to a registration, as in Section 7 of
-\cgalCite{cgal:canonical-s-sdacm-15} by the splitting of \cgalCite{cgal:canonical-lbok-fsmss-13}.
+\cgalCite{cgal:canonical-s-sdacm-15}, using the splitting of
+\cgalCite{cgal:canonical-lbok-fsmss-13}.
 
-The energy of spring \f$ s \f$ is \f$ \frac{1}{2} \kappa_s (|p_s - q_s| - r_s)^2 \f$. In an
-iteration \f$ |p - q - d|^2 \f$ takes the place of the square, \f$ d \f$ being of length \f$ r \f$
-and in the direction of \f$ p - q \f$ before it. Where \f$ p \f$ and \f$ q \f$ coincide the last
-direction stands (the first axis if there is none, as for a spring that has been put between other
-vertices). With \f$ n \f$ vertices, the stiffness of Equation 16 of the paper is \f$ n \kappa \f$,
-the matching weights being \f$ 1/n \f$ each.
+The energy of spring \f$ s \f$ is \f$ \frac{1}{2} \kappa_s (|p_s - q_s| - r_s)^2 \f$. Each iteration
+replaces the square by \f$ |p - q - d|^2 \f$, where \f$ d \f$ has the length \f$ r \f$ and the
+direction of \f$ p - q \f$ before the iteration. If \f$ p \f$ and \f$ q \f$ coincide, the last
+direction is used (the first axis if there is none, for instance after the vertices of a spring have
+been replaced). With \f$ n \f$ vertices, the stiffness of Equation 16 of the paper is \f$ n \kappa
+\f$ if all matching weights are \f$ 1/n \f$.
 
 \cgalModels `RegistrationConstraint_3`
 
@@ -96,8 +97,8 @@ public:
   /// \name Requirements of `RegistrationConstraint_3`
   /// @{
 
-  /// appends the entries of \f$ \frac{1}{2} \sum_s \kappa_s b_s b_s^t \f$, \f$ b_s^t x = p_s - q_s
-  /// \f$.
+  /// appends the entries of \f$ \frac{1}{2} \sum_s \kappa_s b_s b_s^t \f$, where
+  /// \f$ b_s^t x = p_s - q_s \f$.
   void add_to_matrix(std::vector<Eigen::Triplet<double>>& matrix) const
   {
     internal::add_difference_matrix(elements(), matrix);

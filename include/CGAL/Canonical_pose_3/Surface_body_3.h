@@ -38,7 +38,7 @@ struct Surface_body_3
   /// the body.
   Elastic_body_3 body;
 
-  /// \f$ L \f$, the length that the detail length is relative to: the largest distance on the surface.
+  /// \f$ L \f$, the largest distance on the surface; the detail length is relative to it.
   double length_scale = 0;
 
   /// the surface vertex of the body for each vertex of the surface.

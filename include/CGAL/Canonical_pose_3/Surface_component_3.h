@@ -39,15 +39,15 @@ struct Surface_component_3
   /// triangles with the same vertices that close the boundary loops.
   std::vector<std::array<std::size_t, 3>> caps;
 
-  /// the face of the input that each triangle is part of.
+  /// the face of the input to which each triangle belongs.
   std::vector<std::size_t> face_of_triangle;
 
-  /// the vertex of the input that each point stems from; for a tetrahedral complex, the vertex of its
-  /// boundary. Where the input is not manifold, several points stem from the same vertex.
+  /// the vertex of the input that each point is a copy of; for a tetrahedral complex, the vertex of
+  /// its boundary. Where the input is not manifold, several points are copies of the same vertex.
   std::vector<std::size_t> origins;
 
-  /// the vertex of the input that each surface vertex of the body stems from. The same as `origins`,
-  /// except for a complex: all its vertices are surface vertices.
+  /// the vertex of the input that each surface vertex of the body is a copy of. The same as
+  /// `origins`, except for a complex, where all vertices are surface vertices.
   std::vector<std::size_t> body_origins;
 };
 

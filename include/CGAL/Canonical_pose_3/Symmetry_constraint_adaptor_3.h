@@ -33,13 +33,13 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief is a pair of vertices of the surface that are to be mirror images of each other.
+\brief is a pair of vertices of the surface that become mirror images of each other.
 */
 struct Symmetric_pair_3
 {
   std::size_t p = 0;    ///< row of the first vertex.
-  std::size_t q = 0;    ///< row of the second vertex; the first again, if it is to be on the plane.
-  double stiffness = 1; ///< \f$ \kappa \f$, without unit. Positive.
+  std::size_t q = 0;    ///< row of the second vertex; if equal to `p`, it is on the plane.
+  double stiffness = 1; ///< \f$ \kappa \f$, dimensionless. Positive.
 };
 
 namespace internal {
@@ -57,25 +57,26 @@ struct Constraint_element_traits<Symmetric_pair_3> : Vertex_pair_traits
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief makes pairs of vertices mirror images of each other in one common plane during a registration.
+\brief makes pairs of vertices mirror images of each other with respect to one common plane during a
+registration.
 
-The plane is not given. With \f$ S(x) \f$ being the mirror image of \f$ x \f$ in a plane, the energy
-is
+The plane is not prescribed. If \f$ S(x) \f$ is the mirror image of \f$ x \f$ with respect to a
+plane, the energy is
 \f[ e = \min_S \frac{1}{2} \sum_s \kappa_s |p_s - S(q_s)|^2 . \f]
 For the unit normal \f$ \nu \f$ and the offset \f$ c \f$ of the plane, and with \f$ d_s = p_s - q_s
 \f$ and \f$ m_s = \frac{1}{2} (p_s + q_s) \f$,
 \f[ |p_s - S(q_s)|^2 = |d_s|^2 - (\nu \cdot d_s)^2 + 4\, (\nu \cdot m_s - c)^2 . \f]
 Hence the best plane passes through the weighted mean \f$ \bar m \f$ of the midpoints, and its normal
-is an eigenvector of the smallest eigenvalue of
+is an eigenvector for the smallest eigenvalue of
 \f[ \sum_s \kappa_s \left( 4\, (m_s - \bar m)(m_s - \bar m)^t - d_s d_s^t \right) . \f]
 
 The nearest points to \f$ p \f$ and \f$ q \f$ that are mirror images of each other are \f$ p' =
 \frac{1}{2} (p + S(q)) \f$ and \f$ q' = S(p') \f$, and \f$ |p - S(q)|^2 = 2\, |p - p'|^2 + 2\, |q -
-q'|^2 \f$. In an iteration this takes the place of the square, with plane, \f$ p' \f$ and \f$ q' \f$
-as they were before it, in the manner of \cgalCite{cgal:canonical-lbok-fsmss-13}. It is never below
-the energy, which thus never rises, and its matrix does not depend on the plane.
+q'|^2 \f$. Each iteration replaces the square by the latter, with the plane, \f$ p' \f$ and
+\f$ q' \f$ from before the iteration, similar to \cgalCite{cgal:canonical-lbok-fsmss-13}. This is an
+upper bound of the energy, which thus never increases, and its matrix does not depend on the plane.
 
-A single pair is always symmetric, to the plane halfway between its vertices.
+A single pair is always symmetric with respect to the plane halfway between its vertices.
 
 \cgalModels `RegistrationConstraint_3`
 
@@ -86,8 +87,7 @@ class Symmetry_constraint_adaptor_3 : public Constraint_list_3<Symmetric_pair_3>
 public:
   using Constraint_list_3<Symmetric_pair_3>::Constraint_list_3;
 
-  /// returns the plane for which the sum is least at `points` (\f$ n \times 3 \f$), one of them if
-  /// there are several.
+  /// returns a plane that minimizes the sum at `points` (\f$ n \times 3 \f$).
   /// \pre There is a pair.
   Eigen::Hyperplane<double, 3> plane(const Point_matrix& points) const
   {
@@ -123,7 +123,7 @@ public:
   /// \name Requirements of `RegistrationConstraint_3`
   /// @{
 
-  /// appends \f$ \kappa_s \f$ on the diagonal, for \f$ p_s \f$ and for \f$ q_s \f$.
+  /// appends \f$ \kappa_s \f$ to the diagonal, for \f$ p_s \f$ and for \f$ q_s \f$.
   void add_to_matrix(std::vector<Eigen::Triplet<double>>& matrix) const
   {
     for(const Symmetric_pair_3& s : elements())
@@ -131,7 +131,7 @@ public:
         matrix.emplace_back(static_cast<int>(v), static_cast<int>(v), s.stiffness);
   }
 
-  /// adds \f$ \kappa_s p'_s \f$ in row \f$ p_s \f$ and \f$ \kappa_s q'_s \f$ in row \f$ q_s \f$.
+  /// adds \f$ \kappa_s p'_s \f$ to row \f$ p_s \f$ and \f$ \kappa_s q'_s \f$ to row \f$ q_s \f$.
   void add_to_right_hand_side(const Point_matrix& points, Point_matrix& right_hand_side) const
   {
     for_each_misfit(points, [&](const Symmetric_pair_3& s, const Eigen::RowVector3d& misfit,
@@ -154,7 +154,7 @@ public:
   /// @}
 
 private:
-  // Calls f(s, p - S(q), the same as the plane mirrors vectors) for each pair.
+  // Calls f(s, d, mirror image of the vector d) with d = p - S(q) for each pair.
   template <class Function>
   void for_each_misfit(const Point_matrix& points, const Function& f) const
   {

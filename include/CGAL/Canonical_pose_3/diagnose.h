@@ -30,12 +30,11 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 \param points \f$ n \times 3 \f$, positions.
 \param polygons sequences of rows of `points`.
 
-\throws std::invalid_argument if a coordinate is not finite or a polygon names a row that does not
-       exist.
+\throws std::invalid_argument if a coordinate is not finite or a polygon has an invalid row.
 
-<em>Complexity:</em> \f$ O(n \log n) \f$, plus the search for intersections. That ends where
-`Diagnosis_3::MAXIMUM_NUMBER_OF_SELF_INTERSECTIONS` are found, or more than 200 bounding boxes per
-face and ten million overlap.
+<em>Complexity:</em> \f$ O(n \log n) \f$, plus the search for intersections. The search ends when
+`Diagnosis_3::MAXIMUM_NUMBER_OF_SELF_INTERSECTIONS` pairs are found, or when the number of
+overlapping bounding boxes exceeds both 200 per face and ten million.
 
 \sa `repair_surface()`
 */
@@ -50,8 +49,7 @@ Diagnosis_3 diagnose(const Point_matrix& points,
 \param points \f$ n \times 3 \f$, positions.
 \param triangles triples of rows of `points`.
 
-\throws std::invalid_argument if a coordinate is not finite or a triangle names a row that does not
-       exist.
+\throws std::invalid_argument if a coordinate is not finite or a triangle has an invalid row.
 */
 Diagnosis_3 diagnose(const Point_matrix& points,
                      const std::vector<std::array<std::size_t, 3>>& triangles);
@@ -65,7 +63,8 @@ Diagnosis_3 diagnose(const Point_matrix& points,
 \tparam VertexPointMap a model of `ReadablePropertyMap` with vertex descriptors as keys and points
        of a kernel as values
 
-\throws std::invalid_argument if a coordinate is not finite; the message names the vertex.
+\throws std::invalid_argument if a coordinate is not finite; the message states the index of the
+       vertex.
 */
 template <class PolygonMesh, class VertexPointMap>
 Diagnosis_3 diagnose(const PolygonMesh& mesh, VertexPointMap vertex_point_map)

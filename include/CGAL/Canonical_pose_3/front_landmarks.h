@@ -32,7 +32,7 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 namespace internal {
 
-// The points that the distances were made with: those of the geodesics, if they show them.
+// The points for which the distances were computed: those of the geodesics, if accessible.
 template <class GeodesicDistances>
 auto landmark_points(const GeodesicDistances& geodesics, int)
   -> decltype(Point_matrix(geodesics.points()))
@@ -46,7 +46,7 @@ Point_matrix landmark_points(const GeodesicDistances& geodesics, ...)
   return point_matrix(geodesics.triangle_mesh());
 }
 
-// The surface that the fronts run on: that of the geodesics, if they show it.
+// The surface on which the fronts run: that of the geodesics, if accessible.
 template <class GeodesicDistances>
 auto landmark_triangulation(const GeodesicDistances& geodesics, int)
   -> decltype(geodesics.intrinsic_triangulation())
@@ -63,7 +63,7 @@ Intrinsic_triangulation landmark_triangulation(const GeodesicDistances& geodesic
     .triangulation();
 }
 
-// At most `l` vertices, each the farthest from those before it as the fronts see it.
+// At most `l` vertices, each approximately the farthest from the previous ones.
 inline std::vector<Eigen::Index> front_landmarks(const Intrinsic_triangulation& triangulation,
                                                  std::size_t l, Eigen::Index first)
 {
@@ -86,35 +86,34 @@ inline std::vector<Eigen::Index> front_landmarks(const Intrinsic_triangulation& 
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief selects landmarks nearly by farthest point sampling, and returns them with their distance
-fields, which are computed all at once.
+\brief selects landmarks approximately by farthest point sampling, and returns them with their
+distance fields, which are computed in one batch.
 
-Farthest point sampling needs the field of each landmark before the next one is chosen. Here a
-front runs over the surface instead, from each landmark as far as it is the nearest one, with
-distances that are nearly those on the surface \cgalCite{cgal:canonical-nk-cgdtm-02}. With
-`Heat_geodesics_3` this takes a quarter to a third of the time. With 80 landmarks, the covering
-radius was that of farthest point sampling times 1.01 in the mean (0.97 to 1.04) over ten meshes of
-2 775 to 50 000 vertices from their extremal points, and times 1.04 in the mean (0.96 to 1.13) over
-the five smallest from six other vertices each. The fields, and the covering radius, are made of the
-distances of `geodesics`.
+Farthest point sampling needs the field of each landmark before the next one can be chosen. Here, a
+front runs over the surface from each landmark as far as this landmark is the nearest one, with
+approximate distances \cgalCite{cgal:canonical-nk-cgdtm-02}. With `Heat_geodesics_3`, this takes a
+quarter to a third of the time. With 80 landmarks, the covering radius was that of farthest point
+sampling times 1.01 in the mean (0.97 to 1.04) over ten meshes of 2 775 to 50 000 vertices from
+their extremal points, and times 1.04 in the mean (0.96 to 1.13) over the five smallest from six
+other vertices each. The fields and the covering radius are computed with `geodesics`.
 
-Otherwise it does the same as `farthest_point_landmarks()`.
+Otherwise the same as `farthest_point_landmarks()`.
 
 \tparam GeodesicDistances a model of `GeodesicDistances_3` whose mesh is a model of `FaceListGraph`,
-        oriented, 2-manifold, and made of triangles. The fronts run on the surface with the points
-        that its member function `points()` returns, a `Point_matrix`, and without one with those of
-        the mesh's property map `vertex_point`. With the models of this package, it is always the
-        surface that they were constructed with.
-\tparam VertexOutputIterator a model of `OutputIterator` that takes vertex descriptors
+        oriented, 2-manifold, and triangulated. The fronts run on the points returned by its member
+        function `points()`, a `Point_matrix`, or, if there is no such function, on those of the
+        property map `vertex_point` of the mesh. For the models of this package, this is always the
+        surface with which they were constructed.
+\tparam VertexOutputIterator a model of `OutputIterator` that accepts vertex descriptors
 
 \param geodesics the distances.
 \param l the number of landmarks.
 \param first the first landmark, see `extremal_point()`.
-\param out receives the landmarks in the order of their choice.
+\param out receives the landmarks in the order in which they are chosen.
 
 \pre `l >= 1`
 
-<em>Complexity:</em> \f$ O(n \log n \log l) \f$ for the fronts, and one call for a batch of fields.
+<em>Complexity:</em> \f$ O(n \log n \log l) \f$ for the fronts, and one batch of fields.
 
 \sa `farthest_point_landmarks()`
 \sa `Landmark_mds_target_builder_3`

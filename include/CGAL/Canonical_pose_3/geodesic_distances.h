@@ -25,9 +25,10 @@ namespace CGAL {
 namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
-/// \ingroup PkgCanonicalPose3Ref computes distances on an oriented 2-manifold, possibly with
-/// boundary and several components. The arguments are its points, its triangles as triples of rows,
-/// and the rows of the sources. Returns one row per point and one column per source.
+/// \ingroup PkgCanonicalPose3Ref
+/// computes distances on an oriented 2-manifold, possibly with boundary and several components. The
+/// arguments are its points, its triangles as triples of rows, and the rows of the sources. Returns
+/// one row per point and one column per source.
 using Distances_function = std::function<Eigen::MatrixXd(
   const Point_matrix& points, const std::vector<std::array<std::size_t, 3>>& triangles,
   const std::vector<std::size_t>& sources)>;
@@ -35,7 +36,7 @@ using Distances_function = std::function<Eigen::MatrixXd(
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief computes distances on a polygon soup, repaired as for the one call.
+\brief computes distances on a polygon soup, which is repaired as in `canonical_pose_3()`.
 
 \param points \f$ n \times 3 \f$, positions.
 \param polygons sequences of rows of `points`.
@@ -44,9 +45,9 @@ using Distances_function = std::function<Eigen::MatrixXd(
 \param function if set, computes the distances instead.
 
 \returns an \f$ n \times s \f$ matrix: one row per point, one column per source; infinite if there
-       is no path. The distance of a vertex that was split is that of its first copy.
+       is no path. For a vertex that was split, the distance of its first copy is returned.
 
-\throws std::invalid_argument if a source is not a row or a point is isolated; see also
+\throws std::invalid_argument if a source is not a valid row or a point is isolated; see also
        `repair_surface()`.
 
 \sa `Heat_geodesics_3`

@@ -29,11 +29,11 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief returns a function for `Options::landmark_fields_function` that measures distances by a model of
-`GeodesicDistances_3`.
+\brief returns a function for `Options::landmark_fields_function` that measures distances with a
+model of `GeodesicDistances_3`.
 
-\tparam GeodesicDistances a model of `GeodesicDistances_3` that is constructed from a mesh; its `Triangle_mesh` is a model
-       of `MutableFaceGraph` with an internal point property map
+\tparam GeodesicDistances a model of `GeodesicDistances_3` that is constructed from a mesh; its
+       `Triangle_mesh` is a model of `MutableFaceGraph` with an internal point property map
 
 \sa `farthest_point_landmarks()`
 */

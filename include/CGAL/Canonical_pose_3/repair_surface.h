@@ -41,24 +41,25 @@ inline std::vector<std::size_t> first_copies(const Repaired_surface_3& surface)
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief makes an oriented 2-manifold of any polygons, without moving or making a vertex.
+\brief creates an oriented 2-manifold from any polygons, without moving or adding points.
 
-Polygons become triangles; faces that name fewer than three vertices, and all but one of those that
-name the same vertices, are dropped. Vertices at the same place on the boundary (those of an STL file)
-are sewn; closed surfaces that touch are left apart. Neighbors get the same orientation; where there
-is none (a Moebius strip), the surface is cut. Vertices where several fans of faces meet are split. Of
-an edge of more than two faces those become neighbors that belong to the same patch (connected by
-edges of two faces), then those of patches without boundary, then the others; so a fin on a
-closed surface becomes a component of its own. Holes get caps, and components are oriented outwards;
-flat sheets stay as they are. Faces without area are kept.
+Polygons are triangulated. Faces with fewer than three distinct vertices, and all but one of the
+faces with the same vertices, are removed. Boundary vertices at the same position (as in an STL
+file) are stitched; closed surfaces that touch remain separate. Adjacent faces are oriented
+consistently; where this is impossible (a Moebius strip), the surface is cut. Vertices where several
+fans of faces meet are split. At an edge with more than two faces, faces of the same patch
+(connected by edges with two faces) become neighbors first, then those of patches without boundary,
+then the others; so a fin on a closed surface becomes a separate component. Holes get caps, and
+components are oriented outward; the orientation of flat sheets does not change. Faces without area
+are kept.
 
-A surface that needs no repair comes back as it is.
+A surface that needs no repair is returned unchanged.
 
 \param points \f$ n \times 3 \f$, positions.
 \param polygons sequences of rows of `points`.
 
-\throws std::invalid_argument if a coordinate is not finite, a polygon names a row that does not
-       exist, or no face with an area is there; the message names the element.
+\throws std::invalid_argument if a coordinate is not finite, a polygon has an invalid row, or no
+       face has an area; the message names the element.
 
 <em>Complexity:</em> \f$ O(n \log n) \f$.
 
@@ -70,7 +71,7 @@ Repaired_surface_3 repair_surface(const Point_matrix& points,
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief makes an oriented 2-manifold of any triangles, without moving or making a vertex.
+\brief creates an oriented 2-manifold from any triangles, without moving or adding points.
 */
 Repaired_surface_3 repair_surface(const Point_matrix& points,
                                   const std::vector<std::array<std::size_t, 3>>& triangles);
@@ -78,10 +79,10 @@ Repaired_surface_3 repair_surface(const Point_matrix& points,
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief returns one component of a surface, with the vertices and caps that belong to it.
+\brief returns one component of a surface, with its vertices and caps.
 
 \param surface the surface.
-\param component number of the component, from 0 by decreasing area.
+\param component index of the component; components are sorted by decreasing area.
 
 \throws std::invalid_argument if there is no such component.
 */
