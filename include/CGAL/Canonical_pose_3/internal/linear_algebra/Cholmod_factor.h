@@ -39,7 +39,7 @@ inline Cholmod_factor_pointer own_cholmod_factor(cholmod_factor* factor)
   });
 }
 
-// The lower triangle of a compressed matrix, which is not copied; CHOLMOD does not write to it.
+// A view of the lower triangle of a compressed matrix; CHOLMOD does not write to it.
 inline cholmod_sparse lower_triangle(const Eigen::SparseMatrix<double>& matrix)
 {
   cholmod_sparse view = {};
@@ -58,8 +58,8 @@ inline cholmod_sparse lower_triangle(const Eigen::SparseMatrix<double>& matrix)
   return view;
 }
 
-// The symbolic factor, in the order that CHOLMOD chooses by default: that of AMD, or that of METIS where AMD
-// is not good and METIS is better. CHOLMOD's own choice would call METIS from several threads at once.
+// The symbolic factor, in CHOLMOD's default order: that of AMD, or that of METIS if AMD is not good
+// and METIS is better. CHOLMOD itself would call METIS from several threads at the same time.
 inline Cholmod_factor_pointer analyzed(cholmod_sparse& matrix, Cholmod_common& common)
 {
   cholmod_common& c = *common.get();
@@ -75,7 +75,7 @@ inline Cholmod_factor_pointer analyzed(cholmod_sparse& matrix, Cholmod_common& c
   return by_metis != nullptr && c.lnz < nonzeros ? by_metis : by_amd;
 }
 
-// `diagonal`: that of the matrix, in its own order.
+// `diagonal`: that of the matrix, in its original order.
 inline bool has_positive_pivots(const cholmod_factor& factor, const Eigen::VectorXd& diagonal)
 {
   const auto* const values = static_cast<const double*>(factor.x);
@@ -90,7 +90,7 @@ inline bool has_positive_pivots(const cholmod_factor& factor, const Eigen::Vecto
         return false;
     return true;
   }
-  // LL' in dense blocks by columns: block s holds the columns super[s] .. super[s+1]-1
+  // LL' in dense blocks of columns: block s holds the columns super[s] .. super[s+1]-1
   const auto* const super = static_cast<const int*>(factor.super);
   const auto* const rows = static_cast<const int*>(factor.pi);
   const auto* const blocks = static_cast<const int*>(factor.px);

@@ -23,8 +23,7 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// CHOLMOD's settings and memory statistics. Everybody makes one of his own, since a common one
-// would be written to by each call.
+// CHOLMOD's settings and memory statistics. Each caller creates its own, since all calls modify it.
 class Cholmod_common
 {
 public:
@@ -34,9 +33,9 @@ public:
     m_common.print = 0;
     m_common.final_ll = 0;
     m_common.quick_return_if_not_posdef = 1;
-    // Operations per nonzero from which dense blocks pay. Measured (one thread): factoring is
-    // faster from about 150 on, solving is slower below 300; surfaces of 26 000 / 90 000 / 360 000
-    // vertices have 69 / 164 / 306, volumes of 9 000 / 27 000 have 440 / 650.
+    // Operations per nonzero from which dense blocks are worthwhile. Measured (one thread):
+    // factoring is faster from about 150 on, solving is slower below 300; surfaces of 26 000 / 90
+    // 000 / 360 000 vertices have 69 / 164 / 306, volumes of 9 000 / 27 000 have 440 / 650.
     m_common.supernodal = CHOLMOD_AUTO;
     m_common.supernodal_switch = 200;
   }
@@ -50,7 +49,7 @@ private:
   cholmod_common m_common;
 };
 
-// One block of right-hand sides after the other, with the memory of the first.
+// Solves for one block of right-hand sides after the other, reusing the memory of the first.
 class Cholmod_workspace
 {
 public:
@@ -63,7 +62,7 @@ public:
   Cholmod_workspace(const Cholmod_workspace&) = delete;
   Cholmod_workspace& operator=(const Cholmod_workspace&) = delete;
 
-  // The columns are solved for at once: CHOLMOD then reads the factor once.
+  // All columns are solved for at the same time, so that CHOLMOD reads the factor once.
   bool solve(cholmod_factor* factor, const Eigen::Ref<const Eigen::MatrixXd>& right_hand_sides,
              Eigen::Ref<Eigen::MatrixXd> solutions)
   {

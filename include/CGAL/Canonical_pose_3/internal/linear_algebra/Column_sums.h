@@ -23,12 +23,13 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// The entries of one column after the other of a sparse matrix, each a sum from 0 in the order of the
-// calls. A hash table, so that the memory depends on the fullest column and not on the number of rows.
+// Entries of a sparse matrix, one column after the other; each is a sum that starts at 0, in the
+// order of the calls. A hash table, so that the memory depends on the column with the most entries,
+// not on the number of rows.
 class Column_sums
 {
 public:
-  // Starts the next column; `n`: no more than so many rows will be asked for.
+  // Starts the next column; at most `n` rows will be accessed.
   void start(const std::size_t n)
   {
     ++m_column;
@@ -53,7 +54,7 @@ public:
     return m_slots[i].sum;
   }
 
-  // Calls f(row, sum) by increasing row.
+  // Calls f(row, sum) in the order of rows.
   template <class Function>
   void for_each(const Function& f)
   {

@@ -25,7 +25,7 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// A solver of sparse symmetric positive definite systems, chosen at run time; see the concept
+// A solver for sparse symmetric positive definite systems, chosen at run time; see the concept
 // `SparseLinearAlgebraWithBlockFactorTraits_d`.
 class Factor_base
 {
@@ -62,7 +62,7 @@ private:
   FactorTraits m_traits;
 };
 
-// That of `Default_factor_traits_d`.
+// The solver of `Default_factor_traits_d`.
 std::unique_ptr<Factor_base> make_default_factor();
 
 template <class FactorTraits>

@@ -33,14 +33,14 @@ class Cholmod_factor_traits_d;
 namespace internal {
 
 // A factorization of a symmetric positive definite matrix that is solved for right-hand sides in
-// lanes. Row i of the matrix is row places()[i] of these.
+// lanes. Row i of the matrix is row places()[i] of the right-hand sides.
 // `FactorTraits`: a model of `SparseLinearAlgebraWithBlockFactorTraits_d`.
 template <class FactorTraits>
 class Lane_factor
 {
 public:
-  // Analyzes the pattern, for this object and for copies made before factoring; returns false if
-  // memory runs out.
+  // Analyzes the pattern, for this object and for copies created before factoring; returns false if
+  // out of memory.
   bool analyze(const Eigen::SparseMatrix<double>& matrix)
   {
     m_size = matrix.rows();
@@ -62,8 +62,8 @@ public:
     return result;
   }
 
-  // Solves in place; the first `width` lanes are in use. A solution that is not finite is returned
-  // as it is.
+  // Solves in place; the first `width` lanes are in use. A solution that is not finite is
+  // returned as is.
   void solve(Lane_rows& rows, std::size_t width) const
   {
     using Rows = Eigen::Matrix<double, Eigen::Dynamic, NUMBER_OF_LANES, Eigen::RowMajor>;
@@ -86,7 +86,7 @@ class Lane_factor_base
 {
 public:
   virtual ~Lane_factor_base() = default;
-  // With the same analysis.
+  // A factor with the same analysis.
   virtual std::unique_ptr<Lane_factor_base> copy() const = 0;
   virtual bool analyze(const Eigen::SparseMatrix<double>& matrix) = 0;
   virtual bool factor(const Eigen::SparseMatrix<double>& matrix) = 0;
@@ -95,7 +95,7 @@ public:
   virtual const char* name() const = 0;
 };
 
-// Makes a factor without a matrix.
+// Creates a factor without a matrix.
 using Lane_factor_maker = std::unique_ptr<Lane_factor_base> (*)();
 
 // `Factor`: `Lane_factor`, or a class with the same functions.
@@ -126,7 +126,7 @@ private:
   Factor m_factor;
 };
 
-// That of `Default_factor_traits_d`; with CHOLMOD, a `Supernodal_factor`.
+// The factor of `Default_factor_traits_d`; with CHOLMOD, a `Supernodal_factor`.
 std::unique_ptr<Lane_factor_base> make_default_lane_factor();
 
 template <class FactorTraits>

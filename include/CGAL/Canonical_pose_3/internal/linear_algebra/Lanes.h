@@ -15,16 +15,16 @@
 #include <cstddef>
 #include <vector>
 
-// Eight right-hand sides, or fields, are worked on at once. They are stored row by row, so that the
-// eight numbers of a row lie side by side: lane k of all rows is column k. All lanes go through the
-// same operations in the same order; hence a column has the same bytes in whichever lane it is, and
-// whatever the others hold.
+// Eight right-hand sides or fields are processed at the same time. They are stored row by row, so
+// that the eight numbers of a row are contiguous: lane k of all rows is column k. The same
+// operations are applied to all lanes in the same order; hence a column has the same bytes in any
+// lane, independently of the other lanes.
 //
 // A routine is a class with a function `template <class Vector> static void run(...)` marked as one.
 // `run_routine()` calls the version that was compiled for the widest vectors of the processor.
 //
-// 80 right-hand sides of a heat equation take cholmod_solve2() 2.3 times as long, with the number of columns
-// at once that suits it best (26 002 vertices, one thread), and a column has other bytes there than alone.
+// For 80 right-hand sides of a heat equation with 26 002 vertices, cholmod_solve2() takes 2.3 times as
+// long with its best block size, and the bytes of a column depend on the block.
 
 #if defined(__GNUC__)
 #define CGAL_CANONICAL_POSE_3_ROUTINE [[gnu::always_inline]]
@@ -46,9 +46,9 @@ constexpr std::size_t NUMBER_OF_LANES = 8;
 // eight numbers per row
 using Lane_rows = std::vector<double>;
 
-// What is computed with at once: SIZE numbers, of which ROWS rows are summed up side by side. `Bits`
-// are unsigned integers of the same size. Addresses need not be multiples of the size; `Part` says so to
-// compilers that forget it of `Numbers` where that is the type of a reference.
+// The unit of computation: SIZE numbers, of which ROWS rows are summed in parallel. `Bits` are
+// unsigned integers of the same size. Addresses need not be multiples of the size; compilers may
+// forget this if `Numbers` is the type of a reference, but not for `Part`.
 struct Vector_of_1
 {
   using Numbers = double;

@@ -27,8 +27,8 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// The smallest positive eigenvalues of L phi = lambda M phi on a connected surface, L the cotangent
-// Laplacian and M the diagonal of the lumped mass, with eigenfunctions that are orthonormal by M.
+// The smallest positive eigenvalues of L phi = lambda M phi on a connected surface, where L is the
+// cotangent Laplacian and M the diagonal lumped mass matrix, with M-orthonormal eigenfunctions.
 class Laplace_spectrum
 {
 public:
@@ -51,8 +51,8 @@ public:
 private:
   static constexpr Eigen::Index LARGEST_DENSE_SIZE = 300;
 
-  // x -> R (L + shift M)^-1 R x without its constant part, R the roots of the mass: symmetric, with
-  // the eigenvalues 1 / (lambda + shift).
+  // x -> R (L + shift M)^-1 R x without its constant part, where R is the square root of the mass:
+  // symmetric, with the eigenvalues 1 / (lambda + shift).
   class Shifted_inverse
   {
   public:
@@ -100,7 +100,7 @@ private:
   void solve_iteratively(const Eigen::SparseMatrix<double>& laplacian, const Eigen::VectorXd& mass,
                          const Eigen::Index count)
   {
-    const double shift = 1 / mass.sum(); // of the order of the smallest eigenvalue
+    const double shift = 1 / mass.sum(); // similar to the smallest eigenvalue
     Shifted_inverse operation(laplacian, mass, m_roots, shift, m_factor_maker);
     Spectra::SymEigsSolver<Shifted_inverse> solver(operation, count, 2 * count + 20);
     solver.init();

@@ -26,15 +26,15 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// A factorization of a symmetric positive definite matrix, kept for any number of solves.
-// Solving is const and may be done from several threads at once.
+// A factorization of a symmetric positive definite matrix, for any number of solves.
+// Solving is const and can be done in several threads at the same time.
 class Sparse_factor
 {
 public:
   explicit Sparse_factor(const Factor_maker maker = make_default_factor) : m_solver(maker()) {}
 
-  // `matrix`: full symmetric (or its lower triangle); `what`: its name, in words, for the message.
-  // Throws `std::runtime_error` when the matrix is not positive definite; nothing is factored then.
+  // `matrix`: full symmetric (or its lower triangle); `what`: its name in messages. Throws
+  // `std::runtime_error` if the matrix is not positive definite; then nothing is factored.
   void factor(const Eigen::SparseMatrix<double>& matrix, const char* what)
   {
     CGAL_precondition(matrix.rows() == matrix.cols());
@@ -45,8 +45,8 @@ public:
     m_size = matrix.rows();
   }
 
-  // `right_hand_sides`: one per column, as many rows as the matrix has. Each column of the solution
-  // has the same bytes whatever the other columns are.
+  // `right_hand_sides`: one per column, with as many rows as the matrix. Each column of the
+  // solution has the same bytes independently of the others.
   Eigen::MatrixXd solve(const Eigen::Ref<const Eigen::MatrixXd>& right_hand_sides) const
   {
     Eigen::MatrixXd solutions;
@@ -54,7 +54,7 @@ public:
     return solutions;
   }
 
-  // The same into `solutions`, which is allocated only if its size differs.
+  // The same, written to `solutions`, which is reallocated only if its size differs.
   void solve(const Eigen::Ref<const Eigen::MatrixXd>& right_hand_sides,
              Eigen::MatrixXd& solutions) const
   {

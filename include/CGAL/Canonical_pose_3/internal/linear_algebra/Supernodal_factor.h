@@ -29,28 +29,28 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// CHOLMOD's supernodal factor of a symmetric positive definite matrix, with substitutions of our own
-// for eight right-hand sides. They take a fraction of the time of CHOLMOD's, and a column
-// has the same bytes whatever the others are. Rows are in the order of elimination.
+// CHOLMOD's supernodal factor of a symmetric positive definite matrix, with our own substitutions
+// for eight right-hand sides. They take a fraction of the time of CHOLMOD's, and a column has the
+// same bytes independently of the others. Rows are in elimination order.
 class Supernodal_factor
 {
 public:
-  // Analyzes the pattern; returns false if memory runs out. A copy made afterwards shares the
-  // analysis, and may be given another matrix with this pattern.
+  // Analyzes the pattern; returns false if out of memory. Copies made afterwards share the
+  // analysis, and can be given another matrix with this pattern.
   bool analyze(const Eigen::SparseMatrix<double>& matrix)
   {
     Cholmod_common common;
     common.get()->supernodal = CHOLMOD_SUPERNODAL;
-    // Columns are joined to blocks as long as not too many zeros come in: more of them make
-    // factoring faster, and each substitution slower.
+    // Columns are merged into blocks unless this adds too many zeros: more zeros make factoring
+    // faster, but each substitution slower.
     common.get()->zrelax[0] = 0.3;
     cholmod_sparse view = lower_triangle(matrix);
     m_analysis = analyzed(view, common);
     return m_analysis != nullptr;
   }
 
-  // Returns false if the matrix, whose lower triangle is read, is not numerically positive definite,
-  // or if memory runs out.
+  // Reads the lower triangle of the matrix. Returns false if the matrix is not numerically positive
+  // definite, or if out of memory.
   bool factor(const Eigen::SparseMatrix<double>& matrix)
   {
     const Single_threaded_blas guard;
@@ -65,7 +65,7 @@ public:
     return true;
   }
 
-  // The row of each row of the matrix.
+  // The row of the factor for each row of the matrix.
   std::vector<int> places() const
   {
     const auto* const order = static_cast<const int*>(m_analysis->Perm);
@@ -75,8 +75,8 @@ public:
     return result;
   }
 
-  // Solves in place, for `rows` in the order of elimination. Rows that are 0 in all lanes cost
-  // little.
+  // Solves in place, for `rows` in elimination order. Rows that are 0 in all lanes have little
+  // cost.
   void solve(Lane_rows& rows, std::size_t) const
   {
     const Supernodal_matrix matrix = view();

@@ -23,7 +23,7 @@ namespace internal {
 // A lower triangular matrix in dense blocks of columns with the same rows below the diagonal, as
 // CHOLMOD stores it: block s has the columns first_columns[s] .. first_columns[s+1]-1, the rows
 // rows[first_rows[s]] .. rows[first_rows[s+1]-1], of which the first are the columns themselves, and
-// its values, column by column, begin at values[first_values[s]].
+// its values, column by column, start at values[first_values[s]].
 struct Supernodal_matrix
 {
   std::size_t number_of_blocks;
@@ -72,8 +72,8 @@ struct Supernode
   const double* inverse_diagonal;
 };
 
-// Solves L x = b in place. Blocks of rows that are 0, as they are for an impulse outside of the path
-// from its row to the root of the elimination tree, cost nothing.
+// Solves L x = b in place. Blocks of rows that are 0 have no cost; for an impulse, these are the
+// rows that are not on the path from its row to the root of the elimination tree.
 struct Forward_substitution
 {
   template <class Vector>

@@ -26,7 +26,7 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // A factorization of a symmetric positive definite matrix A0 that also solves for A = A0 + U D U^t,
-// with a diagonal matrix D of few rows, by the identity of Woodbury:
+// where D is a small diagonal matrix, using the Woodbury identity:
 //   A^{-1} = A0^{-1} - W (D^{-1} + S)^{-1} W^t,  W = A0^{-1} U,  S = U^t W.
 // Entries of D may be of either sign.
 class Updated_factor
@@ -43,10 +43,9 @@ public:
 
   void forget_update() { m_u.resize(0, 0); }
 
-  // Takes U and D in the place of those before. Returns false if A is not positive definite, or if
-  // its solutions would lose more than six digits by cancellation (where an element much stiffer
-  // than all the rest is taken away from A0, for instance); then there is no update.
-  // Costs a solve per row of D.
+  // Replaces U and D. Returns false if A is not positive definite, or if its solutions would lose
+  // more than six digits by cancellation (for instance if an element much stiffer than all others
+  // is removed from A0); then there is no update. Costs one solve per row of D.
   bool update(const Eigen::SparseMatrix<double>& u, const Eigen::VectorXd& d)
   {
     forget_update();
@@ -63,7 +62,7 @@ public:
                                    .maxCoeff();
     if(!(amplification <= LARGEST_AMPLIFICATION))
       return false;
-    // A is positive definite if and only if I + R^t D R is, with R R^t = S
+    // A is positive definite if and only if I + R^t D R is, where R R^t = S
     const std::optional<Eigenpairs> spectrum = all_eigenpairs(s);
     if(!spectrum)
       return false;

@@ -19,8 +19,8 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// A B and A^t B, of any blocks of matrices: Eigen's products are long to compile, for each kind of
-// operand anew.
+// A B and A^t B, for any blocks of matrices: Eigen's products take long to compile, separately for
+// each type of operand.
 inline Eigen::MatrixXd product(const Eigen::Ref<const Eigen::MatrixXd>& a,
                                const Eigen::Ref<const Eigen::MatrixXd>& b)
 {

@@ -19,11 +19,11 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// Pivots of a factorization are what is left of the diagonal of the matrix; those of a singular
-// matrix come out as rounding noise of either sign.
+// Pivots of a factorization are the remainders of the diagonal of the matrix; for a singular
+// matrix, they are rounding errors of either sign.
 constexpr double SMALLEST_RELATIVE_PIVOT = 1e-14;
 
-// false also when one of the two is not finite
+// also false if one of the two is not finite
 inline bool is_positive_pivot(double pivot, double diagonal_entry)
 {
   return pivot > 0 && pivot >= SMALLEST_RELATIVE_PIVOT * diagonal_entry && std::isfinite(pivot);

@@ -31,11 +31,11 @@ struct Eigenpairs
 // All of them, in increasing order, or nothing if they could not be computed.
 std::optional<Eigenpairs> all_eigenpairs(const Eigen::MatrixXd& matrix);
 
-// The largest, in decreasing order, by full decomposition. Throws `std::runtime_error` if that fails.
+// The largest, in decreasing order, by full decomposition. Throws `std::runtime_error` on failure.
 Eigenpairs largest_of_all_eigenpairs(const Eigen::MatrixXd& matrix, Eigen::Index count);
 
-// The same by the Krylov space of a block, which has at least as many columns, as eigenvalues may be multiple; by full
-// decomposition if that space grows to half of all.
+// The same, using the Krylov space of a block, which has at least as many columns, since
+// eigenvalues may be multiple; by full decomposition if this space grows to half of the whole.
 Eigenpairs leading_eigenpairs(const Eigen::MatrixXd& matrix, Eigen::Index count);
 
 } // namespace internal

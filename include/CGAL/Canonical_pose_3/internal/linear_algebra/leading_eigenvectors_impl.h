@@ -43,8 +43,9 @@ CGAL_CANONICAL_POSE_3_INLINE Eigenpairs largest_of_all_eigenpairs(const Eigen::M
   return {all->values.tail(count).reverse(), all->vectors.rightCols(count).rowwise().reverse()};
 }
 
-// An orthonormal basis of what `block` adds to an orthonormal basis; columns that add less than
-// `negligible` are dropped. The second pass mends what the first one loses where much cancels.
+// An orthonormal basis of what `block` adds to a given orthonormal basis; columns that add less
+// than `negligible` are removed. The second pass corrects errors of the first one due to
+// cancellation.
 inline Eigen::MatrixXd new_directions(Eigen::MatrixXd block,
                                       const Eigen::Ref<const Eigen::MatrixXd>& basis,
                                       const double negligible)

@@ -28,10 +28,10 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// Finds V and d with V diag(d) V^t = `matrix`, which is symmetric, V of orthonormal columns and d
-// without zeros. Rows that are not joined by an entry are treated apart, so that small entries keep
-// their digits beside large ones elsewhere. Returns false, and finds nothing, if more than `most_rows`
-// rows are not zero.
+// Computes V and d such that V diag(d) V^t = `matrix`, which is symmetric; V has orthonormal
+// columns, and d has no zeros. Rows that are not connected by an entry are processed separately, so
+// that small entries keep their digits in the presence of large ones elsewhere. Returns false,
+// without a result, if more than `most_rows` rows are nonzero.
 inline bool low_rank_factors(const Eigen::SparseMatrix<double>& matrix, const std::size_t most_rows,
                              Eigen::SparseMatrix<double>& v, Eigen::VectorXd& d)
 {

@@ -23,7 +23,7 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// y = A^t x, in parallel: a row of y is gathered by a column of A.
+// y = A^t x, in parallel: each row of y is computed from a column of A.
 inline void transposed_product(const Eigen::SparseMatrix<double>& a,
                                const Eigen::Ref<const Eigen::MatrixXd>& x, Point_matrix& y)
 {

@@ -23,14 +23,15 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// What makes bodies of clean surfaces by libraries that not every program links; null in those that do not.
+// Creates bodies of clean surfaces with libraries to which not every program is linked; null in
+// programs without them.
 struct Body_makers
 {
   Conforming_body_3 (*tetgen)(const Point_matrix& points,
                               const std::vector<Index_triangle>& triangles)
     = nullptr;
 
-  // `cell_size`: a fraction of `length_scale`; 0: the default.
+  // `cell_size`: fraction of `length_scale`; 0 for the default.
   Embedded_body_3 (*mesh_3)(const Point_matrix& points,
                             const std::vector<Index_triangle>& triangles, double length_scale,
                             double cell_size)

@@ -34,22 +34,23 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// A part of a complex: cells that hold together by common faces. Its surface is the outer one; those of its
-// cavities have no target and follow the cells.
+// A part of a complex: cells connected by common faces. Its surface is the outer one; the surfaces
+// of its cavities have no target and follow the cells.
 struct Complex_part
 {
   std::vector<std::size_t> cells;
-  std::vector<std::size_t> surface_vertices; // of each vertex of the surface: its row in the pose
-  Surface_component_3 surface; // its body_origins: vertices of the cells, in their order
+  std::vector<std::size_t> surface_vertices; // row in the pose of each vertex of the surface
+  Surface_component_3 surface; // its body_origins are the vertices of the cells, in order
 };
 
-// The boundary of a complex, and its parts by decreasing volume. Parts that have vertices, but no face, in
-// common with a far larger one belong to that: the fragments that a mesher may leave at edges.
+// The boundary of a complex, and its parts by decreasing volume. A part that has common vertices,
+// but no common face, with a much larger one is merged with it: meshers may leave such fragments at
+// edges.
 class Complex_parts
 {
 public:
-  // `volumes`: of the cells. Throws `std::invalid_argument` if more than two cells share a face, or there is
-  // no boundary.
+  // `volumes`: of the cells. Throws `std::invalid_argument` if more than two cells share a face, or
+  // there is no boundary.
   Complex_parts(const Point_matrix& points, const std::vector<std::array<int, 4>>& cells,
                 const Eigen::VectorXd& volumes)
     : m_points(points), m_cells(cells), m_volumes(volumes), m_faces(cells),
@@ -69,7 +70,7 @@ public:
 
   const Point_matrix& boundary_points() const { return m_boundary_points; }
   const std::vector<Index_triangle>& boundary_triangles() const { return m_triangles; }
-  // The vertex of the complex that each vertex of the boundary is.
+  // The vertex of the complex for each vertex of the boundary.
   const std::vector<std::size_t>& boundary_vertices() const { return m_boundary_vertices; }
 
   std::size_t size() const { return m_cells_of_parts.size(); }
@@ -110,7 +111,7 @@ private:
                                     - sorted.begin());
   }
 
-  // The items of each label.
+  // The items with each label.
   static std::vector<std::vector<std::size_t>> items_of_labels(const Component_labels& labels)
   {
     std::vector<std::vector<std::size_t>> result(labels.first_items.size());
@@ -140,7 +141,7 @@ private:
     unite_fragments(parts);
   }
 
-  // Of the surfaces of a part, that of the largest volume is the outer one.
+  // Of the surfaces of a part, the outer one is that with the largest volume.
   void find_outer_surfaces(const std::vector<std::vector<std::size_t>>& parts)
   {
     std::vector<std::size_t> part_of_cell(m_cells.size());
@@ -200,7 +201,7 @@ private:
     m_outer_surfaces = std::move(surfaces);
   }
 
-  // A surface with its own numbers of vertices, but without the vertices of the pose.
+  // A surface with its own vertex indices, without the vertices of the pose.
   Surface_component_3 surface_of(const std::vector<std::size_t>& surface) const
   {
     Surface_component_3 component;
@@ -231,7 +232,7 @@ private:
   std::vector<std::size_t> m_boundary_vertices;
   Point_matrix m_boundary_points;
   std::vector<std::vector<std::size_t>> m_cells_of_parts;
-  std::vector<std::vector<std::size_t>> m_outer_surfaces; // of the parts: triangles of the boundary
+  std::vector<std::vector<std::size_t>> m_outer_surfaces; // boundary triangles of each part
 };
 
 } // namespace internal

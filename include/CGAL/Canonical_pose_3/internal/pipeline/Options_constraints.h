@@ -25,12 +25,12 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// The constraints that options name, as the registrar takes them.
+// The constraints given by options, in the form required by the registrar.
 class Options_constraints
 {
 public:
-  // `number_of_vertices`: of those that the constraints name.
-  // Throws `std::invalid_argument` as `Constraint_list_3::insert()`.
+  // `number_of_vertices`: number of vertices to which the constraints may refer.
+  // Throws `std::invalid_argument` under the same conditions as `Constraint_list_3::insert()`.
   Options_constraints(const Constraints_3& constraints, const std::size_t number_of_vertices)
     : m_function(constraints.function), m_springs(number_of_vertices),
       m_directions(number_of_vertices), m_handles(number_of_vertices),
@@ -42,7 +42,7 @@ public:
     insert(constraints.symmetric_pairs, m_symmetric_pairs);
   }
 
-  // Adds what is not empty. `vertices`: of the input, for each surface vertex of the body.
+  // Adds the nonempty lists. `vertices`: vertex of the input for each surface vertex of the body.
   void add_to(Arap_registration& registration, const std::vector<std::size_t>& vertices)
   {
     const auto add = [&](auto& constraint) {

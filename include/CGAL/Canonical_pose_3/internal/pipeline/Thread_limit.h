@@ -27,7 +27,7 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// No more threads than the options allow, as long as this object lives.
+// Limits the number of threads to that of the options during its lifetime.
 class Thread_limit
 {
 public:

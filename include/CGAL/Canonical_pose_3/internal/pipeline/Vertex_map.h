@@ -23,27 +23,29 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// Which vertices of an input are those of its components, and how they stand for one another.
+// Maps the vertices of an input to those of its components and to their representatives.
 struct Vertex_map
 {
   static constexpr std::size_t NONE = std::size_t(-1);
 
-  // of each vertex of the input: the one whose copies stand for it, itself unless it was sewn to that
+  // for each vertex of the input: the one whose copies represent it, itself unless it was stitched
+  // to another one
   std::vector<std::size_t> representatives;
-  // the vertex of each row of distances and targets, and what messages call such a row
+  // the vertex of each row of distances and targets, and the name of such a row in messages
   std::vector<std::size_t> vertex_of_row;
   const char* row_name = "vertex";
 
-  // of each vertex of the input: its component, the largest of several, and its row in the pose of that; or `NONE`
+  // for each vertex of the input: its component (the largest one, if several) and its row in the
+  // pose of this component; or `NONE`
   std::vector<std::size_t> component_of, local_of;
   // vertices of several components
   std::vector<std::size_t> shared;
-  // vertices without component
+  // vertices without a component
   std::vector<std::size_t> attached;
-  // vertices of components without a pose that do not touch one with a pose: far from the cells that they follow, these
-  // say how they are moved and turned, but would distort them
+  // vertices of components without a pose that do not touch a component with a pose: since they are
+  // far from the cells that they follow, they are transformed rigidly, to avoid distortion
   std::vector<std::vector<std::size_t>> rigid_parts;
-  // of each component: the indices of its followers, attached vertices coming before those of the options
+  // for each component: the indices of its followers, attached vertices before those of the options
   std::vector<std::vector<Eigen::Index>> followers_of;
 
   std::size_t number_of_rows() const { return vertex_of_row.size(); }

@@ -22,8 +22,8 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// See `surface_body()`. Not to be made beside the distances: TetGen and METIS, which CHOLMOD may call, draw from the same
-// std::rand().
+// See `surface_body()`. Must not run in parallel with the distances: TetGen and METIS, which may be
+// called by CHOLMOD, use the same std::rand().
 Surface_body_3 body_of_surface(const Surface_component_3& surface, const Landmark_fields_3& fields,
                                const Options& options, const Body_makers& bodies);
 

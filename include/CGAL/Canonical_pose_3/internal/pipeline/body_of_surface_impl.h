@@ -40,7 +40,8 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// What a function of the user returned; throws `std::invalid_argument` unless its surface is that of the component.
+// The result of a user-defined function; throws `std::invalid_argument` unless its surface is that
+// of the component.
 inline Elastic_body_3 checked_body(Elastic_body_3 body, const Eigen::Index n)
 {
   if(body.embedding().rows() != n)
@@ -50,7 +51,7 @@ inline Elastic_body_3 checked_body(Elastic_body_3 body, const Eigen::Index n)
   return body;
 }
 
-// The body alone, with its kind and warnings.
+// Only the body, its kind and warnings.
 inline Surface_body_3 requested_body(const Surface_component_3& surface,
                                      const Landmark_fields_3& fields, const Options& options,
                                      const Body_makers& bodies)

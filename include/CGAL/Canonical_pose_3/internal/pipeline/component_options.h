@@ -34,7 +34,7 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// Throws `std::invalid_argument` where powers of lengths could overflow or vanish.
+// Throws `std::invalid_argument` if powers of lengths could overflow or underflow.
 inline void check_unit(const Point_matrix& points)
 {
   constexpr double smallest = 1e-90, largest = 1e90;
@@ -67,7 +67,7 @@ inline void check_options(const Options& options, const std::size_t n)
                                   + " has a coordinate that is not finite");
 }
 
-// Gives each element of a constraint to the component of its vertices.
+// Assigns each element of a constraint to the component of its vertices.
 template <class Element>
 void distribute(const std::vector<Element>& elements, const Vertex_map& map,
                 std::vector<Element> Constraints_3::*list,
@@ -99,7 +99,7 @@ void distribute(const std::vector<Element>& elements, const Vertex_map& map,
   }
 }
 
-// Throws `std::invalid_argument` if what is given does not fit the input.
+// Throws `std::invalid_argument` if given results do not match the input.
 inline void check_given(const Intermediate_results& given, const Vertex_map& map,
                         const std::size_t number_of_components)
 {
@@ -115,7 +115,7 @@ inline void check_given(const Intermediate_results& given, const Vertex_map& map
                                 + " vertices");
 }
 
-// Given distances in the rows of the surface.
+// Given distances for the rows of the surface.
 inline Landmark_fields_3 component_fields(const Landmark_fields_3& fields, const Vertex_map& map,
                                           const Surface_component_3& surface)
 {
@@ -143,7 +143,7 @@ inline Landmark_fields_3 component_fields(const Landmark_fields_3& fields, const
   return result;
 }
 
-// What is given, in the rows of the surface.
+// Given results for the rows of the surface.
 inline Intermediate_results component_results(const Intermediate_results& given,
                                               const Vertex_map& map,
                                               const Surface_component_3& surface)
@@ -162,7 +162,8 @@ inline Intermediate_results component_results(const Intermediate_results& given,
   return result;
 }
 
-// Brings options to the components, but for the stiffness. Vertices without component and followers go with the nearest.
+// Assigns options to the components, except for the stiffness. Vertices without a component, and
+// followers, are assigned to the nearest one.
 inline Prepared_surface_3 prepared(Diagnosis_3 diagnosis, const Point_matrix& points,
                                    std::vector<Surface_component_3> surfaces, Vertex_map rows,
                                    const std::vector<std::vector<std::size_t>>& others,

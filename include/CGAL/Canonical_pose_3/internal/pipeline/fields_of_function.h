@@ -35,7 +35,8 @@ inline std::size_t first_landmark(const Surface_component_3& surface, const Opti
     Random(options.random_seed).get_int(0, static_cast<int>(surface.points.rows())));
 }
 
-// What a function of the user returns; throws `std::invalid_argument` unless these are distances on the surface.
+// The result of a user-defined function; throws `std::invalid_argument` unless it consists of
+// distances on the surface.
 inline Landmark_fields_3 fields_of_function(const Landmark_fields_function& function,
                                             const Surface_component_3& surface,
                                             const Options& options)

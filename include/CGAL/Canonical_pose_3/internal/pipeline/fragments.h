@@ -21,12 +21,13 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// Parts of an input that touch at vertices count as one if all but the largest are fragments: at most this share of it,
-// together.
+// Parts of an input that touch at vertices count as one if all but the largest are fragments, that
+// is, at most this share of it in total.
 constexpr double SHARE_OF_FRAGMENTS = 0.05;
 
-// Of each part, by decreasing size: the part that it is a fragment of, or itself. `vertices_of(part, f)` calls f for all
-// vertices of a part, numbers below `number_of_vertices`.
+// For each part, by decreasing size: the part of which it is a fragment, or itself.
+// `vertices_of(part, f)` calls f for all vertices of a part, which are less than
+// `number_of_vertices`.
 template <class VerticesOf>
 std::vector<std::size_t> owners_of_fragments(const std::vector<double>& sizes,
                                              const std::size_t number_of_vertices,

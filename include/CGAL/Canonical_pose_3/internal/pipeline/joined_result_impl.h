@@ -36,7 +36,7 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 namespace internal {
 
-// The means of what is said of each row: by the copies of a vertex, which may have come apart a little.
+// The mean for each row over the copies of a vertex, which may have been separated slightly.
 class Row_means
 {
 public:
@@ -62,7 +62,7 @@ private:
   std::vector<std::size_t> m_numbers;
 };
 
-// Replaces the pose of some vertices by the rigid motion nearest to it.
+// Replaces the pose of some vertices by the nearest rigid motion.
 inline void move_rigidly(const std::vector<std::size_t>& vertices, const Point_matrix& points,
                          Point_matrix& pose)
 {
@@ -73,7 +73,7 @@ inline void move_rigidly(const std::vector<std::size_t>& vertices, const Point_m
     pose.row(static_cast<Eigen::Index>(vertices[i])) = moved.row(static_cast<Eigen::Index>(i));
 }
 
-// The pose of attached vertices, then that of the followers of the options.
+// The pose of attached vertices, followed by that of the followers of the options.
 inline Point_matrix joined_followers(const Vertex_map& map, const std::vector<Result>& results)
 {
   Eigen::Index n = 0;
@@ -111,7 +111,7 @@ inline Point_matrix joined_pose(const Prepared_surface_3& surface,
   return pose;
 }
 
-// Rows that are on no surface have the pose as target.
+// The target of rows that are not on a surface is the pose.
 inline Point_matrix joined_target(const Prepared_surface_3& surface,
                                   const std::vector<Result>& results, const Point_matrix& pose)
 {
@@ -137,7 +137,7 @@ inline Point_matrix joined_target(const Prepared_surface_3& surface,
   return target;
 }
 
-// Of the copies of a vertex the nearest counts.
+// Of the copies of a vertex, the smallest distance counts.
 inline Landmark_fields_3 joined_fields(const Vertex_map& map, const std::vector<std::size_t>& rows,
                                        const Landmark_fields_3& fields)
 {
@@ -161,7 +161,7 @@ inline Landmark_fields_3 joined_fields(const Vertex_map& map, const std::vector<
   return joined;
 }
 
-// The summary of a component with what adds up over the smaller ones.
+// Adds the summary of a smaller component.
 inline Registration_summary joined_summary(Registration_summary summary,
                                            const Registration_summary& smaller)
 {
@@ -177,7 +177,7 @@ inline Registration_summary joined_summary(Registration_summary summary,
   return summary;
 }
 
-// One line if what is given has one row for several copies of a vertex.
+// A one-line warning if given results have one row for several copies of a vertex.
 inline std::optional<std::string> warning_of_copies(const Prepared_surface_3& surface)
 {
   const Intermediate_results& given = surface.components.front().options.given;

@@ -25,7 +25,7 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 inline namespace CGAL_CANONICAL_POSE_3_BODIES {
 
-// The bodies that this translation unit is compiled with.
+// The bodies with which this translation unit is compiled.
 inline Body_makers linked_bodies()
 {
   Body_makers makers;

@@ -45,7 +45,8 @@ inline Point_matrix rows_at(const Point_matrix& points, const std::vector<std::s
   return result;
 }
 
-// A vertex of several components belongs to the largest, one that was sewn to another to that one's.
+// A vertex of several components belongs to the largest one. A stitched vertex belongs to the
+// component of the vertex to which it was stitched.
 inline void locate_vertices(const std::vector<Surface_component_3>& components, Vertex_map& map)
 {
   const std::size_t n = map.representatives.size();
@@ -73,7 +74,7 @@ inline void locate_vertices(const std::vector<Surface_component_3>& components, 
   }
 }
 
-// `others`: the vertices of each component that gets no pose of its own.
+// `others`: the vertices of each component that is not posed.
 inline void find_rigid_parts(const std::vector<std::vector<std::size_t>>& others, Vertex_map& map)
 {
   const std::size_t n = map.representatives.size();
@@ -125,8 +126,8 @@ nearest_components(const Point_matrix& points, const std::vector<Surface_compone
   return result;
 }
 
-// Completes a map that has the first three members. `others`: the vertices of each component that gets no pose of its own;
-// `followers`: the attached vertices are not among them.
+// Completes a map, given its first three members. `others`: the vertices of each component that is
+// not posed; `followers`: does not include the attached vertices.
 inline Vertex_map make_vertex_map(Vertex_map map, const Point_matrix& points,
                                   const std::vector<Surface_component_3>& components,
                                   const std::vector<std::vector<std::size_t>>& others,

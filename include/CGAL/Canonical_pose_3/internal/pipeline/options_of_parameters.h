@@ -36,7 +36,7 @@ template <class T>
 struct Is_range<T, std::void_t<decltype(std::begin(std::declval<T&>()))>> : std::true_type
 {};
 
-// The traits given, or those of the points.
+// The given traits, or those of the points.
 template <class Point, class NamedParameters>
 auto traits_of_parameters(const NamedParameters& np)
 {
@@ -47,7 +47,7 @@ auto traits_of_parameters(const NamedParameters& np)
     return Given(parameters::get_parameter(np, internal_np::geom_traits));
 }
 
-// The points of a mesh, read with the map and the traits given.
+// The points of a mesh, read with the given map and traits.
 template <class TriangleMesh, class NamedParameters>
 Point_matrix points_of_parameters(const TriangleMesh& tmesh, const NamedParameters& np)
 {
@@ -60,7 +60,7 @@ Point_matrix points_of_parameters(const TriangleMesh& tmesh, const NamedParamete
                       choose_parameter<Traits>(get_parameter(np, internal_np::geom_traits)));
 }
 
-// The options, where named parameters do not replace them.
+// The options, unless replaced by named parameters.
 template <class NamedParameters>
 Options options_of_parameters(Options options, const NamedParameters& np)
 {
@@ -75,7 +75,7 @@ Options options_of_parameters(Options options, const NamedParameters& np)
   return options;
 }
 
-// Without parameters they are not copied: they may hold all distances.
+// Without named parameters they are not copied, since they may hold all distances.
 inline const Options& options_of_parameters(const Options& options,
                                             const parameters::Default_named_parameters&)
 {

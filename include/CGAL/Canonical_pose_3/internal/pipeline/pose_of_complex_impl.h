@@ -42,7 +42,7 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// The parts of a complex that the options request.
+// The requested parts of a complex.
 inline std::vector<Complex_part> parts_to_pose(const Complex_parts& parts, const Options& options)
 {
   if(parts.size() > 1 && options.components == Options::Components::REFUSE)
@@ -55,7 +55,7 @@ inline std::vector<Complex_part> parts_to_pose(const Complex_parts& parts, const
   return result;
 }
 
-// The boundary of a complex, with the options brought to the parts to pose.
+// The boundary of a complex, with the options assigned to the parts to be posed.
 inline Prepared_surface_3 prepared_complex(const Point_matrix& points, const Complex_parts& parts,
                                            const std::vector<Complex_part>& posed,
                                            const Options& options)
@@ -80,7 +80,7 @@ inline Prepared_surface_3 prepared_complex(const Point_matrix& points, const Com
   return result;
 }
 
-// canonical_pose_3() for tetrahedra, which are the body.
+// canonical_pose_3() for tetrahedra, which form the body.
 CGAL_CANONICAL_POSE_3_INLINE Result pose_of_complex(const Point_matrix& points,
                                                     const std::vector<std::array<int, 4>>& cells,
                                                     const Options& options)

@@ -63,8 +63,8 @@ Result pose_of_component(const Surface_component_3& surface, const Options& opti
   return result;
 }
 
-// Brings the components into their poses, one after the other, the smallest first. `make_body(c, fields)` returns the body
-// of component c.
+// Poses the components one after the other, the smallest first. `make_body(c, fields)` returns the
+// body of component c.
 template <class MakeBody>
 Result pose_of_components(const Prepared_surface_3& prepared, const Options& options,
                           const MakeBody& make_body)

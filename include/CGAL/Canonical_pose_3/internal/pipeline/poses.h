@@ -25,7 +25,7 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// What canonical_pose_3() does with points and indices, whatever they came from.
+// The part of canonical_pose_3() that works on points and indices, independent of their source.
 
 Result pose_of_surface(const Point_matrix& points,
                        const std::vector<std::vector<std::size_t>>& polygons,

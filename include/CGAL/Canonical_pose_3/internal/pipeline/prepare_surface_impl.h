@@ -38,7 +38,7 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 namespace internal {
 
-// The components of a surface with the given indices, in one pass over it.
+// The components with the given indices of a surface, in one pass over it.
 inline std::vector<Surface_component_3>
 components_of_indices(const Repaired_surface_3& surface, const std::vector<std::size_t>& indices)
 {
@@ -85,7 +85,7 @@ components_of_indices(const Repaired_surface_3& surface, const std::vector<std::
   return result;
 }
 
-// The vertices of each component that is not among those to pose.
+// The vertices of each component that is not to be posed.
 inline std::vector<std::vector<std::size_t>>
 vertices_of_others(const Repaired_surface_3& surface, const std::vector<std::size_t>& posed)
 {
@@ -100,7 +100,7 @@ vertices_of_others(const Repaired_surface_3& surface, const std::vector<std::siz
   return result;
 }
 
-// The components that are neither without area nor fragments of another one, where the surface was split.
+// The components that have an area and are not fragments of another one after splitting.
 inline std::vector<std::size_t> components_to_pose(const Repaired_surface_3& surface,
                                                    const Diagnosis_3& diagnosis,
                                                    const Options::Components components)

@@ -54,7 +54,7 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 namespace internal {
 
-// Values of the vertices of a surface, brought to the surface vertices of its body.
+// Values at the vertices of a surface, transferred to the surface vertices of its body.
 class Body_rows
 {
 public:
@@ -73,7 +73,7 @@ public:
     return result;
   }
 
-  // Copies of a vertex of the body share its target.
+  // Copies of a vertex of the body have the same target.
   Point_matrix means(const Point_matrix& points) const
   {
     Point_matrix result = Point_matrix::Zero(m_copies.size(), 3);
@@ -106,7 +106,7 @@ inline Eigen::VectorXd body_weights(const Body_rows& rows, const Eigen::VectorXd
   return weights.cwiseProduct(options.matching_weights);
 }
 
-// Those of the registrar for one component.
+// The options of the registrar for one component.
 inline Registration_options registration_options(const Options& options,
                                                  const Surface_component_3& surface,
                                                  const Body_view& body, const double length_scale)
@@ -129,7 +129,8 @@ inline double volume_ratio_limit(const Options& options, const Target_3& target)
     target.is_given || options.paper_weights ? std::numeric_limits<double>::infinity() : limit);
 }
 
-// The exponent brings the volume of most shapes to about the limit: it grows about as the 1.5th power of the scale.
+// The volume grows approximately as the 1.5th power of the scale; with this exponent, the volume of
+// most shapes is reduced to about the limit.
 inline Target_3 shrunk(Target_3 target, const double volume_ratio, const double limit,
                        const Eigen::VectorXd& shares)
 {
@@ -140,7 +141,7 @@ inline Target_3 shrunk(Target_3 target, const double volume_ratio, const double 
   return target;
 }
 
-// What a registrar says, added to what is known already.
+// Adds the summary of a registrar to what is already known.
 inline Registration_summary continued(Registration_summary summary, Registration_summary registered)
 {
   for(const Registration_summary::Stage& stage : registered.stages)
@@ -153,7 +154,7 @@ inline Registration_summary continued(Registration_summary summary, Registration
   return registered;
 }
 
-// A registrar of the body of a surface.
+// A registrar for the body of a surface.
 inline std::unique_ptr<Arap_registration> surface_registration(const Surface_component_3& surface,
                                                                const Surface_body_3& body,
                                                                const Eigen::VectorXd& weights,
@@ -170,7 +171,7 @@ inline std::unique_ptr<Arap_registration> surface_registration(const Surface_com
                                 solver_of_options(options).factor_maker());
 }
 
-// Completes a result that has a summary: pose of surface and followers, and what is measured on these.
+// Completes a result that has a summary: pose of surface and followers, and measures.
 inline void add_poses(const Surface_component_3& surface, const Surface_body_3& body,
                       const Body_rows& rows, const Point_matrix& body_pose,
                       const Point_matrix& followers, Result& result)
@@ -222,7 +223,7 @@ CGAL_CANONICAL_POSE_3_INLINE Result registered_pose(const Surface_component_3& s
 
   Registration_visitor visitor;
   if(options.visitor)
-    visitor = [&](Registration_progress progress) { // which counts all iterations
+    visitor = [&](Registration_progress progress) { // counts all iterations
       progress.iteration += summary.iterations;
       return options.visitor(progress);
     };

@@ -22,7 +22,7 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// The linear solver that the options request. Throws `std::runtime_error` if the program was built without it.
+// The requested linear solver. Throws `std::runtime_error` if the program was built without it.
 inline Linear_solver solver_of_options(const Options& options)
 {
   if(options.linear_solver)

@@ -20,7 +20,7 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// Adds the seconds of a function to a stage, and returns what it returns.
+// Adds the running time of a function, in seconds, to a stage, and returns its result.
 template <class Function>
 auto timed(Registration_summary& summary, const char* stage, const Function& f)
 {

@@ -22,7 +22,7 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// Calls a function with the model of GeodesicDistances_3 that the options name, and returns what it returns.
+// Calls a function with the requested model of GeodesicDistances_3, and returns its result.
 template <class Function>
 auto with_geodesics(const Indexed_mesh& mesh, const Options& options,
                     const Lane_factor_maker lane_factor_maker, const Function& f)

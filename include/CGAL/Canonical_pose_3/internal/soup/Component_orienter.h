@@ -33,11 +33,11 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// Finds the components of an oriented 2-manifold, closes its holes, and orients it outwards.
+// Finds the components of an oriented 2-manifold, closes its holes, and orients it outward.
 class Component_orienter
 {
 public:
-  // `points`: normalized, rows of `surface.origins`. `twins`: as Manifold_builder::twins().
+  // `points`: normalized, rows of `surface.origins`. `twins`: see Manifold_builder::twins().
   Component_orienter(const Point_matrix& points, const std::vector<std::size_t>& twins,
                      Repaired_surface_3& surface)
     : m_points(points), m_twins(twins), m_surface(surface)
@@ -64,7 +64,8 @@ private:
   {
     using Rank = std::tuple<double, std::size_t, std::size_t>; // -area, smallest vertex, component
     std::vector<Rank> ranks;
-    // Components of equal areas may differ by rounding: that of a sum in the order of the walk.
+    // Areas of equal components may differ by rounding, since the sum depends on the traversal
+    // order.
     const auto rank = [&](const std::vector<std::size_t>& triangles) {
       double area = 0;
       std::size_t smallest = NONE;
@@ -113,7 +114,7 @@ private:
     }
   }
 
-  // Volumes that are rounding errors, those of flat sheets, decide nothing.
+  // Volumes that are only rounding errors, as for flat sheets, have no effect.
   void orient_outwards()
   {
     const std::size_t n = m_surface.number_of_components;

@@ -30,9 +30,9 @@ namespace internal {
 class Corner_table
 {
 public:
-  static constexpr std::size_t NONE = std::size_t(-1); // no corner, and no side
+  static constexpr std::size_t NONE = std::size_t(-1); // neither a corner nor a side
 
-  // Sides of the same two ends, in their order.
+  // Sides with the same two ends, in order.
   using Edge = boost::iterator_range<const std::size_t*>;
 
   template <class Polygons>
@@ -62,14 +62,14 @@ public:
   {
     return std::minmax({m_vertex[c], target(c)});
   }
-  // Returns the corner of v, which is an end of side c.
+  // Returns the corner of v, an end of side c.
   std::size_t corner_of_end(const std::size_t c, const std::size_t v) const
   {
     return m_vertex[c] == v ? c : next(c);
   }
 
-  // Calls f(edge) for each edge, by its smaller end, then by its larger. Sides from a vertex to
-  // itself are left out.
+  // Calls f(edge) for each edge, sorted by its smaller end, then by its larger one. Sides from a
+  // vertex to itself are skipped.
   template <class Function>
   void for_each_edge(const Function& f) const
   {

@@ -22,7 +22,7 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// Says what is wrong with a face: "is degenerate".
+// Describes what is wrong with a face: "is degenerate".
 class Face_defect : public std::invalid_argument
 {
 public:
@@ -39,7 +39,8 @@ private:
   std::string m_defect;
 };
 
-// Calls f(). Defects that it throws are those of triangles: the face is named that each is part of.
+// Calls f(). If it throws a defect of a triangle, the message refers to the face that contains the
+// triangle.
 template <class Function>
 auto with_faces_of_input(const std::vector<std::size_t>& face_of_triangle, const Function& f)
 {

@@ -27,11 +27,11 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// The mesh on which everything inside runs, whatever the user's is: vertex i is row i.
+// The mesh type for all internal computations, independent of the user's: vertex i is row i.
 using Indexed_mesh_kernel = Exact_predicates_inexact_constructions_kernel;
 using Indexed_mesh = Surface_mesh<Indexed_mesh_kernel::Point_3>;
 
-// Throws std::invalid_argument where the triangles are not an oriented 2-manifold.
+// Throws std::invalid_argument if the triangles are not an oriented 2-manifold.
 inline Indexed_mesh indexed_mesh(const Point_matrix& points,
                                  const std::vector<Index_triangle>& triangles)
 {

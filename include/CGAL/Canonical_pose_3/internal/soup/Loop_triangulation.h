@@ -30,9 +30,9 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// Fills a closed polygon of rows of `points` with triangles over the same rows, oriented as it is:
-// of least area up to this many corners; of a longer one, ears are cut off first, along the shortest
-// diagonal. O(n log n) for n corners.
+// Fills a closed polygon of rows of `points` with triangles with the same rows and orientation: of
+// minimal area up to this many corners; in a longer polygon, ears are first cut off along the
+// shortest diagonal. O(n log n) for n corners.
 class Loop_triangulation
 {
 public:
@@ -95,7 +95,7 @@ private:
     m_loop.swap(rest);
   }
 
-  // Among triangulations of nearly the same area, a plane polygon has many, short edges win.
+  // Of triangulations with nearly the same area (planar polygons have many), prefer short edges.
   double cost(const std::size_t i, const std::size_t j, const std::size_t k) const
   {
     const Eigen::Vector3d a = point(j) - point(i), b = point(k) - point(i);
@@ -105,7 +105,7 @@ private:
   void fill_with_least_area(std::vector<Index_triangle>& triangles) const
   {
     const std::size_t n = m_loop.size();
-    std::vector<double> least(n * n, 0); // cost of the corners i to k, closed by that side
+    std::vector<double> least(n * n, 0); // cost of the corners i to k, closed by side ik
     std::vector<std::size_t> apex(n * n, 0);
     for(std::size_t length = 2; length < n; ++length)
       for(std::size_t i = 0, k = length; k < n; ++i, ++k)

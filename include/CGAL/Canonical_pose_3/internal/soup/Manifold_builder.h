@@ -31,8 +31,8 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// Makes an oriented 2-manifold of triangles: sews, orients, and splits vertices. Corner 3t+k is
-// corner k of triangle t, and side 3t+k runs from it to the next corner.
+// Creates an oriented 2-manifold from triangles: stitches, orients, and splits vertices. Corner
+// 3t+k is corner k of triangle t, and side 3t+k runs from it to the next corner.
 class Manifold_builder
 {
 public:
@@ -50,7 +50,7 @@ public:
     check_area();
     if(m_soup.triangles.size() == m_topology.faces.size())
       pair_sides(m_topology.corners, m_topology.places);
-    else // the topology has the sides of the duplicates, too
+    else // the topology includes the sides of duplicates
     {
       const Corner_table corners(number_of_rows(), m_soup.triangles);
       pair_sides(corners, places_of_boundary(m_points, corners));
@@ -62,7 +62,7 @@ public:
     result.face_of_triangle = std::move(m_soup.face_of_triangle);
   }
 
-  // Twin of each side, or NONE; it runs in the opposite direction.
+  // Twin of each side, which runs in the opposite direction, or NONE.
   const std::vector<std::size_t>& twins() const { return m_twin; }
 
   static std::size_t next(const std::size_t c) { return c % 3 == 2 ? c - 2 : c + 1; }
@@ -85,7 +85,7 @@ private:
       throw std::invalid_argument("the surface has no area: all its faces are degenerate");
   }
 
-  // Sewn triangles have other edges.
+  // Stitched triangles have different edges.
   void pair_sides(const Corner_table& corners, std::vector<std::size_t> places)
   {
     m_place = std::move(places);
@@ -110,7 +110,7 @@ private:
     return result;
   }
 
-  // Turns triangles over, and their sides with them.
+  // Reverses triangles and their sides.
   void take(const Side_pairing& pairing)
   {
     const auto turned = [&](const std::size_t side) {
@@ -127,7 +127,7 @@ private:
         std::swap(m_soup.triangles[t][1], m_soup.triangles[t][2]);
   }
 
-  // A fan: corners around a place that are connected by twins. They become one vertex.
+  // A fan consists of corners at one position that are connected by twins. It becomes one vertex.
   void find_fans()
   {
     m_fan.assign(m_twin.size(), NONE);
@@ -142,15 +142,15 @@ private:
         m_fan[c] = m_first_of_fan.size();
         c = m_twin[c] == NONE ? NONE : next(m_twin[c]);
       } while(c != NONE && c != first);
-      if(c == NONE) // the fan is open: the other way, too
+      if(c == NONE) // the fan is open: also traverse it backward
         for(c = m_twin[previous(first)]; c != NONE; c = m_twin[previous(c)])
           m_fan[c] = m_first_of_fan.size();
       m_first_of_fan.push_back(first);
     }
   }
 
-  // Two edges between the same two fans would be one edge of more than two triangles. When all sides
-  // there lose their twins, the fans fall apart.
+  // Two edges between the same two fans would be one edge with more than two triangles. Separating
+  // all twins there splits the fans.
   void cut_edges_that_coincide()
   {
     std::vector<std::pair<std::size_t, std::size_t>> edges;
@@ -172,7 +172,7 @@ private:
       find_fans();
   }
 
-  // Rows that share a fan become one, the smallest.
+  // Rows that share a fan are merged into the smallest one.
   std::vector<std::size_t> representatives() const
   {
     const std::size_t n = number_of_rows();
@@ -184,7 +184,7 @@ private:
       rows.unite(row(c), row(m_first_of_fan[m_fan[c]]));
     }
     for(std::size_t v = 0; v < n; ++v)
-      if(!has_corner[v]) // all its faces have been dropped
+      if(!has_corner[v]) // all its faces have been removed
         rows.unite(v, m_place[v]);
     const Component_labels labels = label_components(rows);
     std::vector<std::size_t> result(n);
@@ -193,7 +193,7 @@ private:
     return result;
   }
 
-  // Vertices are numbered by the row that they are copies of, then by their first corner.
+  // Vertices are sorted by the row of which they are copies, then by their first corner.
   void make_vertices(Repaired_surface_3& result) const
   {
     result.representatives = representatives();
@@ -212,7 +212,7 @@ private:
         {vertex_of_fan[m_fan[c]], vertex_of_fan[m_fan[c + 1]], vertex_of_fan[m_fan[c + 2]]});
   }
 
-  // Two sides that lost their twins may run between the same two vertices still.
+  // Two sides whose twins were separated may still connect the same two vertices.
   void sew_slits(const std::vector<Index_triangle>& triangles)
   {
     const auto vertex = [&](const std::size_t c) { return triangles[c / 3][c % 3]; };

@@ -35,16 +35,16 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// Searches triangles, manifold or not, for pairs that intersect elsewhere than in the vertices that
-// they share. Polygon_mesh_processing::triangle_soup_self_intersections() of CGAL 6.1 finds the same pairs
-// in 0.7 (curved surfaces) to 2.2 times the time (flat ones) on one thread, but has no bound where boxes
-// overlap without end, and on two threads takes longer than on one.
+// Searches triangles, manifold or not, for pairs that intersect outside their common vertices.
+// Polygon_mesh_processing::triangle_soup_self_intersections() of CGAL 6.1 finds the same pairs in 0.7
+// (curved surfaces) to 2.2 times (planar ones) the time on one thread, but takes longer on two, and
+// cannot be stopped where countless bounding boxes overlap.
 class Self_intersections
 {
 public:
   using Face_pair = std::pair<std::size_t, std::size_t>;
 
-  // Degenerate triangles must have been left out.
+  // There must be no degenerate triangles.
   Self_intersections(const Point_matrix& points, const Triangle_soup& soup) : m_soup(soup)
   {
     m_triangles.reserve(soup.triangles.size());
@@ -52,8 +52,9 @@ public:
       m_triangles.emplace_back(point(points, t[0]), point(points, t[1]), point(points, t[2]));
   }
 
-  // Returns pairs of faces, the smaller one first, sorted; not more than `maximum`. Returns nothing
-  // where more than `maximum_of_overlaps` bounding boxes, and 200 per face, overlap before it has found a pair.
+  // Returns sorted pairs of faces, the smaller one first, at most `maximum`. Returns nothing if
+  // more than `maximum_of_overlaps` bounding boxes, and more than 200 per face, overlap before the
+  // first pair is found.
   std::optional<std::vector<Face_pair>> run(const std::size_t maximum,
                                             const std::size_t maximum_of_overlaps = 10000000)
   {
@@ -65,7 +66,7 @@ public:
                             const std::size_t end) { search_block(begin, end, blocks[block]); };
     const bool is_complete
       = search_all([&] { for_each_block(m_boxes.size(), search, BOXES_PER_BLOCK); });
-    if(!is_complete && blocks.size() > 1) // in order: what came first depended on the threads
+    if(!is_complete && blocks.size() > 1) // in order, independently of threads
     {
       blocks.assign(blocks.size(), {});
       search_all([&] {
@@ -91,7 +92,7 @@ private:
   {};
   static constexpr std::size_t BOXES_PER_BLOCK = 16384, OVERLAPS_AT_A_TIME = 1024;
 
-  // By their low ends along the axis along which they are the shortest parts of the whole.
+  // By lower ends along the axis along which the boxes are shortest relative to the whole.
   void sort_boxes()
   {
     m_boxes.clear();
@@ -109,7 +110,7 @@ private:
         low = (std::min)(low, box.min_coord(k));
         high = (std::max)(high, box.max_coord(k));
       }
-      if(sum / (high - low) < least) // not where all is flat
+      if(sum / (high - low) < least) // false if flat along this axis
       {
         least = sum / (high - low);
         m_axis = k;
@@ -121,8 +122,8 @@ private:
     });
   }
 
-  // Returns whether the search came to its end before there were enough pairs or overlaps. That
-  // does not depend on the order.
+  // Returns whether the search was completed before the maximum number of pairs or overlaps was
+  // reached. This does not depend on the order.
   template <class Function>
   bool search_all(const Function& search)
   {
@@ -138,10 +139,10 @@ private:
     }
   }
 
-  // The boxes of a block with one another, and with those before that reach into it.
+  // The boxes of a block with each other, and with those of earlier blocks that reach into it.
   void search_block(const std::size_t begin, const std::size_t end, std::vector<Face_pair>& pairs)
   {
-    std::vector<const Box*> own, before; // the address of a box is its name
+    std::vector<const Box*> own, before; // boxes are identified by their addresses
     for(std::size_t i = begin; i < end; ++i)
       own.push_back(&m_boxes[i]);
     for(std::size_t i = 0; i < begin; ++i)
@@ -174,7 +175,7 @@ private:
   bool do_intersect(const std::size_t s, const std::size_t t) const
   {
     const Kernel::Triangle_3 &a = m_triangles[s], &b = m_triangles[t];
-    std::array<int, 3> i = {0, 1, 2}, j = {0, 1, 2}; // corners, those that are shared first
+    std::array<int, 3> i = {0, 1, 2}, j = {0, 1, 2}; // corners, shared ones first
     const int shared = put_shared_corners_first(m_soup.triangles[s], m_soup.triangles[t], i, j);
     if(are_surely_apart(a, b, i, j, shared))
       return false;
@@ -193,8 +194,8 @@ private:
     }
   }
 
-  // Most neighbors lie nearly in one plane, where exact tests take long. True is certain, by far
-  // more than rounding; false says nothing.
+  // Most neighbors are nearly coplanar, and exact tests then take long. If true, they are separate
+  // with a margin far larger than rounding errors; if false, nothing is known.
   static bool are_surely_apart(const Kernel::Triangle_3& a, const Kernel::Triangle_3& b,
                                const std::array<int, 3>& i, const std::array<int, 3>& j,
                                const int shared)
@@ -208,7 +209,7 @@ private:
       const Eigen::Vector3d edge = unit(a[i[0]], a[i[1]]);
       return edge.cross(unit(a[i[0]], a[i[2]])).dot(edge.cross(unit(a[i[0]], b[j[2]]))) < -1e-10;
     }
-    // a direction along which all of b lies beyond all of a, but for the shared corner
+    // a direction along which all of b is beyond all of a, except for the shared corner
     std::array<Eigen::Vector3d, 9> ways;
     std::size_t n = 0;
     if(shared == 1)

@@ -29,14 +29,14 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// Pairs the sides of triangles to an oriented surface: each side has at most one twin, on the same
-// edge and of the opposite direction once the flipped triangles are turned over.
+// Pairs the sides of triangles such that they form an oriented surface: each side has at most one
+// twin, on the same edge and in the opposite direction once the flipped triangles are reversed.
 //
-// Where an edge has two sides, they are twins, and the triangles that are connected so form a patch;
-// only where a patch has no orientation it is cut. Where an edge has more sides, those of the same
-// patch come first, then those of patches without boundary, then the others; hence a fin stays
-// outside the surface that it stands on. Among equals, the sides around the edge that have the
-// inside between them become twins.
+// Two sides at an edge with no others are twins, and triangles connected in this way form a patch;
+// a patch is cut only if it is not orientable. If an edge has more sides, those of the same patch
+// are paired first, then those of patches without boundary, then the others; hence a fin is not
+// connected to the surface on which it stands. If this is ambiguous, sides around the edge that
+// have the inside between them become twins.
 class Side_pairing
 {
 public:
@@ -64,7 +64,7 @@ public:
   // Twin of each side, or NONE. Side 3t+k of triangle t runs from its corner k to the next.
   const std::vector<std::size_t>& twins() const { return m_twin; }
   bool is_flipped(const std::size_t triangle) const { return m_is_flipped[triangle]; }
-  // Edges of more than two sides.
+  // Edges with more than two sides.
   const std::vector<std::vector<std::size_t>>& complex_edges() const { return m_complex_edges; }
 
 private:
@@ -86,8 +86,8 @@ private:
     m_twin[b] = a;
   }
 
-  // Whether the side runs from the smaller to the larger vertex, in its triangle as it is oriented
-  // now.
+  // Whether the side runs from the smaller to the larger vertex in the current orientation of its
+  // triangle.
   bool is_forward(const std::size_t side) const
   {
     return (m_corners.vertex(side) < m_corners.target(side)) != m_is_flipped[side / 3];
@@ -151,7 +151,7 @@ private:
         try_to_make_twins(rest[i - 1].side, rest[i].side);
   }
 
-  // By the angle of the triangle, counterclockwise seen against the edge.
+  // By the angle of the triangle, counterclockwise when looking against the edge.
   std::vector<Side_around_edge> sorted_around_edge(const std::vector<std::size_t>& sides) const
   {
     const auto point
@@ -174,8 +174,8 @@ private:
     return result;
   }
 
-  // Makes twins of the sides that have the inside between them, as brackets match around the edge,
-  // and returns the others.
+  // Pairs the sides that have the inside between them, like matching brackets around the edge, and
+  // returns the others.
   std::vector<Side_around_edge> without_wedges(const std::vector<Side_around_edge>& around)
   {
     std::vector<std::size_t> open;
@@ -199,7 +199,7 @@ private:
     return result;
   }
 
-  // Fails if the patches are connected already and one of them would have to be turned over.
+  // Fails if the patches are already connected and one of them would have to be reversed.
   void try_to_make_twins(const std::size_t a, const std::size_t b)
   {
     std::size_t p = find(m_patch[a / 3]), q = find(m_patch[b / 3]);
@@ -217,8 +217,8 @@ private:
     m_is_turned[q] = !fit;
   }
 
-  // Patches that have become connected form a tree, the largest at its root; m_is_turned is
-  // relative to the parent.
+  // Connected patches form a tree with the largest one as its root; m_is_turned is relative to the
+  // parent.
   std::size_t find(std::size_t patch) const
   {
     while(m_root[patch] != patch)

@@ -36,7 +36,7 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// The examinations of diagnose(), one function each, the worst defect first.
+// The checks of diagnose(), one function each, the worst defect first.
 template <class Faces>
 class Soup_diagnosis
 {
@@ -100,7 +100,7 @@ private:
     std::sort(p.begin(), p.end());
     if(p.size() < 3 || std::adjacent_find(p.begin(), p.end()) != p.end())
       return true;
-    std::size_t i = 1; // the first corner at another place than corner 0
+    std::size_t i = 1; // the first corner at another position than corner 0
     while(i + 2 < p.size() && point(p[i]) == point(p[0]))
       ++i;
     return std::all_of(p.begin() + static_cast<std::ptrdiff_t>(i) + 1, p.end(),
@@ -169,7 +169,7 @@ private:
                    + " separates two faces of opposite orientation");
   }
 
-  // Corners of a vertex are of the same fan where an edge connects their faces.
+  // Two corners of a vertex belong to the same fan if their faces share an edge.
   void find_non_manifold_vertices()
   {
     Disjoint_sets fans(m_corners.number_of_corners());
@@ -217,7 +217,7 @@ private:
                  "vertex " + m_isolated.first() + " belongs to no face");
   }
 
-  // Faces that were cut apart, those of an STL file, are neighbors here.
+  // Faces that were separated, as in an STL file, are neighbors here.
   void find_self_intersections()
   {
     if(m_faces.empty())
@@ -303,7 +303,7 @@ private:
     for(std::size_t v = 0; v < m_result.vertices; ++v)
       sorted.push_back({{point(v)[0], point(v)[1], point(v)[2]}, v});
     std::sort(sorted.begin(), sorted.end());
-    std::vector<std::pair<std::size_t, std::size_t>> duplicates; // the vertex, one before it
+    std::vector<std::pair<std::size_t, std::size_t>> duplicates; // the vertex, an earlier one
     for(std::size_t i = 1; i < sorted.size(); ++i)
       if(sorted[i].first == sorted[i - 1].first)
         duplicates.emplace_back(sorted[i].second, sorted[i - 1].second);
@@ -336,7 +336,7 @@ private:
   Component_labels m_labels;  // of faces
   std::vector<bool> m_is_degenerate;
   std::vector<std::array<std::size_t, 2>> m_boundary_edges;
-  std::vector<std::size_t> m_open_faces; // at edges that are not between two faces that fit
+  std::vector<std::size_t> m_open_faces; // at edges without two consistently oriented faces
   Finding m_isolated;
   Diagnosis_3 m_result;
 };

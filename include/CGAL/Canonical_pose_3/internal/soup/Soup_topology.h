@@ -26,14 +26,13 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// A soup, checked and cut into triangles.
+// A soup, validated and triangulated.
 class Checked_soup
 {
 public:
   static constexpr const char* NO_FACE = "the surface has no face";
 
-  // Throws std::invalid_argument if a coordinate is not finite or a polygon names a row that does not
-  // exist.
+  // Throws std::invalid_argument if a coordinate is not finite or a polygon has an invalid row.
   template <class Polygons>
   Checked_soup(const Point_matrix& points, const Polygons& polygons)
     : m_points(checked(points, polygons)), m_triangles(triangle_soup(m_points, polygons)),
@@ -45,9 +44,9 @@ public:
 
   const Point_matrix& points() const { return m_points; } // normalized
   const Triangle_soup& triangles() const { return m_triangles; }
-  // Whether there is a polygon, even if it gave no triangle.
+  // Whether there is a polygon, even if it has no triangles.
   bool has_faces() const { return m_has_faces; }
-  // Whether the triangles are the polygons: none was cut, and none left out.
+  // Whether the triangles are the polygons: none was cut, and none was removed.
   bool is_triangulated() const { return m_is_triangulated; }
 
 private:
@@ -70,8 +69,8 @@ private:
   bool m_has_faces, m_is_triangulated;
 };
 
-// What diagnosis and repair have in common, of the polygons of a soup or of its triangles. Refers to
-// both.
+// Data needed for both diagnosis and repair, for the polygons of a soup or for its triangles.
+// Refers to both.
 template <class Faces>
 struct Soup_topology
 {

@@ -30,7 +30,7 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// Triangles with the polygon that each is part of.
+// Triangles, and the polygon to which each belongs.
 struct Triangle_soup
 {
   std::vector<Index_triangle> triangles;
@@ -57,7 +57,7 @@ inline bool names_a_vertex_twice(const Index_triangle& t)
   return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
 }
 
-// Whether a triangle has no area, by an exact test.
+// Whether a triangle has no area; exact.
 inline bool is_degenerate(const Point_matrix& points, const Index_triangle& t)
 {
   const auto point = [&](const std::size_t v) {
@@ -67,8 +67,8 @@ inline bool is_degenerate(const Point_matrix& points, const Index_triangle& t)
   return CGAL::collinear(point(t[0]), point(t[1]), point(t[2]));
 }
 
-// Cuts polygons into triangles over the same vertices. Corners that repeat the one before are left
-// out, and so are triangles that name a vertex twice.
+// Subdivides polygons into triangles with the same vertices. Repeated consecutive corners are
+// skipped, and so are triangles in which a vertex occurs twice.
 template <class Polygons>
 Triangle_soup triangle_soup(const Point_matrix& points, const Polygons& polygons)
 {
@@ -92,7 +92,7 @@ Triangle_soup triangle_soup(const Point_matrix& points, const Polygons& polygons
   return result;
 }
 
-// Tells for each face whether one before it has the same vertices, in whatever order.
+// For each face, whether an earlier one has the same vertices, in any order.
 template <class Polygons>
 std::vector<bool> is_duplicate_face(const std::size_t number_of_vertices, const Polygons& polygons)
 {
@@ -121,8 +121,8 @@ std::vector<bool> is_duplicate_face(const std::size_t number_of_vertices, const 
   return result;
 }
 
-// For each vertex the one that stands for its place: the first one there among those on the boundary,
-// which are ends of an edge of one face only, else itself. Closed surfaces that touch are left apart.
+// For each vertex, the one that represents its position: the first boundary vertex there (an end of
+// an edge with only one face), otherwise itself. Closed surfaces that touch remain separate.
 inline std::vector<std::size_t> places_of_boundary(const Point_matrix& points,
                                                    const Corner_table& corners)
 {

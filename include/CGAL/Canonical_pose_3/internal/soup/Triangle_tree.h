@@ -38,7 +38,8 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// Finds the nearest triangle. Flat ones are left out: a point near one of these is as near to its neighbors.
+// Finds the nearest triangle. Flat ones are ignored: a point near one of them is as near to its
+// neighbors.
 class Triangle_tree
 {
 public:
@@ -67,7 +68,7 @@ public:
   Triangle_tree(const Triangle_tree&) = delete;
   Triangle_tree& operator=(const Triangle_tree&) = delete;
 
-  // A point in the unit of the tree, near enough for squares not to overflow.
+  // A point in the unit of the tree, near enough that squares do not overflow.
   Eigen::RowVector3d normalized(const Eigen::RowVector3d& row) const
   {
     return row.unaryExpr([this](const double x) {
@@ -75,14 +76,14 @@ public:
     });
   }
 
-  // A point of a triangle.
+  // A point on a triangle.
   struct Location
   {
     std::size_t triangle;
     Eigen::Vector3d coordinates; // barycentric
   };
 
-  // The location nearest to a point, which is in the unit of the tree.
+  // The location nearest to a point, given in the unit of the tree.
   Location nearest(const Eigen::RowVector3d& normalized_point) const
   {
     const auto [closest, found] = m_tree.closest_point_and_primitive(point(normalized_point));
@@ -100,8 +101,8 @@ public:
 private:
   using Kernel = Simple_cartesian<double>;
 
-  static constexpr double FLATNESS = 1e-10; // of what has no plane to speak of
-  static constexpr double FARTHEST = 1e100; // in sizes of the surface
+  static constexpr double FLATNESS = 1e-10; // of triangles without a well-defined plane
+  static constexpr double FARTHEST = 1e100; // relative to the size of the surface
 
   static Kernel::Point_3 point(const Eigen::RowVector3d& row)
   {
@@ -136,7 +137,7 @@ private:
   using Tree = AABB_tree<AABB_traits<Kernel, Triangle_primitive>>;
 #endif
 
-  int m_exponent; // of the power of two by which the points were divided
+  int m_exponent; // points were divided by this power of two
   std::vector<Surface_triangle> m_triangles;
   Tree m_tree;
 };

@@ -29,7 +29,7 @@ struct Examined_surface
   Repaired_surface_3 surface;
 };
 
-// diagnose() and repair_surface() at once: their results, and their exceptions in this order.
+// diagnose() and repair_surface() combined: their results, and their exceptions in this order.
 Examined_surface examine_surface(const Point_matrix& points,
                                  const std::vector<std::vector<std::size_t>>& polygons);
 

@@ -31,7 +31,7 @@ examine_surface(const Point_matrix& points, const std::vector<std::vector<std::s
   const Checked_soup soup(points, polygons);
   const Soup_topology topology(soup, soup.triangles().triangles);
   Examined_surface result;
-  // Polygons that were cut or left out have other edges than the triangles.
+  // The edges of polygons that were cut or removed are not those of the triangles.
   result.diagnosis
     = soup.is_triangulated() ? diagnosis_of(topology) : diagnosis_of(Soup_topology(soup, polygons));
   result.surface = repaired_surface(points, topology);

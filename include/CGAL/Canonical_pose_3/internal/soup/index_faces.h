@@ -33,7 +33,7 @@ namespace internal {
 
 using Index_triangle = std::array<std::size_t, 3>;
 
-// A number per vertex, for descriptors that can be hashed.
+// An index per vertex, for hashable descriptors.
 template <class Vertex>
 struct Hashed_vertex_numbers
 {
@@ -49,7 +49,7 @@ struct Hashed_vertex_numbers
   std::unordered_map<Vertex, std::size_t> numbers;
 };
 
-// Dynamic properties are faster, but no concept asks for them.
+// Dynamic properties are faster, but no concept requires them.
 template <class FaceGraph>
 auto vertex_number_map(const FaceGraph&, long)
 {
@@ -63,8 +63,8 @@ auto vertex_number_map(const FaceGraph& mesh, int)
   return get(dynamic_vertex_property_t<std::size_t>(), mesh);
 }
 
-// The faces of a mesh as sequences of rows. Each begins with its smallest row, so that the result
-// does not depend on the halfedge that a data structure keeps for a face.
+// The faces of a mesh as sequences of rows. Each starts with its smallest row, so that the result
+// does not depend on which halfedge a data structure stores for a face.
 template <class FaceGraph>
 std::vector<std::vector<std::size_t>> index_polygons(const FaceGraph& mesh)
 {
@@ -84,7 +84,7 @@ std::vector<std::vector<std::size_t>> index_polygons(const FaceGraph& mesh)
   return polygons;
 }
 
-// The same for a mesh of triangles; throws std::invalid_argument if it is none.
+// The same for a triangle mesh; throws std::invalid_argument if a face is not a triangle.
 template <class FaceGraph>
 std::vector<Index_triangle> index_triangles(const FaceGraph& tmesh)
 {

@@ -21,19 +21,20 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// Labels triangles that twins connect, from 0 in the order of the first triangles, and walks over each
-// patch breadth first; label_components() does not walk. Side 3t+k of triangle t has the twin
-// `twins[3t+k]`, or Corner_table::NONE.
+// Labels triangles connected by twins, from 0 in the order of the first triangles, and traverses
+// each patch breadth first; label_components() does not traverse. Side 3t+k of triangle t has the
+// twin `twins[3t+k]`, or Corner_table::NONE.
 //
-// Calls on_twin(side, is_new) for each side with a twin, and whether the triangle of its twin is met
-// for the first time; it may separate twins. Then calls on_patch(triangles), in the order of the walk.
+// Calls on_twin(side, is_new) for each side with a twin, where is_new tells whether the triangle of
+// the twin is visited for the first time; on_twin may separate twins. Then calls
+// on_patch(triangles), in the order of the traversal.
 template <class On_twin, class On_patch>
 std::vector<std::size_t> label_patches(const std::vector<std::size_t>& twins,
                                        const On_twin& on_twin, const On_patch& on_patch)
 {
   constexpr std::size_t none = Corner_table::NONE;
   std::vector<std::size_t> result(twins.size() / 3, none);
-  std::vector<std::size_t> patch; // its triangles, those before `done` with their neighbors
+  std::vector<std::size_t> patch; // triangles; before `done`: neighbors visited
   std::size_t label = 0;
   for(std::size_t seed = 0; seed < result.size(); ++seed)
   {

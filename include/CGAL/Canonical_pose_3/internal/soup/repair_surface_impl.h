@@ -29,7 +29,7 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// `points`: as given. `topology`: of the triangles of its soup.
+// `points`: the given ones. `topology`: that of the triangles of its soup.
 inline Repaired_surface_3
 repaired_surface(const Point_matrix& points,
                  const Soup_topology<std::vector<Index_triangle>>& topology)

@@ -24,8 +24,8 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// Six times the volume inside the triangles; summed in units of the extent, so that it is accurate in
-// any.
+// Six times the volume inside the triangles; summed relative to the extent, so that it is accurate
+// in any unit.
 inline double signed_volume(const Point_matrix& points,
                             const std::vector<std::array<std::size_t, 3>>& triangles)
 {

@@ -23,15 +23,15 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// Values bucket by bucket in one piece of memory, in each bucket in the order in which they came.
+// Values sorted into buckets in contiguous memory; each bucket keeps the order of insertion.
 template <class Value>
 class Buckets
 {
 public:
   Buckets() = default;
 
-  // `for_each_value(put)` calls put(bucket, value) for all values, and the same again when it is
-  // called for the second time.
+  // `for_each_value(put)` calls put(bucket, value) for all values. It is called twice, and must
+  // make the same calls both times.
   template <class Function>
   Buckets(const std::size_t number_of_buckets, const Function& for_each_value)
     : m_begin(number_of_buckets + 1, 0)

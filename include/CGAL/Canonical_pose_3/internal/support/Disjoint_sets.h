@@ -46,15 +46,15 @@ private:
   boost::disjoint_sets<std::size_t*, std::size_t*> m_sets;
 };
 
-// Which of the items belong together.
+// The sets to which items belong.
 struct Component_labels
 {
   std::vector<std::size_t> of_items;    // from 0, in the order of the first items
-  std::vector<std::size_t> first_items; // of each label
+  std::vector<std::size_t> first_items; // for each label
 };
 
-// Labels items by the sets of their members: `member(item)` is in the set of the item. Items of member
-// Disjoint_sets::NONE get that for a label.
+// Labels items by the sets of their members: `member(item)` is in the set of the item. If it is
+// Disjoint_sets::NONE, so is the label.
 template <class Function>
 Component_labels label_components(Disjoint_sets& sets, const std::size_t number_of_items,
                                   const Function& member)
@@ -77,7 +77,7 @@ Component_labels label_components(Disjoint_sets& sets, const std::size_t number_
   return result;
 }
 
-// Labels the members themselves.
+// Labels the members.
 inline Component_labels label_components(Disjoint_sets& sets)
 {
   return label_components(sets, sets.number_of_members(), [](const std::size_t i) { return i; });

@@ -35,8 +35,8 @@ struct Principal_axes
     variances = solver.eigenvalues().reverse();
   }
 
-  // Turns the first two axes so that the third moments along them are not negative, and the last one
-  // so that the frame is right-handed.
+  // Orients the first two axes such that the third moments along them are not negative, and the
+  // last one such that the frame is right-handed.
   void orient(const Point_matrix& points, const Eigen::VectorXd& weights)
   {
     const Point_matrix along_axes = (points.rowwise() - centroid) * axes;

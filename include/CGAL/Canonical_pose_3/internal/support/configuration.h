@@ -14,11 +14,11 @@
 
 #include <boost/preprocessor/cat.hpp>
 
-// The libraries that this translation unit is compiled with, and the alignment of Eigen's matrices, which follows
-// the processor compiled for, name inline namespaces: functions that differ have different symbols, so that parts
-// of a program may be configured differently. Everything lies in
-// CGAL_CANONICAL_POSE_3_CONFIGURATION; what depends on the bodies that are offered, besides, in
-// CGAL_CANONICAL_POSE_3_BODIES.
+// Inline namespaces are named after the libraries with which this translation unit is compiled, and
+// after the alignment of Eigen's matrices, which depends on the target processor: different
+// functions have different symbols, so parts of a program may be configured differently. Everything
+// is in CGAL_CANONICAL_POSE_3_CONFIGURATION; everything that depends on the available bodies is in
+// CGAL_CANONICAL_POSE_3_BODIES as well.
 #ifdef CGAL_CANONICAL_POSE_3_USE_CHOLMOD
 #define CGAL_CANONICAL_POSE_3_SOLVER with_cholmod
 #else
@@ -50,8 +50,8 @@
   BOOST_PP_CAT(with_lattice,                                                                       \
                BOOST_PP_CAT(CGAL_CANONICAL_POSE_3_TETGEN, CGAL_CANONICAL_POSE_3_MESH_3))
 
-// What takes long to compile is inline, or, where CGAL_CANONICAL_POSE_3_COMPILED is defined, in the library
-// Canonical_pose_3::compiled; its source defines CGAL_CANONICAL_POSE_3_SOURCE.
+// Functions that take long to compile are inline or, if CGAL_CANONICAL_POSE_3_COMPILED is defined,
+// in the library Canonical_pose_3::compiled, whose source defines CGAL_CANONICAL_POSE_3_SOURCE.
 #ifdef CGAL_CANONICAL_POSE_3_SOURCE
 #define CGAL_CANONICAL_POSE_3_INLINE
 #else

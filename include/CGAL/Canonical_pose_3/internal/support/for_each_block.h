@@ -21,9 +21,8 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// Calls f(block, begin, end) for the blocks of fixed size that [0, n) is cut into, in parallel if
-// TBB is there. The blocks do not depend on the number of threads, so that sums taken per block do
-// not either.
+// Divides [0, n) into blocks of fixed size and calls f(block, begin, end) for each, in parallel if
+// TBB is available. The blocks, and thus sums per block, do not depend on the number of threads.
 constexpr std::size_t block_size = 1024;
 
 inline std::size_t number_of_blocks(const std::size_t n, const std::size_t size = block_size)

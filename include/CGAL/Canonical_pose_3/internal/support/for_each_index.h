@@ -24,8 +24,8 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// Any function of an index, which must outlive this. TBB's loops take long to compile: they are
-// instantiated for this type alone.
+// Any function of an index, which must outlive this object. TBB's loops take long to compile, so
+// they are instantiated for this type only.
 class Index_function
 {
 public:
@@ -57,7 +57,7 @@ inline void for_each_index(const std::size_t n, const Index_function f)
 #endif
 }
 
-// Calls f(i) for all i < n, in parallel if TBB is there.
+// Calls f(i) for all i < n, in parallel if TBB is available.
 template <class Function>
 void for_each_index(const std::size_t n, const Function& f)
 {

@@ -21,7 +21,7 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// Calls both functions, side by side if TBB is there.
+// Calls both functions, in parallel if TBB is available.
 template <class First, class Second>
 void in_parallel(const First& first, const Second& second)
 {

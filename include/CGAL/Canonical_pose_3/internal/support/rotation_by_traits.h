@@ -19,8 +19,9 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// The rotation closest to m by a model of CGAL's `DeformationClosestRotationTraits_3`; some rotation if m is
-// not finite. Those models return V U^t of their argument U S V^t, hence the transposition.
+// The rotation closest to m, computed by a model of CGAL's `DeformationClosestRotationTraits_3`;
+// any rotation if m is not finite. These models return V U^t for the argument U S V^t, hence the
+// transposition.
 template <class ClosestRotationTraits>
 Eigen::Matrix3d rotation_by_traits(const Eigen::Matrix3d& m)
 {

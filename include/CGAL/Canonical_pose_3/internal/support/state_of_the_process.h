@@ -12,12 +12,13 @@
 
 #include <mutex>
 
-// What there is once per process, whatever its parts are configured with: not in their inline namespaces.
+// State that exists once per process, independently of the configuration of its parts: not in their
+// inline namespaces.
 namespace CGAL {
 namespace Canonical_pose_3 {
 namespace internal {
 
-// METIS and TetGen seed std::rand(), and draw from it: one at a time.
+// METIS and TetGen seed and use std::rand(): only one at a time.
 inline std::mutex& mutex_of_random_numbers()
 {
   static std::mutex mutex;
@@ -32,9 +33,9 @@ void openblas_set_num_threads(int number_of_threads) __attribute__((weak));
 #define CGAL_CANONICAL_POSE_3_HAS_WEAK_OPENBLAS
 #endif
 
-// While one of these lives, OpenBLAS, if it is the BLAS of this process, uses one thread: its sums,
-// and so the bytes, depend on the number. The first one saves the user's number, the last one
-// restores it.
+// During the lifetime of such objects, OpenBLAS, if it is the BLAS of this process, uses one
+// thread: its sums depend on the number of threads. The first object saves the user's number, the
+// last one restores it.
 class Single_threaded_blas
 {
 public:

@@ -18,7 +18,7 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// The weighted sum of the products of a row of `a`, transposed, and the same row of `b`.
+// The weighted sum of the products of each row of `a`, transposed, and the same row of `b`.
 inline Eigen::Matrix3d weighted_product(const Point_matrix& a, const Eigen::VectorXd& weights,
                                         const Point_matrix& b)
 {
