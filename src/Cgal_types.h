@@ -25,7 +25,7 @@
 #include <cstddef>
 #include <vector>
 
-// From what a file holds to CGAL's types and back; vertices, faces and cells keep their order.
+// Conversions between file contents and CGAL's types; vertices, faces and cells keep their order.
 
 namespace Canonical_pose_tool {
 

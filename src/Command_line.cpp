@@ -26,14 +26,14 @@ namespace {
 
 using Options = CGAL::Canonical_pose_3::Options;
 
-// What does not go into the options of the library as it is.
+// Arguments that are converted to options of the library.
 struct Raw_arguments
 {
   std::string kernel = "classical", components = "refuse", solver = "auto", paper_weights;
   std::vector<std::string> springs, directions, handles, symmetric_pairs;
 };
 
-// Splits "1,2,0.5" into its numbers; there must be as many as `least` to `most`.
+// Splits "1,2,0.5" into numbers; there must be from `least` to `most` of them.
 std::vector<double> numbers(const std::string& option, const std::string& text,
                             const std::size_t least, const std::size_t most)
 {
@@ -53,7 +53,7 @@ std::vector<double> numbers(const std::string& option, const std::string& text,
   return result;
 }
 
-// What names a constraint: vertices, then numbers, then perhaps a stiffness.
+// Defines a constraint: vertices, then numbers, then optionally a stiffness.
 struct Constraint_values
 {
   Constraint_values(const std::string& option, const std::string& text,
@@ -122,7 +122,7 @@ CLI::Validator number(const bool positive)
     name, name);
 }
 
-// An empty path, perhaps a variable of the shell that is not set, is not the same as no option.
+// An empty path, for example from an unset shell variable, is not the same as a missing option.
 CLI::Validator path()
 {
   return CLI::Validator(

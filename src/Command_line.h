@@ -19,7 +19,7 @@
 
 namespace Canonical_pose_tool {
 
-// What the user asks for.
+// The parsed command line.
 struct Arguments
 {
   enum class Command { POSE, CHECK, GEODESICS, COMPARE };
@@ -27,11 +27,11 @@ struct Arguments
   Command command = Command::POSE;
   std::string input;
   std::string output; // POSE or DISTANCES
-  std::string target; // this one and the next five: empty if not requested
+  std::string target; // this and the next five: empty if not requested
   std::string report;
-  std::string matching_weights; // files of numbers, this one and the next
+  std::string matching_weights; // this and the next: files of numbers
   std::string stiffness;
-  std::string given_target;    // file of a mesh
+  std::string given_target;    // mesh file
   std::string given_distances; // file of numbers
   std::string body = "auto";
   std::string geodesics = "heat";
@@ -41,11 +41,12 @@ struct Arguments
   bool quiet = false;
 };
 
-// Reads the command line. Returns the exit code if there is nothing left to do: 0 after --help, 2 for wrong usage.
+// Reads the command line. Returns the exit code if there is nothing left to do: 0 after --help, 2
+// for wrong usage.
 std::optional<int> parse_command_line(int argc, char* argv[], Arguments& arguments);
 
-// Throws std::invalid_argument if the files of `pose` cannot have the formats that their extensions
-// tell.
+// Throws std::invalid_argument if the files of `pose` cannot have the formats given by their
+// extensions.
 void check_formats(const Arguments& arguments);
 
 } // namespace Canonical_pose_tool

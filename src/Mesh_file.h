@@ -18,7 +18,7 @@
 
 namespace Canonical_pose_tool {
 
-// What a file holds: a surface or, if is_tetrahedral, a tetrahedral mesh. All numbers count from 0.
+// The contents of a file: a surface or, if is_tetrahedral, a tetrahedral mesh. Indices start at 0.
 struct Mesh_file
 {
   bool is_tetrahedral = false;
@@ -30,20 +30,19 @@ struct Mesh_file
 
 enum class Format { OFF, OBJ, PLY, STL, MEDIT };
 
-// Tells the format by the extension; throws std::invalid_argument if it is none of ours.
+// Returns the format for the extension; throws std::invalid_argument if it is not supported.
 Format format_of(const std::string& path);
 
-// Reads a file. Coordinates are finite and indices in range afterwards; nothing else is checked.
-// Throws std::invalid_argument that names the defect and the element, which is why CGAL's readers
-// are
-// not used: they only say that they failed.
+// Reads a file. Afterward, coordinates are finite and indices in range; nothing else is checked.
+// Throws std::invalid_argument with the defect and the element. This is why CGAL's readers are not
+// used: they only report failure.
 Mesh_file read_mesh_file(const std::string& path);
 
-// Reads a text of numbers with blanks or ends of lines between them; '#' begins a comment. Throws
-// std::invalid_argument that names the file, too.
+// Reads numbers separated by blanks or line ends from a text file; '#' starts a comment. Throws
+// std::invalid_argument, which also names the file.
 std::vector<double> read_numbers(const std::string& path);
 
-// Throws std::invalid_argument if files of the format cannot hold the mesh.
+// Throws std::invalid_argument if the format cannot represent the mesh.
 void check_format_holds(Format format, const Mesh_file& mesh);
 
 // Writes a mesh with 17 significant digits.

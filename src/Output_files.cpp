@@ -36,7 +36,7 @@ std::string cannot_write(const std::string& path, const std::string& reason)
   return "'" + path + "' cannot be written: " + reason;
 }
 
-// The file behind symbolic links, since a renamed file would take the place of the link.
+// The file to which symbolic links lead, since a renamed file would replace the link.
 fs::path place_of(const std::string& path)
 {
   const int most_links = 40; // as on Linux
@@ -57,7 +57,7 @@ fs::path place_of(const std::string& path)
   return directory / place.filename();
 }
 
-// A name for another file in the directory of `place`.
+// A name for another file in the same directory as `place`.
 fs::path beside(const fs::path& place, const int attempt)
 {
   const std::size_t longest = 200; // so that there is room for the rest
@@ -68,9 +68,9 @@ fs::path beside(const fs::path& place, const int attempt)
   return place.parent_path() / name;
 }
 
-// Returns a name beside `place` under which `make` made a file; an empty one if it could not. `make`
-// returns a negative number and sets errno then, as open() does. Names in use are passed over, those
-// of links, too.
+// Returns a name in the directory of `place` under which `make` created a file; empty on failure.
+// `make` returns a negative number and sets errno on failure, like open(). Names in use are
+// skipped, including those of links.
 template <class Make>
 fs::path make_beside(const fs::path& place, const Make& make)
 {
@@ -85,7 +85,7 @@ fs::path make_beside(const fs::path& place, const Make& make)
   }
 }
 
-// Writes to a file descriptor, and closes it.
+// Writes to a file descriptor, and closes it afterward.
 class Descriptor_buffer : public std::streambuf
 {
 public:
@@ -98,7 +98,7 @@ public:
   Descriptor_buffer& operator=(const Descriptor_buffer&) = delete;
   ~Descriptor_buffer() override { close(); }
 
-  // Returns whether all that was written is in the file; otherwise errno tells why not.
+  // Returns whether everything was written to the file; otherwise errno states the reason.
   bool close()
   {
     if(m_descriptor < 0)
@@ -212,7 +212,7 @@ void Output_files::commit()
   }
 }
 
-// Where the file system has no hard links, nothing can be kept.
+// If the file system has no hard links, nothing can be kept.
 void Output_files::keep_what_is_there()
 {
   std::error_code error;

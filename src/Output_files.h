@@ -20,29 +20,28 @@
 
 namespace Canonical_pose_tool {
 
-// The files that a run leaves: all of them whole, or none. They are written beside their places
-// under names that nobody uses, and renamed together. Symbolic links are followed, whether there is
-// a file behind them or not.
+// The output files of a run: either all of them are written completely, or none. They are first
+// written to the same directories under unused names, and then renamed together. Symbolic links are
+// followed, whether or not their target exists.
 class Output_files
 {
 public:
-  // Checks that files could be written to `paths`, empty ones left out. Writes nothing.
+  // Checks whether `paths` can be written, ignoring empty ones. Writes nothing.
   // Throws std::invalid_argument that names the path.
   explicit Output_files(const std::vector<std::string>& paths);
 
-  // Removes what was not committed.
+  // Removes all files that were not committed.
   ~Output_files();
 
   Output_files(const Output_files&) = delete;
   Output_files& operator=(const Output_files&) = delete;
 
-  // Writes the file for `path`, one of those that were checked, beside its place; an empty path is
-  // left out.
-  // Throws std::runtime_error if it cannot be written.
+  // Writes the temporary file for `path`, one of those that were checked; an empty path is ignored.
+  // Throws std::runtime_error on failure.
   void write(const std::string& path, const std::function<void(std::ostream&)>& write_to);
 
-  // Puts all files in their places.
-  // Throws std::runtime_error if one cannot be put there; the others then are as they were before.
+  // Moves all files to their final paths.
+  // Throws std::runtime_error if this fails; the other files then are as they were before.
   void commit();
 
 private:
@@ -50,7 +49,7 @@ private:
   {
     std::string path;
     std::filesystem::path place, beside;
-    // Another name of what is there and will be replaced; empty if there is nothing.
+    // Another name of the existing file that will be replaced; empty if there is none.
     std::filesystem::path before = {};
     bool is_new = true;
   };

@@ -42,14 +42,14 @@ struct Ply_element
   bool is_vertex() const { return name == "vertex"; }
   bool is_face() const { return name == "face"; }
 
-  // The element `index` of these, for messages.
+  // The element `index` of this type, for messages.
   Element operator[](const std::size_t index) const
   {
     return {is_vertex() ? "vertex" : is_face() ? "face" : "element", index};
   }
 };
 
-// Index of the coordinate that a property of a vertex is; 3 if it is none.
+// Index of the coordinate given by a property of a vertex; 3 if it is not a coordinate.
 std::size_t coordinate_of(const Ply_property& property);
 
 // Whether a property of a face is the list of its vertices.
@@ -61,9 +61,10 @@ struct Ply_header
   std::vector<Ply_element> elements;
 };
 
-// Reads a header; `text` is at the first byte of the data then. There is one element vertex then,
-// which has each of x, y and z once, and at most one element face, which has one list of vertices
-// if there are faces. Throws std::invalid_argument that names what is missing or doubled.
+// Reads a header; afterward, `text` is at the first byte of the data. There is then one vertex
+// element, with one property each for x, y and z, and at most one face element, with one list of
+// vertices if there are faces. Throws std::invalid_argument that names what is missing or
+// duplicated.
 Ply_header read_ply_header(Text_cursor& text);
 
 } // namespace Canonical_pose_tool

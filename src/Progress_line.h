@@ -17,7 +17,7 @@
 
 namespace Canonical_pose_tool {
 
-// One line of a terminal that is written anew for each iteration, and is blank in the end.
+// One line of a terminal, rewritten for each iteration and cleared at the end.
 class Progress_line
 {
 public:

@@ -18,11 +18,11 @@
 
 namespace Canonical_pose_tool {
 
-// Takes the time of the stages.
+// Measures the running time of the stages.
 class Stage_clock
 {
 public:
-  // Returns the seconds since the last call, or since the clock was made.
+  // Returns the seconds since the last call, or since construction.
   double lap()
   {
     const auto before = m_last;
@@ -30,7 +30,7 @@ public:
     return seconds(m_last - before);
   }
 
-  // Returns the seconds since the clock was made.
+  // Returns the seconds since construction.
   double total() const { return seconds(Clock::now() - m_start); }
 
 private:
@@ -49,12 +49,12 @@ private:
 void write_report(std::ostream& out, const CGAL::Canonical_pose_3::Registration_summary& summary,
                   double total_seconds);
 
-// Writes the report (JSON) of an examination.
+// Writes the report (JSON) of a diagnosis.
 void write_report(std::ostream& out, const CGAL::Canonical_pose_3::Diagnosis_3& diagnosis,
                   const std::vector<CGAL::Canonical_pose_3::Registration_summary::Stage>& stages,
                   double total_seconds);
 
-// Writes the outcome in one line, and a line per warning.
+// Writes the outcome in one line, and one line per warning.
 void write_outcome(std::ostream& out, const CGAL::Canonical_pose_3::Registration_summary& summary);
 
 // Writes one line per field.

@@ -33,7 +33,7 @@ struct Element
   }
 };
 
-// Takes words and numbers from a text, one after the other. '#' begins a comment, up to the end of
+// Reads words and numbers from a text, one after the other. '#' starts a comment, up to the end of
 // the line.
 class Text_cursor
 {
@@ -43,7 +43,7 @@ public:
     : m_position(text.c_str()), m_end(m_position + text.size())
   {}
 
-  // Returns the next word, on whatever line; an empty one at the end of the text.
+  // Returns the next word, on any line; empty at the end of the text.
   std::string_view word()
   {
     while(m_position != m_end
@@ -52,7 +52,7 @@ public:
     return rest_of_word();
   }
 
-  // Returns the next word on this line; an empty one at the end of the line.
+  // Returns the next word on this line; empty at the end of the line.
   std::string_view word_on_line()
   {
     while(m_position != m_end && is_blank(*m_position))
@@ -103,7 +103,7 @@ public:
     return result;
   }
 
-  // Converts a word that tells how many elements there are.
+  // Converts a word that is a number of elements.
   std::size_t count(const std::string_view word, const Element& element) const
   {
     const long long result = integer(word, element);
@@ -112,7 +112,7 @@ public:
     return static_cast<std::size_t>(result);
   }
 
-  // Throws if the text goes on after `last`.
+  // Throws if the text continues after `last`.
   void check_is_at_end(const Element& last)
   {
     if(!word().empty())
@@ -127,7 +127,7 @@ public:
       + std::to_string(m_line) + ")");
   }
 
-  // The beginning of a word, for messages.
+  // The first part of a word, for messages.
   static std::string shown(const std::string_view word)
   {
     std::string result = "'";

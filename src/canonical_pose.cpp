@@ -27,7 +27,7 @@ namespace {
 
 using namespace Canonical_pose_tool;
 
-// The one line that tells why it could not be done.
+// The line that states the reason for a failure.
 void complain(const std::string& subject, const std::exception& error)
 {
   const bool is_out_of_memory = dynamic_cast<const std::bad_alloc*>(&error) != nullptr;
@@ -36,7 +36,7 @@ void complain(const std::string& subject, const std::exception& error)
   std::cerr << "canonical-pose: " << message << '\n';
 }
 
-// CGAL prints what it throws; the tool says it in one line of its own.
+// CGAL prints its errors; the tool reports them in one line of its own.
 void do_not_print(const char*, const char*, const char*, int, const char*) {}
 
 } // namespace

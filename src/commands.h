@@ -14,7 +14,7 @@
 
 namespace Canonical_pose_tool {
 
-// The commands. Each throws an exception if it cannot be carried out.
+// The commands. Each throws an exception on failure.
 
 void run_pose(Arguments& arguments);
 void run_check(const Arguments& arguments);

@@ -26,8 +26,8 @@ namespace Canonical_pose_tool {
 
 namespace {
 
-// Writes the difference of each pair of poses, and their mean: proper, and with reflection.
-// Throws std::invalid_argument that names the files if two of them cannot be compared.
+// Writes the difference of each pair of poses, and their mean: without and with reflection.
+// Throws std::invalid_argument, with the names of the files, if two of them cannot be compared.
 void write_differences(std::ostream& out, const std::vector<std::string>& names,
                        const std::vector<Point_matrix>& poses)
 {

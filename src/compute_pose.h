@@ -28,7 +28,7 @@ using CGAL::Canonical_pose_3::Result;
 inline Result compute_pose(const Mesh_file& input, const Options& options)
 {
   Stage_clock clock;
-  double seconds_to_convert; // and to find that it can be done
+  double seconds_to_convert; // includes checking the input
   Result result;
   if(input.is_tetrahedral)
   {

@@ -17,7 +17,7 @@
 #include <cstddef>
 #include <vector>
 
-// What takes long to compile: exact distances.
+// Compiled separately, since it takes long: exact distances.
 
 namespace Canonical_pose_tool {
 

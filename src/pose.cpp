@@ -32,21 +32,22 @@ namespace {
 
 bool is_watched(const Arguments& arguments) { return !arguments.quiet && isatty(STDERR_FILENO); }
 
-// Tells on a terminal what goes on.
+// Reports progress on a terminal.
 void say(const Arguments& arguments, const std::string& message)
 {
   if(is_watched(arguments))
     std::cerr << message << '\n';
 }
 
-// The numbers of a file; none if there is no file.
+// The numbers in a file; none if there is no file.
 Eigen::VectorXd numbers_of(const std::string& path)
 {
   const std::vector<double> numbers = path.empty() ? std::vector<double>() : read_numbers(path);
   return Eigen::VectorXd::Map(numbers.data(), static_cast<Eigen::Index>(numbers.size()));
 }
 
-// What fields and targets have rows for: vertices of a surface, or of the boundary of a tetrahedral mesh.
+// The vertices to which rows of fields and targets correspond: those of a surface, or of the
+// boundary of a tetrahedral mesh.
 std::size_t number_of_rows(const Mesh_file& input)
 {
   return (input.is_tetrahedral ? boundary_of(input) : input).points.size();

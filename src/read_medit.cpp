@@ -37,7 +37,7 @@ bool holds_other_cells(const std::string_view keyword)
     keyword, {"Hexahedra", "Prisms", "Pyramids", "Polyhedra", "TetrahedraP", "CoarseHexahedra"});
 }
 
-// What is known to hold neither vertices nor cells.
+// Sections known to contain neither vertices nor cells.
 bool is_left_out(const std::string_view keyword)
 {
   return begins_with_one_of(
@@ -53,7 +53,7 @@ bool is_number(const std::string_view word)
   return end == word.data() + word.size();
 }
 
-// A file is a sequence of sections, each of a keyword and numbers.
+// A file is a sequence of sections, each a keyword followed by numbers.
 class Medit_reader
 {
 public:
@@ -162,9 +162,9 @@ private:
 
   Text_cursor m_text;
   Mesh_file& m_mesh;
-  std::vector<std::array<long long, 4>> m_cells; // their vertices may come later
+  std::vector<std::array<long long, 4>> m_cells; // vertices may follow later
   Element m_last{"the version"};                 // what was read
-  bool m_is_left_out = false;                    // whether this section is
+  bool m_is_left_out = false;                    // whether this section is skipped
 };
 
 } // namespace

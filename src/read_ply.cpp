@@ -25,7 +25,7 @@ namespace Canonical_pose_tool {
 
 namespace {
 
-const double NUMBERS = 9007199254740992.; // all integers below are numbers of their own
+const double NUMBERS = 9007199254740992.; // all smaller integers are representable
 
 bool is_integer(const double x) { return std::abs(x) < NUMBERS && x == std::floor(x); }
 
@@ -36,7 +36,7 @@ std::string text_of(const double x)
   return text;
 }
 
-// Binary numbers are taken to be stored as this machine does, unless the file says big-endian.
+// Binary numbers are assumed to have the byte order of this machine, unless the file is big-endian.
 class Ply_reader
 {
 public:
@@ -48,7 +48,7 @@ public:
   {
     Element last{"the header"};
     for(const Ply_element& element : m_header.elements)
-      if(!element.properties.empty()) // else there is nothing to read
+      if(!element.properties.empty()) // otherwise there is nothing to read
         for(std::size_t i = 0; i < element.number; ++i)
         {
           last = element[i];
@@ -67,7 +67,7 @@ public:
 private:
   void read_element(const Ply_element& element, const Element& e)
   {
-    std::array<double, 4> point = {}; // the last one takes what is no coordinate
+    std::array<double, 4> point = {}; // the last one is for other properties
     for(const Ply_property& property : element.properties)
       if(property.is_list)
       {
@@ -94,7 +94,7 @@ private:
                                     + ", which cannot be the index of a vertex");
       indices.push_back(static_cast<long long>(corner));
     }
-    m_faces.push_back(std::move(indices)); // the vertices may come later
+    m_faces.push_back(std::move(indices)); // the vertices may follow later
   }
 
   std::vector<double> read_list(const Ply_property& property, const Element& e)
@@ -123,7 +123,7 @@ private:
     return type.convert(bytes.data());
   }
 
-  // Ends of lines may follow binary data.
+  // Line ends may follow binary data.
   void check_is_at_end(const Element& last)
   {
     if(!m_header.is_binary)
@@ -137,7 +137,7 @@ private:
   Text_cursor m_text;
   Mesh_file& m_mesh;
   const Ply_header m_header;
-  const char* m_byte; // where the binary data go on
+  const char* m_byte; // next byte of the binary data
   std::vector<std::vector<long long>> m_faces;
 };
 

@@ -24,8 +24,8 @@ namespace {
 
 const std::size_t HEADER_SIZE = 84, FACE_SIZE = 50; // bytes of a binary file
 
-// Collects faces by the coordinates of their corners; equal ones become one vertex, in the order of
-// appearance.
+// Collects faces by the coordinates of their corners; equal corners become one vertex. Vertices are
+// in the order of appearance.
 class Welder
 {
 public:
@@ -80,7 +80,7 @@ void read_binary(const std::string& bytes, Mesh_file& mesh)
       + (bytes.size() < HEADER_SIZE ? "a header" : std::to_string(faces) + " faces")
       + " of binary STL need " + std::to_string(HEADER_SIZE + FACE_SIZE * faces));
   const std::size_t rest = bytes.size() - HEADER_SIZE - FACE_SIZE * faces;
-  if(rest >= FACE_SIZE) // fewer bytes are no face, and left out
+  if(rest >= FACE_SIZE) // fewer bytes are not a face, and are ignored
     throw std::invalid_argument("the file goes on for " + std::to_string(rest) + " bytes after the "
                                 + std::to_string(faces) + " faces announced");
   Welder welder(mesh);
@@ -134,7 +134,7 @@ void read_ascii(const std::string& bytes, Mesh_file& mesh)
 
 void read_stl(const std::string& bytes, Mesh_file& mesh)
 {
-  // The header of a binary file may begin with the word, too.
+  // The header of a binary file may also start with this word.
   const bool has_binary_size
     = bytes.size() >= HEADER_SIZE
       && bytes.size() == HEADER_SIZE + FACE_SIZE * number_of_binary_faces(bytes);

@@ -21,8 +21,7 @@ namespace Canonical_pose_tool {
 
 namespace {
 
-// "OFF", maybe with letters in front that tell what else is on the line of a vertex, after the
-// coordinates.
+// "OFF", possibly after letters that state which data follow the coordinates of a vertex.
 void check_keyword(const std::string_view keyword)
 {
   if(keyword.size() < 3 || keyword.substr(keyword.size() - 3) != "OFF")
@@ -73,7 +72,7 @@ void read_off(const std::string& bytes, Mesh_file& mesh)
 void read_obj(const std::string& bytes, Mesh_file& mesh)
 {
   Text_cursor text(bytes);
-  std::vector<std::vector<long long>> faces; // they may come before their vertices
+  std::vector<std::vector<long long>> faces; // they may precede their vertices
   for(std::string_view word = text.word(); !word.empty(); text.skip_line(), word = text.word())
     if(word == "v")
     {

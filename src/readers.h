@@ -26,8 +26,8 @@ void read_ply(const std::string& bytes, Mesh_file& mesh);
 void read_stl(const std::string& bytes, Mesh_file& mesh);
 void read_medit(const std::string& bytes, Mesh_file& mesh);
 
-// Returns `index`, one of `n` vertices counted from `base`, counted from 0. Throws if there is no
-// such vertex.
+// Converts `index`, one of `n` vertices counted from `base`, to a count from 0. Throws if there is
+// no such vertex.
 std::size_t vertex_index(long long index, std::size_t n, const Element& element, int base = 0);
 
 // Throws if a coordinate is not finite.

@@ -50,7 +50,7 @@ void write_medit(std::ostream& out, const Mesh_file& mesh)
 
 void check_format_holds(const Format format, const Mesh_file& mesh)
 {
-  const std::size_t most_corners_of_ply = 255; // CGAL announces their number as a byte
+  const std::size_t most_corners_of_ply = 255; // CGAL writes their number as a byte
   for(std::size_t f = 0; f < mesh.faces.size(); ++f)
   {
     const std::size_t corners = mesh.faces[f].size();
