@@ -46,7 +46,7 @@ struct Vertex_map
   // far from the cells that they follow, they are transformed rigidly, to avoid distortion
   std::vector<std::vector<std::size_t>> rigid_parts;
   // for each component: the indices of its followers, attached vertices before those of the options
-  std::vector<std::vector<Eigen::Index>> followers_of;
+  std::vector<std::vector<std::size_t>> followers_of;
 
   std::size_t number_of_rows() const { return vertex_of_row.size(); }
 

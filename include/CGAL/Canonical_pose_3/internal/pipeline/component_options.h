@@ -162,6 +162,17 @@ inline Intermediate_results component_results(const Intermediate_results& given,
   return result;
 }
 
+// The attached vertices, then the followers of the options.
+inline Point_matrix points_of_followers(const Point_matrix& points, const Vertex_map& map,
+                                        const Point_matrix& followers)
+{
+  const auto n = static_cast<Eigen::Index>(map.attached.size());
+  Point_matrix result(n + followers.rows(), 3);
+  result.topRows(n) = rows_at(points, map.attached);
+  result.bottomRows(followers.rows()) = followers;
+  return result;
+}
+
 // Assigns options to the components, except for the stiffness. Vertices without a component, and
 // followers, are assigned to the nearest one.
 inline Prepared_surface_3 prepared(Diagnosis_3 diagnosis, const Point_matrix& points,
@@ -174,8 +185,14 @@ inline Prepared_surface_3 prepared(Diagnosis_3 diagnosis, const Point_matrix& po
   result.points = points;
   check_given(options.given, rows, surfaces.size());
   check_unit(points);
-  result.vertex_map = make_vertex_map(std::move(rows), points, surfaces, others, options.followers);
-  const Vertex_map& map = result.vertex_map;
+  result.vertex_map = make_vertex_map(std::move(rows), surfaces, others);
+  Vertex_map& map = result.vertex_map;
+  const Point_matrix followers = points_of_followers(points, map, options.followers);
+  map.followers_of.resize(surfaces.size());
+  const std::vector<std::size_t> nearest = nearest_components(followers, surfaces);
+  for(std::size_t i = 0; i < nearest.size(); ++i)
+    map.followers_of[nearest[i]].push_back(i);
+
   for(Surface_component_3& surface : surfaces)
   {
     const std::size_t c = result.components.size();
@@ -186,17 +203,7 @@ inline Prepared_surface_3 prepared(Diagnosis_3 diagnosis, const Point_matrix& po
     local.constraints.function = options.constraints.function;
     if(options.matching_weights.size() > 0)
       local.matching_weights = values_at(options.matching_weights, surface.body_origins);
-    local.followers.resize(static_cast<Eigen::Index>(map.followers_of[c].size()), 3);
-    for(Eigen::Index i = 0; i < local.followers.rows(); ++i)
-    {
-      const Eigen::Index f = map.followers_of[c][static_cast<std::size_t>(i)],
-                         n = static_cast<Eigen::Index>(map.attached.size());
-      if(f < n)
-        local.followers.row(i)
-          = points.row(static_cast<Eigen::Index>(map.attached[static_cast<std::size_t>(f)]));
-      else
-        local.followers.row(i) = options.followers.row(f - n);
-    }
+    local.followers = rows_at(followers, map.followers_of[c]);
     local.given = component_results(options.given, map, surface);
     result.components.back().surface = std::move(surface);
   }

@@ -76,13 +76,13 @@ inline void move_rigidly(const std::vector<std::size_t>& vertices, const Point_m
 // The pose of attached vertices, followed by that of the followers of the options.
 inline Point_matrix joined_followers(const Vertex_map& map, const std::vector<Result>& results)
 {
-  Eigen::Index n = 0;
-  for(const std::vector<Eigen::Index>& followers : map.followers_of)
-    n += static_cast<Eigen::Index>(followers.size());
-  Point_matrix joined(n, 3);
+  std::size_t n = 0;
+  for(const std::vector<std::size_t>& followers : map.followers_of)
+    n += followers.size();
+  Point_matrix joined(static_cast<Eigen::Index>(n), 3);
   for(std::size_t c = 0; c < results.size(); ++c)
     for(std::size_t i = 0; i < map.followers_of[c].size(); ++i)
-      joined.row(map.followers_of[c][i])
+      joined.row(static_cast<Eigen::Index>(map.followers_of[c][i]))
         = results[c].pose_of_followers.row(static_cast<Eigen::Index>(i));
   return joined;
 }

@@ -126,22 +126,14 @@ nearest_components(const Point_matrix& points, const std::vector<Surface_compone
   return result;
 }
 
-// Completes a map, given its first three members. `others`: the vertices of each component that is
-// not posed; `followers`: does not include the attached vertices.
-inline Vertex_map make_vertex_map(Vertex_map map, const Point_matrix& points,
+// Completes a map, given its first three members, except for the followers. `others`: the vertices
+// of each component that is not posed.
+inline Vertex_map make_vertex_map(Vertex_map map,
                                   const std::vector<Surface_component_3>& components,
-                                  const std::vector<std::vector<std::size_t>>& others,
-                                  const Point_matrix& followers)
+                                  const std::vector<std::vector<std::size_t>>& others)
 {
   locate_vertices(components, map);
   find_rigid_parts(others, map);
-  const Point_matrix attached = rows_at(points, map.attached);
-  const Point_matrix all
-    = (Point_matrix(attached.rows() + followers.rows(), 3) << attached, followers).finished();
-  const std::vector<std::size_t> nearest = nearest_components(all, components);
-  map.followers_of.resize(components.size());
-  for(std::size_t i = 0; i < nearest.size(); ++i)
-    map.followers_of[nearest[i]].push_back(static_cast<Eigen::Index>(i));
   return map;
 }
 
