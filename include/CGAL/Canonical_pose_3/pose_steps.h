@@ -75,12 +75,12 @@ Prepared_surface_3 prepare_surface(const TriangleMesh& tmesh, const Options& opt
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief chooses landmarks on a surface and computes the distances to them: the second step of
-`canonical_pose_3()`, after `prepare_surface()`.
+\brief chooses landmarks on a surface and computes the distances to them, or returns the given ones:
+the second step of `canonical_pose_3()`, after `prepare_surface()`.
 
 \param surface the surface.
-\param options `geodesics`, `landmark_fields_function`, `number_of_landmarks`, `random_seed`, the solver and
-       `number_of_threads` are used.
+\param options `geodesics`, `landmark_fields_function`, `number_of_landmarks`, `random_seed`, the solver,
+       `number_of_threads` and `given.landmark_fields` are used.
 
 \throws std::invalid_argument if the distances require faces with an area and a face has none, or the
         function in the options returns invalid distances.

@@ -33,6 +33,8 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 CGAL_CANONICAL_POSE_3_INLINE Landmark_fields_3 landmark_fields(const Surface_component_3& surface,
                                                                const Options& options)
 {
+  if(options.given.landmark_fields)
+    return *options.given.landmark_fields;
   const internal::Thread_limit limit(options);
   internal::check_number_of_landmarks(options.number_of_landmarks,
                                       static_cast<std::size_t>(surface.points.rows()));

@@ -41,15 +41,13 @@ Result pose_of_component(const Surface_component_3& surface, const Options& opti
       {"diagnosis", "geodesics", "target", "body", "factorization", "local_steps", "global_steps"})
     times.add_seconds(stage, 0);
 
-  std::optional<Landmark_fields_3> computed_fields, target_fields;
-  if(!options.given.landmark_fields)
-    computed_fields = timed(times, "geodesics", [&] { return landmark_fields(surface, options); });
+  Landmark_fields_3 fields
+    = timed(times, "geodesics", [&] { return landmark_fields(surface, options); });
+  std::optional<Landmark_fields_3> target_fields;
   if(options.target_fields_function)
     target_fields = timed(times, "geodesics", [&] {
       return fields_of_function(options.target_fields_function, surface, options);
     });
-  const Landmark_fields_3& fields
-    = computed_fields ? *computed_fields : *options.given.landmark_fields;
   const Target_3 target = timed(times, "target", [&] {
     return mds_target(surface, target_fields ? *target_fields : fields, options);
   });
@@ -59,7 +57,7 @@ Result pose_of_component(const Surface_component_3& surface, const Options& opti
     times.add_seconds(stage.first, stage.second);
   result.summary.stages = std::move(times.stages);
   if(options.return_landmark_fields)
-    result.landmark_fields = std::move(computed_fields);
+    result.landmark_fields = std::move(fields);
   return result;
 }
 
