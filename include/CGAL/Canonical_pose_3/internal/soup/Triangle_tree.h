@@ -30,6 +30,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <stdexcept>
 #include <vector>
 
@@ -62,11 +63,11 @@ public:
     }
     if(m_triangles.empty())
       throw std::invalid_argument("no triangle of the surface has an area");
-    m_tree.insert(m_triangles.begin(), m_triangles.end());
-    m_tree.build();
+    m_tree->insert(m_triangles.begin(), m_triangles.end());
+    m_tree->build();
   }
-  Triangle_tree(const Triangle_tree&) = delete;
-  Triangle_tree& operator=(const Triangle_tree&) = delete;
+  Triangle_tree(Triangle_tree&&) = default;
+  Triangle_tree& operator=(Triangle_tree&&) = default;
 
   // A point in the unit of the tree, near enough that squares do not overflow.
   Eigen::RowVector3d normalized(const Eigen::RowVector3d& row) const
@@ -86,7 +87,7 @@ public:
   // The location nearest to a point, given in the unit of the tree.
   Location nearest(const Eigen::RowVector3d& normalized_point) const
   {
-    const auto [closest, found] = m_tree.closest_point_and_primitive(point(normalized_point));
+    const auto [closest, found] = m_tree->closest_point_and_primitive(point(normalized_point));
     const auto vector = [&, p = closest](const Kernel::Point_3& q) {
       return Eigen::Vector3d(q.x() - p.x(), q.y() - p.y(), q.z() - p.z());
     };
@@ -139,7 +140,7 @@ private:
 
   int m_exponent; // points were divided by this power of two
   std::vector<Surface_triangle> m_triangles;
-  Tree m_tree;
+  std::unique_ptr<Tree> m_tree = std::make_unique<Tree>(); // which cannot be moved
 };
 
 } // namespace internal
