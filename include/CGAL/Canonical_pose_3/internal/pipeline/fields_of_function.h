@@ -16,7 +16,7 @@
 #include <CGAL/Canonical_pose_3/internal/soup/Face_defect.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/target/check_landmark_fields.h>
-#include <CGAL/Canonical_pose_3/surface_measures.h>
+#include <CGAL/Canonical_pose_3/farthest_point_landmarks.h>
 
 #include <CGAL/Random.h>
 
