@@ -14,10 +14,14 @@
 
 #include "shapes.h"
 
+#include <CGAL/Canonical_pose_3/front_landmarks.h>
+
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
 
 #include <Eigen/Core>
+
+#include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstddef>
@@ -67,6 +71,20 @@ struct Mesh_with_points
   Mesh mesh;
   Point_map points;
 };
+
+// The fronts run on the points that the distances were computed with, whatever those of the mesh are.
+template <class Geodesics, class Geodesics_of_map>
+void expect_fronts_on_own_points()
+{
+  const Mesh mesh = torus<Mesh>(40, 20, 2., 0.7);
+  const Mesh_with_points other(mesh);
+  const auto expected
+    = CGAL::Canonical_pose_3::front_landmarks(Geodesics(mesh), 12, vertex(mesh, 5));
+  const auto found = CGAL::Canonical_pose_3::front_landmarks(
+    Geodesics_of_map(other.mesh, other.points), 12, vertex(other.mesh, 5));
+  EXPECT_EQ(found.landmarks, expected.landmarks);
+  EXPECT_EQ(found.distances, expected.distances);
+}
 
 /// Mean of |d - e| / e over the rows with e > 0.
 inline double mean_relative_error(const Eigen::VectorXd& d, const Eigen::VectorXd& e)

@@ -9,7 +9,6 @@
 #include "geodesic_fixtures.h"
 
 #include <CGAL/Canonical_pose_3/Biharmonic_distances_3.h>
-#include <CGAL/Canonical_pose_3/front_landmarks.h>
 #include <CGAL/Polyhedron_3.h>
 
 #include <Eigen/Dense>
@@ -158,16 +157,9 @@ TEST(Biharmonic_distances, refuse_by_name)
             std::string::npos);
 }
 
-// The fronts run on the points that the distances were made with, whatever those of the mesh are.
 TEST(Biharmonic_distances, landmarks_by_fronts_on_own_points)
 {
-  const Mesh mesh = torus<Mesh>(40, 20, 2., 0.7);
-  const Mesh_with_points other(mesh);
-  const CGAL::Canonical_pose_3::Biharmonic_distances_3<Mesh, Mesh_with_points::Point_map> geodesics(
-    other.mesh, other.points);
-  const auto expected = CGAL::Canonical_pose_3::front_landmarks(
-    CGAL::Canonical_pose_3::Biharmonic_distances_3<Mesh>(mesh), 12, vertex(mesh, 5));
-  const auto found = CGAL::Canonical_pose_3::front_landmarks(geodesics, 12, vertex(other.mesh, 5));
-  EXPECT_EQ(found.landmarks, expected.landmarks);
-  EXPECT_EQ(found.distances, expected.distances);
+  using CGAL::Canonical_pose_3::Biharmonic_distances_3;
+  expect_fronts_on_own_points<Biharmonic_distances_3<Mesh>,
+                              Biharmonic_distances_3<Mesh, Mesh_with_points::Point_map>>();
 }

@@ -9,7 +9,6 @@
 #include "geodesic_fixtures.h"
 
 #include <CGAL/Canonical_pose_3/Exact_geodesics_3.h>
-#include <CGAL/Canonical_pose_3/front_landmarks.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Simple_cartesian.h>
@@ -189,16 +188,9 @@ TEST(Exact_geodesics, bad_input)
   EXPECT_EQ(refusal(grid), "face 6 is not a triangle");
 }
 
-// The fronts run on the points that the distances were made with, whatever those of the mesh are.
 TEST(Exact_geodesics, landmarks_by_fronts_on_own_points)
 {
-  const Mesh mesh = torus<Mesh>(40, 20, 2., 0.7);
-  const Mesh_with_points other(mesh);
-  const CGAL::Canonical_pose_3::Exact_geodesics_3<Mesh, Mesh_with_points::Point_map> geodesics(
-    other.mesh, other.points);
-  const auto expected = CGAL::Canonical_pose_3::front_landmarks(
-    CGAL::Canonical_pose_3::Exact_geodesics_3<Mesh>(mesh), 12, vertex(mesh, 5));
-  const auto found = CGAL::Canonical_pose_3::front_landmarks(geodesics, 12, vertex(other.mesh, 5));
-  EXPECT_EQ(found.landmarks, expected.landmarks);
-  EXPECT_EQ(found.distances, expected.distances);
+  using CGAL::Canonical_pose_3::Exact_geodesics_3;
+  expect_fronts_on_own_points<Exact_geodesics_3<Mesh>,
+                              Exact_geodesics_3<Mesh, Mesh_with_points::Point_map>>();
 }

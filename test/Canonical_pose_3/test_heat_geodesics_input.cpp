@@ -9,7 +9,6 @@
 #include "geodesic_fixtures.h"
 
 #include <CGAL/Canonical_pose_3/Heat_geodesics_3.h>
-#include <CGAL/Canonical_pose_3/front_landmarks.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
 
@@ -183,16 +182,9 @@ TEST(Heat_geodesics_input, own_points_and_maps)
   EXPECT_EQ(&heat.triangle_mesh(), &mesh);
 }
 
-// The fronts run on the points that the distances were made with, whatever those of the mesh are.
 TEST(Heat_geodesics_input, landmarks_by_fronts_on_own_points)
 {
-  const Mesh mesh = torus<Mesh>(40, 20, 2., 0.7);
-  const Mesh_with_points other(mesh);
-  const CGAL::Canonical_pose_3::Heat_geodesics_3<Mesh, Mesh_with_points::Point_map> geodesics(
-    other.mesh, other.points);
-  const auto expected = CGAL::Canonical_pose_3::front_landmarks(
-    CGAL::Canonical_pose_3::Heat_geodesics_3<Mesh>(mesh), 12, vertex(mesh, 5));
-  const auto found = CGAL::Canonical_pose_3::front_landmarks(geodesics, 12, vertex(other.mesh, 5));
-  EXPECT_EQ(found.landmarks, expected.landmarks);
-  EXPECT_EQ(found.distances, expected.distances);
+  using CGAL::Canonical_pose_3::Heat_geodesics_3;
+  expect_fronts_on_own_points<Heat_geodesics_3<Mesh>,
+                              Heat_geodesics_3<Mesh, Mesh_with_points::Point_map>>();
 }

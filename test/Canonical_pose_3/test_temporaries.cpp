@@ -16,6 +16,7 @@
 #include <CGAL/Canonical_pose_3/Handle_constraint_adaptor_3.h>
 #include <CGAL/Canonical_pose_3/Heat_geodesics_3.h>
 #include <CGAL/Canonical_pose_3/Labeled_cells_3.h>
+#include <CGAL/Canonical_pose_3/Landmark_mds_target_builder_3.h>
 #include <CGAL/Canonical_pose_3/Tetrahedral_arap_registrar_3.h>
 #include <CGAL/Canonical_pose_3/Wavefront_geodesics_3.h>
 #if __has_include(<Spectra/SymEigsShiftSolver.h>)
@@ -94,6 +95,11 @@ static_assert(
               CP::Labeled_cells_3<CP::Indexed_tetrahedra_3<Kernel::Point_3>>, Registrar>);
 static_assert(std::is_same_v<CP::Heat_geodesics_3<Mesh, Map, Kernel>::Vertex_point_map, Map>);
 static_assert(std::is_same_v<CP::Exact_geodesics_3<Mesh, Map, Kernel>::Geom_traits, Kernel>);
+static_assert(std::is_same_v<Registrar::Elastic_body, Body>);
+static_assert(std::is_same_v<CP::Body_deformer_3<Body>::Elastic_body, Body>);
+static_assert(std::is_same_v<CP::Handle_constraint_adaptor_3::value_type, CP::Handle_3>);
+static_assert(
+  std::is_same_v<CP::Landmark_mds_target_builder_3<>::Kernel, CP::Squared_distance_kernel>);
 
 struct Derived_registrar : Registrar
 {

@@ -9,7 +9,6 @@
 #include "geodesic_fixtures.h"
 
 #include <CGAL/Canonical_pose_3/Wavefront_geodesics_3.h>
-#include <CGAL/Canonical_pose_3/front_landmarks.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 
 #include <gtest/gtest.h>
@@ -122,16 +121,9 @@ TEST(Wavefront_geodesics_input, degenerate_faces)
   EXPECT_NEAR(after[before.size() + 1], after[300], 1e-6);
 }
 
-// The fronts run on the points that the distances were made with, whatever those of the mesh are.
 TEST(Wavefront_geodesics_input, landmarks_by_fronts_on_own_points)
 {
-  const Mesh mesh = torus<Mesh>(40, 20, 2., 0.7);
-  const Mesh_with_points other(mesh);
-  const CGAL::Canonical_pose_3::Wavefront_geodesics_3<Mesh, Mesh_with_points::Point_map> geodesics(
-    other.mesh, other.points);
-  const auto expected = CGAL::Canonical_pose_3::front_landmarks(
-    CGAL::Canonical_pose_3::Wavefront_geodesics_3<Mesh>(mesh), 12, vertex(mesh, 5));
-  const auto found = CGAL::Canonical_pose_3::front_landmarks(geodesics, 12, vertex(other.mesh, 5));
-  EXPECT_EQ(found.landmarks, expected.landmarks);
-  EXPECT_EQ(found.distances, expected.distances);
+  using CGAL::Canonical_pose_3::Wavefront_geodesics_3;
+  expect_fronts_on_own_points<Wavefront_geodesics_3<Mesh>,
+                              Wavefront_geodesics_3<Mesh, Mesh_with_points::Point_map>>();
 }

@@ -17,6 +17,7 @@
 #include <CGAL/Canonical_pose_3/internal/soup/signed_volume.h>
 #include <CGAL/Canonical_pose_3/internal/support/Disjoint_sets.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+#include <CGAL/Canonical_pose_3/internal/support/values_at.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <Eigen/Core>
@@ -61,10 +62,7 @@ public:
     for(const std::size_t f : m_boundary_faces)
       m_triangles.push_back(m_faces.triangle(points, f));
     make_boundary_manifold(m_triangles, m_boundary_vertices);
-    m_boundary_points.resize(static_cast<Eigen::Index>(m_boundary_vertices.size()), 3);
-    for(std::size_t i = 0; i < m_boundary_vertices.size(); ++i)
-      m_boundary_points.row(static_cast<Eigen::Index>(i))
-        = points.row(static_cast<Eigen::Index>(m_boundary_vertices[i]));
+    m_boundary_points = rows_at(points, m_boundary_vertices);
     find_parts();
   }
 
@@ -216,10 +214,7 @@ private:
         v = index_in(component.origins, v);
       component.face_of_triangle.push_back(i);
     }
-    component.points.resize(static_cast<Eigen::Index>(component.origins.size()), 3);
-    for(std::size_t i = 0; i < component.origins.size(); ++i)
-      component.points.row(static_cast<Eigen::Index>(i))
-        = m_boundary_points.row(static_cast<Eigen::Index>(component.origins[i]));
+    component.points = rows_at(m_boundary_points, component.origins);
     return component;
   }
 

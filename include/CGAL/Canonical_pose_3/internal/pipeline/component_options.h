@@ -19,6 +19,7 @@
 #include <CGAL/Canonical_pose_3/internal/registration/Constraint_element_traits.h>
 #include <CGAL/Canonical_pose_3/internal/registration/check_registration.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+#include <CGAL/Canonical_pose_3/internal/support/values_at.h>
 #include <CGAL/Canonical_pose_3/internal/target/check_landmark_fields.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 

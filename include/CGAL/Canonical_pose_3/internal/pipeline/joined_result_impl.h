@@ -15,8 +15,8 @@
 #include <CGAL/Canonical_pose_3/Result.h>
 #include <CGAL/Canonical_pose_3/align_target.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/Vertex_map.h>
-#include <CGAL/Canonical_pose_3/internal/pipeline/make_vertex_map.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+#include <CGAL/Canonical_pose_3/internal/support/values_at.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 #include <CGAL/Canonical_pose_3/pose_steps.h>
 

@@ -27,24 +27,6 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// The values at some indices.
-inline Eigen::VectorXd values_at(const Eigen::VectorXd& values,
-                                 const std::vector<std::size_t>& indices)
-{
-  Eigen::VectorXd result(static_cast<Eigen::Index>(indices.size()));
-  for(std::size_t i = 0; i < indices.size(); ++i)
-    result[static_cast<Eigen::Index>(i)] = values[static_cast<Eigen::Index>(indices[i])];
-  return result;
-}
-
-inline Point_matrix rows_at(const Point_matrix& points, const std::vector<std::size_t>& indices)
-{
-  Point_matrix result(static_cast<Eigen::Index>(indices.size()), 3);
-  for(std::size_t i = 0; i < indices.size(); ++i)
-    result.row(static_cast<Eigen::Index>(i)) = points.row(static_cast<Eigen::Index>(indices[i]));
-  return result;
-}
-
 // A vertex of several components belongs to the largest one. A stitched vertex belongs to the
 // component of the vertex to which it was stitched.
 inline void locate_vertices(const std::vector<Surface_component_3>& components, Vertex_map& map)

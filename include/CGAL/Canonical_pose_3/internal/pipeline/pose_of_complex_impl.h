@@ -20,11 +20,11 @@
 #include <CGAL/Canonical_pose_3/internal/pipeline/Complex_parts.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/Thread_limit.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/component_options.h>
-#include <CGAL/Canonical_pose_3/internal/pipeline/make_vertex_map.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/pose_of_components.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/poses.h>
 #include <CGAL/Canonical_pose_3/internal/registration/check_registration.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+#include <CGAL/Canonical_pose_3/internal/support/values_at.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <CGAL/Real_timer.h>

@@ -16,12 +16,12 @@
 #include <CGAL/Canonical_pose_3/internal/pipeline/Thread_limit.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/component_options.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/fragments.h>
-#include <CGAL/Canonical_pose_3/internal/pipeline/make_vertex_map.h>
 #include <CGAL/Canonical_pose_3/internal/registration/check_registration.h>
 #include <CGAL/Canonical_pose_3/internal/soup/examine_surface.h>
 #include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
 #include <CGAL/Canonical_pose_3/internal/soup/twice_area.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+#include <CGAL/Canonical_pose_3/internal/support/values_at.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 #include <CGAL/Canonical_pose_3/pose_steps.h>
 

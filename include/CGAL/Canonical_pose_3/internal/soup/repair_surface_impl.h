@@ -16,6 +16,7 @@
 #include <CGAL/Canonical_pose_3/internal/soup/Soup_topology.h>
 #include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+#include <CGAL/Canonical_pose_3/internal/support/values_at.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 #include <CGAL/Canonical_pose_3/repair_surface.h>
 
@@ -36,21 +37,12 @@ repaired_surface(const Point_matrix& points,
 {
   if(!topology.soup.has_faces())
     throw std::invalid_argument(Checked_soup::NO_FACE);
-  const Point_matrix& normalized = topology.soup.points();
   Repaired_surface_3 result;
   Manifold_builder builder(topology);
   builder.run(result);
-  const std::size_t n = result.origins.size();
-  result.points.resize(static_cast<Eigen::Index>(n), 3);
-  Point_matrix normalized_copies(result.points.rows(), 3);
-  for(std::size_t v = 0; v < n; ++v)
-  {
-    const Eigen::Index row = static_cast<Eigen::Index>(v),
-                       origin = static_cast<Eigen::Index>(result.origins[v]);
-    result.points.row(row) = points.row(origin);
-    normalized_copies.row(row) = normalized.row(origin);
-  }
-  Component_orienter(normalized_copies, builder.twins(), result).run();
+  result.points = rows_at(points, result.origins);
+  Component_orienter(rows_at(topology.soup.points(), result.origins), builder.twins(), result)
+    .run();
   return result;
 }
 

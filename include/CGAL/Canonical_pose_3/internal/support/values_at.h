@@ -1,0 +1,49 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_INTERNAL_SUPPORT_VALUES_AT_H
+#define CGAL_CANONICAL_POSE_3_INTERNAL_SUPPORT_VALUES_AT_H
+
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+#include <CGAL/Canonical_pose_3/point_matrix.h>
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
+namespace internal {
+
+// The values at some indices.
+inline Eigen::VectorXd values_at(const Eigen::VectorXd& values,
+                                 const std::vector<std::size_t>& indices)
+{
+  Eigen::VectorXd result(static_cast<Eigen::Index>(indices.size()));
+  for(std::size_t i = 0; i < indices.size(); ++i)
+    result[static_cast<Eigen::Index>(i)] = values[static_cast<Eigen::Index>(indices[i])];
+  return result;
+}
+
+inline Point_matrix rows_at(const Point_matrix& points, const std::vector<std::size_t>& indices)
+{
+  Point_matrix result(static_cast<Eigen::Index>(indices.size()), 3);
+  for(std::size_t i = 0; i < indices.size(); ++i)
+    result.row(static_cast<Eigen::Index>(i)) = points.row(static_cast<Eigen::Index>(indices[i]));
+  return result;
+}
+
+} // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_INTERNAL_SUPPORT_VALUES_AT_H
