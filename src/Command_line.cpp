@@ -238,8 +238,19 @@ void add_pose(CLI::App& command, Arguments& arguments, Raw_arguments& raw)
                 "take these distances, as geodesics writes them, instead of computing any")
     ->check(path());
   add_constraints(command, raw);
-  command.add_flag("--injective", options.registration.injective,
-                   "no inverted cells in the elastic body");
+  command.add_flag_callback(
+    "--injective", [&options] { options.registration.injective = true; },
+    "no inverted cells in the elastic body; the default, except with --paper-weights");
+  command
+    .add_flag_callback(
+      "--no-injective", [&options] { options.registration.injective = false; },
+      "inverted cells are allowed")
+    ->excludes("--injective");
+  command
+    .add_option("--rounds", options.number_of_rounds,
+                "how often distances are measured again on the pose, at most; by default 3, or 0 "
+                "with --given-target, --paper-weights or the uncentered kernel")
+    ->check(number(false));
   command
     .add_option("--components", raw.components,
                 "more than one connected component: refuse, largest, each")

@@ -59,7 +59,19 @@ Json target_of(const Registration_summary& s)
           {"eigenvalues", s.target.eigenvalues},
           {"max_geodesic", s.target.max_geodesic},
           {"scale", s.target.scale},
-          {"reflected", s.target.reflected}};
+          {"reflected", s.target.reflected},
+          {"is_handedness_certain", s.target.is_handedness_certain}};
+}
+
+Json rounds_of(const Registration_summary& s)
+{
+  Json result = Json::array();
+  for(const Registration_summary::Round& round : s.rounds)
+    result.push_back({{"stress", round.stress},
+                      {"energy", round.energy},
+                      {"median_edge_strain", round.median_edge_strain},
+                      {"seconds", round.seconds}});
+  return result;
 }
 
 Json registration_of(const Registration_summary& s)
@@ -134,6 +146,7 @@ void write_report(std::ostream& out, const Registration_summary& summary,
         {{"input", input_of(summary.input)},
          {"body", body},
          {"target", target_of(summary)},
+         {"rounds", rounds_of(summary)},
          {"registration", registration_of(summary)},
          {"solver", summary.solver},
          {"warnings", summary.warnings}},

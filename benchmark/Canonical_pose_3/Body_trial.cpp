@@ -141,8 +141,11 @@ std::string try_body_here(const Body_kind kind, const Body_problem& problem)
     timer.start();
     const auto body = make_body();
     numbers.body_seconds = timer.time();
+    CP::Registration_options options;
+    options.injective = false; // inverted cells are counted
     CP::Tetrahedral_arap_registrar_3<std::decay_t<decltype(body)>> registrar(
-      body, CP::vertex_area_shares(problem.points, problem.triangles), problem.length_scale());
+      body, CP::vertex_area_shares(problem.points, problem.triangles), problem.length_scale(),
+      options);
     registrar.set_target(problem.target);
     Point_matrix body_pose;
     const CP::Registration_summary summary = registrar.register_to_target(body_pose);

@@ -10,8 +10,9 @@
 // Bodies: the cost and quality of each kind of elastic body, on the figure in its five named poses
 // or the given mesh files, and whether it glues separate parts together.
 //
-// How to read: three tables in Markdown. Targets are those of the package with its defaults, the
-// same for all bodies; each body is created and registered in a separate process.
+// How to read: three tables in Markdown. Targets are the first ones of the package with its defaults,
+// the same for all bodies; each body is created and registered in a separate process, once, and
+// inverted cells are not untangled.
 // 1. Costs and results. `nonzeros`: entries of the Cholesky factor, in millions (CHOLMOD only); `MB`:
 //    peak memory of body and registration; `ms`: per iteration; `strain`: median of |log(edge length
 //    in the pose / in the input)|; `difference`: to the pose with the body of TetGen, root mean

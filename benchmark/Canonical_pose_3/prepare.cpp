@@ -43,7 +43,8 @@ std::string targets_here(const Point_matrix& points, const Triangles& triangles)
   const Eigen::VectorXd shares = CP::vertex_area_shares(points, triangles);
   const Point_matrix& embedded = builder.targets();
   const Point_matrix target = CP::align_target(
-    embedded, points, shares, CP::target_handedness(embedded, points, triangles, shares) < 0);
+    embedded, points, shares,
+    CP::target_handedness(embedded, points, triangles, shares).is_mirror_image());
   std::string bytes(reinterpret_cast<const char*>(target.data()),
                     sizeof(double) * static_cast<std::size_t>(target.size()));
   return bytes.append(reinterpret_cast<const char*>(fields.distances.data()),

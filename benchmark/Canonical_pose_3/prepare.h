@@ -14,8 +14,8 @@
 
 namespace Canonical_pose_benchmark {
 
-/// Computes distances and target as the package does by default; in a separate process, since this
-/// one must not have threads.
+/// Computes distances and the first target as the package does by default, except that distances are
+/// computed on the surface itself; in a separate process, since this one must not have threads.
 Body_problem prepare(const Point_matrix& points, const Triangles& triangles,
                      const Triangles& caps = Triangles());
 

@@ -10,8 +10,8 @@
 // Robustness: every mesh of a folder through the one call, each in a process of its own.
 //
 // How to read: one line per mesh, then a summary per folder. A mesh is
-// - `solved` if the registration converged, the pose is finite, the stress of the target is at most
-//   0.30, and the pose encloses 0.7 to 1.25 times the volume of the input; it is the body's volume
+// - `solved` if the registration converged, the pose is finite, the stress of the first target is at
+//   most 0.30, and the pose encloses 0.7 to 1.25 times the volume of the input; it is the body's volume
 //   that decides (column `volume`), that inside the repaired surface stands beside it (`surface`);
 // - `refused` if the library said why it would not begin (std::invalid_argument);
 // - `failed` otherwise: another exception, a crash, no memory, no time, or a pose that misses one of
@@ -27,7 +27,7 @@
 //   --memory-limit MB       per mesh, default none
 //   --jobs N                meshes at a time, which share the cores; default 1
 //   --geodesics heat|wavefront|exact   --body auto|lattice|tetgen|mesh
-//   --components refuse|largest|each
+//   --components refuse|largest|each   --rounds N
 //   --csv FILE              the table as comma-separated values
 //   --pose-directory DIR    keep the poses, as DIR/<folder>/<file>
 // Exit code: 0, or 1 if a mesh failed, or 2 for wrong usage.

@@ -10,23 +10,18 @@
 // Times of the stages of canonical_pose_3() with its defaults, each called as the one call does: on the
 // articulated figure, sitting, with 2 500, 10 000 and 53 000 vertices, or on the mesh files given.
 //
-// How to read: one line per stage and mesh. A stage begins with what those before it left. `fields` are 80 of
-// them, chosen one after the other; `one_iteration` is a local and a global step, averaged over twenty; all
-// others are one call. Compiler, flags and threads stand in the first lines.
+// How to read: one line per stage and mesh. A stage begins with what those before it left. `geodesics` is the
+// set-up for distances on the coarse surface, `fields` are 80 of them, with this set-up, and `target` is the
+// first one; `one_iteration` is a local and a global step, averaged over twenty; `round_fields` and
+// `round_target` are what a round adds: distances on the pose after these iterations, and the target that is
+// refined with them. All others are one call. Compiler, flags and threads stand in the first lines.
 // Usage: stages_benchmark [--benchmark_filter=<expression>] [other options of Google Benchmark] [mesh files]
 
 #include <CGAL/Canonical_pose_3/Heat_geodesics_3.h>
-#include <CGAL/Canonical_pose_3/Landmark_mds_target_builder_3.h>
-#include <CGAL/Canonical_pose_3/Lattice_body_3.h>
 #include <CGAL/Canonical_pose_3/Tetrahedral_arap_registrar_3.h>
-#include <CGAL/Canonical_pose_3/align_target.h>
-#include <CGAL/Canonical_pose_3/diagnose.h>
-#include <CGAL/Canonical_pose_3/farthest_point_landmarks.h>
-#include <CGAL/Canonical_pose_3/front_landmarks.h>
 #include <CGAL/Canonical_pose_3/make_triangle_mesh.h>
-#include <CGAL/Canonical_pose_3/repair_surface.h>
+#include <CGAL/Canonical_pose_3/pose_steps.h>
 #include <CGAL/Canonical_pose_3/surface_measures.h>
-#include <CGAL/Canonical_pose_3/target_handedness.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
@@ -50,7 +45,7 @@
 namespace CP = CGAL::Canonical_pose_3;
 using Mesh = CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3>;
 using Geodesics = CP::Heat_geodesics_3<Mesh>;
-using Registrar = CP::Tetrahedral_arap_registrar_3<CP::Lattice_body_3>;
+using Registrar = CP::Tetrahedral_arap_registrar_3<CP::Elastic_body_3>;
 using Canonical_pose_examples::Articulated_figure;
 
 namespace {
@@ -72,80 +67,99 @@ struct Surface
 {
   explicit Surface(const Mesh& input)
     : points(CP::point_matrix(input)), polygons(polygons_of(input)),
-      repaired(CP::repair_surface(points, polygons)),
-      mesh(CP::make_triangle_mesh<Mesh>(repaired.points, repaired.triangles)),
-      first(CP::extremal_vertex(mesh, mesh.points())), geodesics(mesh),
-      fields(CP::front_landmarks(geodesics, 80, first)),
-      shares(CP::vertex_area_shares(repaired.points, repaired.triangles)), body(lattice())
+      prepared(CP::prepare_surface(points, polygons)), surface(prepared.components.front().surface),
+      options(prepared.components.front().options), coarse(CP::coarse_surface(surface, options)),
+      mesh(CP::make_triangle_mesh<Mesh>(coarse.surface.points, coarse.surface.triangles)),
+      fields(CP::landmark_fields(coarse, options)),
+      target(CP::mds_target(surface, coarse, fields, options)),
+      body(CP::surface_body(surface, coarse, fields, options)), pose(surface_pose()),
+      posed(coarse.posed(pose)), fields_of_pose(CP::landmark_fields(posed, options))
   {}
 
-  CP::Point_matrix target() const
-  {
-    CP::Landmark_mds_target_builder_3<> builder;
-    builder.build(fields);
-    auto closed = repaired.triangles;
-    closed.insert(closed.end(), repaired.caps.begin(), repaired.caps.end());
-    const bool is_mirrored
-      = CP::target_handedness(builder.targets(), repaired.points, closed, shares) < 0;
-    return CP::align_target(builder.targets(), repaired.points, shares, is_mirrored);
-  }
+  Surface(const Surface&) = delete; // some members refer to others
 
-  CP::Lattice_body_3 lattice() const
-  {
-    return CP::Lattice_body_3(repaired.points, repaired.triangles, fields.distances, 0,
-                              repaired.caps);
-  }
-
+  // Inverted cells remain: to untangle them is no part of an iteration.
   Registrar registrar() const
   {
-    CP::Registration_options options;
-    options.energy_tolerance = options.move_tolerance = 0;
-    options.number_of_iterations = 20;
-    return Registrar(body, shares, fields.distances.maxCoeff(), options);
+    CP::Registration_options registration;
+    registration.energy_tolerance = registration.move_tolerance = 0;
+    registration.number_of_iterations = 20;
+    registration.injective = false;
+    return Registrar(body.body, CP::vertex_area_shares(surface.points, surface.triangles),
+                     body.length_scale, registration);
+  }
+
+  CP::Point_matrix surface_pose() const
+  {
+    Registrar registration = registrar();
+    registration.set_target(target.points);
+    CP::Point_matrix body_pose;
+    registration.register_to_target(body_pose);
+    return registration.surface_points(body_pose);
   }
 
   CP::Point_matrix points;
   std::vector<std::vector<std::size_t>> polygons;
-  CP::Repaired_surface_3 repaired;
-  Mesh mesh;
-  Mesh::Vertex_index first;
-  Geodesics geodesics;
+  CP::Prepared_surface_3 prepared;
+  const CP::Surface_component_3& surface;
+  const CP::Options& options;
+  CP::Coarse_surface_3 coarse;
+  Mesh mesh; // the coarse surface
   CP::Landmark_fields_3 fields;
-  Eigen::VectorXd shares;
-  CP::Lattice_body_3 body;
+  CP::Target_3 target;
+  CP::Surface_body_3 body;
+  CP::Point_matrix pose;
+  CP::Surface_component_3 posed; // the coarse surface in the pose
+  CP::Landmark_fields_3 fields_of_pose;
 };
 
 void diagnosis(benchmark::State& state, const Surface& s)
 {
   for(auto _ : state)
-  {
-    benchmark::DoNotOptimize(CP::diagnose(s.points, s.polygons));
-    benchmark::DoNotOptimize(CP::repair_surface(s.points, s.polygons));
-  }
+    benchmark::DoNotOptimize(CP::prepare_surface(s.points, s.polygons));
+}
+
+void coarse(benchmark::State& state, const Surface& s)
+{
+  for(auto _ : state)
+    benchmark::DoNotOptimize(CP::coarse_surface(s.surface, s.options));
 }
 
 void geodesics(benchmark::State& state, const Surface& s)
 {
   for(auto _ : state)
-    benchmark::DoNotOptimize(Geodesics(s.mesh).index(s.first));
+    benchmark::DoNotOptimize(Geodesics(s.mesh).index(Mesh::Vertex_index(0)));
 }
 
 void fields(benchmark::State& state, const Surface& s)
 {
   for(auto _ : state)
-    benchmark::DoNotOptimize(CP::front_landmarks(s.geodesics, 80, s.first));
-}
-
-void body(benchmark::State& state, const Surface& s)
-{
-  for(auto _ : state)
-    benchmark::DoNotOptimize(s.lattice());
+    benchmark::DoNotOptimize(CP::landmark_fields(s.coarse, s.options));
 }
 
 void target(benchmark::State& state, const Surface& s)
 {
   for(auto _ : state)
-    benchmark::DoNotOptimize(s.target());
+    benchmark::DoNotOptimize(CP::mds_target(s.surface, s.coarse, s.fields, s.options));
+}
+
+void body(benchmark::State& state, const Surface& s)
+{
+  for(auto _ : state)
+    benchmark::DoNotOptimize(CP::surface_body(s.surface, s.coarse, s.fields, s.options));
+}
+
+void round_fields(benchmark::State& state, const Surface& s)
+{
+  for(auto _ : state)
+    benchmark::DoNotOptimize(CP::landmark_fields(s.posed, s.options));
+}
+
+void round_target(benchmark::State& state, const Surface& s)
+{
+  for(auto _ : state)
+    benchmark::DoNotOptimize(
+      CP::refined_target(s.surface, s.coarse, s.fields_of_pose, s.pose, s.options));
 }
 
 void factorization(benchmark::State& state, const Surface& s)
@@ -162,7 +176,7 @@ void factorization(benchmark::State& state, const Surface& s)
 void one_iteration(benchmark::State& state, const Surface& s)
 {
   Registrar registrar = s.registrar();
-  registrar.set_target(s.target());
+  registrar.set_target(s.target.points);
   for(auto _ : state)
   {
     CP::Point_matrix pose;
@@ -188,12 +202,15 @@ void register_stages(const std::string& name, const std::function<Mesh()>& make_
       ->Unit(benchmark::kMillisecond);
   };
   add("diagnosis", diagnosis)->UseRealTime();
+  add("coarse", coarse)->UseRealTime();
   add("geodesics", geodesics)->UseRealTime();
   add("fields", fields)->UseRealTime();
-  add("body", body)->UseRealTime();
   add("target", target)->UseRealTime();
+  add("body", body)->UseRealTime();
   add("factorization", factorization)->UseRealTime();
   add("one_iteration", one_iteration)->UseManualTime();
+  add("round_fields", round_fields)->UseRealTime();
+  add("round_target", round_target)->UseRealTime();
 }
 
 Mesh read(const std::string& file)

@@ -18,7 +18,7 @@
 
 namespace Canonical_pose_benchmark {
 
-/// Reads and removes --geodesics, --body and --components.
+/// Reads and removes --geodesics, --body, --components and --rounds.
 inline CGAL::Canonical_pose_3::Options take_options(Argument_list& list)
 {
   using Options = CGAL::Canonical_pose_3::Options;
@@ -32,6 +32,9 @@ inline CGAL::Canonical_pose_3::Options take_options(Argument_list& list)
     = static_cast<Options::Body>(list.take_choice("--body", {"auto", "lattice", "tetgen", "mesh"}));
   options.components = static_cast<Options::Components>(
     list.take_choice("--components", {"refuse", "largest", "each"}));
+  const double rounds = list.take_number("--rounds", -1);
+  if(rounds >= 0)
+    options.number_of_rounds = static_cast<int>(rounds);
   return options;
 }
 

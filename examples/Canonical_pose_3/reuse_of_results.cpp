@@ -39,7 +39,7 @@ int main()
             << "landmarks " << first.landmark_fields->landmarks.size() << ", largest distance "
             << first.landmark_fields->distances.maxCoeff() << '\n';
 
-  options.given = first;                     // neither distances nor target are recomputed
+  options.given = first; // neither distances nor target are recomputed, not even in rounds
   options.registration.detail_length = 0.05; // the target is followed more closely
   const auto second = CGAL::canonical_pose_3(mesh, pose.points(), options);
   std::cout << "detail length 0.05: " << second << '\n';

@@ -35,21 +35,25 @@ int main(int argc, char* argv[])
   const CP::Surface_component_3& surface = prepared.components.front().surface;
   CP::Options options = prepared.components.front().options;
 
-  const CP::Landmark_fields_3 fields = CP::landmark_fields(surface, options);
-  const CP::Target_3 target = CP::mds_target(surface, fields, options);
-  const CP::Surface_body_3 body = CP::surface_body(surface, fields, options);
-  const CP::Result registered = CP::registered_pose(surface, target, body, options);
+  const CP::Coarse_surface_3 coarse = CP::coarse_surface(surface, options);
+  const CP::Landmark_fields_3 fields = CP::landmark_fields(coarse, options);
+  const CP::Target_3 target = CP::mds_target(surface, coarse, fields, options);
+  const CP::Surface_body_3 body = CP::surface_body(surface, coarse, fields, options);
+  const CP::Result registered = CP::registered_pose(surface, coarse, target, body, options);
   const CP::Result result = CP::joined_result(prepared, {registered});
 
-  std::cout << "covering radius of the landmarks: " << fields.covering_radius << '\n'
-            << "stress of the target: " << target.summary.stress << '\n'
-            << result << '\n';
+  std::cout << "vertices of the coarse surface: " << coarse.vertices.size() << '\n'
+            << "covering radius of the landmarks: " << fields.covering_radius << '\n'
+            << "stress of the first target: " << target.summary.stress << '\n';
+  for(const auto& round : result.summary.rounds) // distances were measured again, on the pose
+    std::cout << "stress of a refined target: " << round.stress << '\n';
+  std::cout << result << '\n';
   if(!result.is_usable())
     return EXIT_FAILURE;
   CP::put_points(result.pose, mesh, mesh.points(), Kernel());
 
   // Distances, target and body can be reused with other options.
   options.registration.detail_length = 0.2;
-  std::cout << CP::registered_pose(surface, target, body, options) << '\n';
+  std::cout << CP::registered_pose(surface, coarse, target, body, options) << '\n';
   return EXIT_SUCCESS;
 }

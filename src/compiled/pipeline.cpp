@@ -15,4 +15,5 @@
 #include <CGAL/Canonical_pose_3/internal/pipeline/pose_of_complex_impl.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/pose_of_surface_impl.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/prepare_surface_impl.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/refined_target_impl.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/registered_pose_impl.h>

@@ -7,5 +7,7 @@
 //
 // Author(s) : The Canonical_pose_3 authors
 
+#include <CGAL/Canonical_pose_3/internal/target/Coarse_surface_3_impl.h>
+#include <CGAL/Canonical_pose_3/internal/target/Smacof_target_builder_3_impl.h>
 #include <CGAL/Canonical_pose_3/internal/target/align_target_impl.h>
 #include <CGAL/Canonical_pose_3/internal/target/target_handedness_impl.h>

@@ -45,10 +45,11 @@ inline CGAL::Canonical_pose_3::Conforming_body_3 bar_body(std::size_t nx, std::s
   return to_body(tetrahedral_bent_bar(nx, ny, nz, angle));
 }
 
-/// iterates until nothing moves any more
+/// iterates until nothing moves any more; inverted cells remain, so that the result is a minimum
 inline CGAL::Canonical_pose_3::Registration_options to_the_end()
 {
   CGAL::Canonical_pose_3::Registration_options options;
+  options.injective = false;
   options.number_of_iterations = 5000;
   options.energy_tolerance = 1e-14;
   options.move_tolerance = 1e-10;

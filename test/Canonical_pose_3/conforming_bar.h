@@ -29,13 +29,14 @@ struct Bar_result
 };
 
 /// pulls a bar to a target, with length scale 8; starts from rest, whose energy bounds all
-/// energies.
+/// energies. Inverted cells remain: to untangle them may increase the energy.
 inline Bar_result register_bar(const CGAL::Canonical_pose_3::Conforming_body_3& body,
                                const Point_matrix& target, const Eigen::VectorXd& weights,
-                               const CGAL::Canonical_pose_3::Registration_options& options
+                               CGAL::Canonical_pose_3::Registration_options options
                                = CGAL::Canonical_pose_3::Registration_options(),
                                const Eigen::VectorXd& stiffness = Eigen::VectorXd())
 {
+  options.injective = false;
   Registrar registrar(body, weights, 8, options, stiffness);
   registrar.set_target(target);
   Bar_result result = {CGAL::Canonical_pose_3::Registration_summary(), body.points()};

@@ -43,10 +43,12 @@ Point_matrix hard_target(const double angle = 3.)
   return bent_bar_points(angle) * Eigen::Vector3d(0.7, 0.4, 1).asDiagonal();
 }
 
+// Inverted cells remain: to untangle them takes no iterations, but may increase the energy.
 Registration_summary run(const CP::Conforming_body_3& body, const Point_matrix& target,
-                         const CP::Registration_options& options, Point_matrix& pose,
+                         CP::Registration_options options, Point_matrix& pose,
                          CP::Spring_constraint_adaptor_3* springs = nullptr)
 {
+  options.injective = false;
   Registrar registrar(body, uniform_weights(body.points()), 8., options);
   if(springs != nullptr)
     registrar.add_constraint(*springs);

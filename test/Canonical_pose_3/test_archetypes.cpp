@@ -95,9 +95,11 @@ struct Shifted_kernel
   const char* name() const { return "shifted"; }
 };
 
+// Inverted cells remain, so that the result is a minimum.
 CP::Registration_options to_the_end()
 {
   CP::Registration_options options;
+  options.injective = false;
   options.number_of_iterations = 5000;
   options.energy_tolerance = 1e-14;
   options.move_tolerance = 1e-10;

@@ -7,6 +7,7 @@
 //
 // Author(s) : The Canonical_pose_3 authors
 
+#include <CGAL/Canonical_pose_3/Coarse_surface_3.h>
 #include <CGAL/Canonical_pose_3/internal/lattice/Geodesic_bounds.h>
 
 #include <gtest/gtest.h>
@@ -98,6 +99,33 @@ TEST(Geodesic_bounds, with_few_landmarks)
         EXPECT_NEAR(bounds(std::size_t(v), std::size_t(w)), expected, 1e-6);
       }
   }
+}
+
+// Distances on a coarse surface are interpolated: between vertices of it, bounds are those of its distances,
+// and no bound is larger than the largest difference of these. The unit is the largest distance.
+TEST(Geodesic_bounds, of_a_coarse_surface)
+{
+  const shapes::Triangle_soup soup = shapes::icosphere_soup(3, 1.);
+  CP::Surface_component_3 surface;
+  surface.points = rows(soup);
+  surface.triangles = soup.triangles;
+  surface.face_of_triangle.resize(soup.triangles.size());
+  surface.origins.resize(soup.points.size());
+  const CP::Coarse_surface_3 coarse = CP::coarse_surface(surface, 200);
+  ASSERT_LT(coarse.vertices.size(), soup.points.size());
+  const Eigen::MatrixXd distances = sphere_distances(coarse.surface.points);
+  const double unit = distances.maxCoeff();
+  const CP::internal::Geodesic_bounds coarse_bounds(distances, unit);
+  CP::internal::Geodesic_bounds bounds(distances, unit);
+  bounds.interpolate(coarse);
+  EXPECT_EQ(bounds.unit(), unit);
+  EXPECT_TRUE(bounds.are_finite());
+  for(std::size_t i = 0; i < coarse.vertices.size(); ++i)
+    for(std::size_t j = 0; j < coarse.vertices.size(); ++j)
+      EXPECT_EQ(bounds(coarse.vertices[i], coarse.vertices[j]), coarse_bounds(i, j));
+  for(std::size_t v = 0; v < soup.points.size(); ++v)
+    for(std::size_t w = 0; w < v; ++w)
+      EXPECT_LE(bounds(v, w), 1 + 1e-6);
 }
 
 // In the plane, the distance of the midpoint of an edge is determined by those of its endpoints,

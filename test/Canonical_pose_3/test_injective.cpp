@@ -21,8 +21,10 @@
 
 #include <Eigen/Dense>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <optional>
 
 namespace CP = CGAL::Canonical_pose_3;
 using Canonical_pose_test::Registrar;
@@ -51,7 +53,7 @@ Point_matrix shaken_target(const unsigned int seed, const double by)
 }
 
 Registration_summary run(const CP::Conforming_body_3& body, const Point_matrix& target,
-                         const bool injective, Point_matrix& pose,
+                         const std::optional<bool> injective, Point_matrix& pose,
                          CP::Spring_constraint_adaptor_3* springs = nullptr)
 {
   CP::Registration_options options;
@@ -103,6 +105,23 @@ TEST(Injective, no_cell_is_inverted)
     EXPECT_EQ(after.energy_history.back(), after.energy);
     EXPECT_TRUE(after.warnings.empty());
   }
+}
+
+// Cells are untangled by default, except with fairing, as in the paper.
+TEST(Injective, is_the_default_without_fairing)
+{
+  const CP::Conforming_body_3 body = bar();
+  Point_matrix expected, pose;
+  EXPECT_EQ(run(body, shaken_target(1, 0.5), true, expected).inverted, 0u);
+  run(body, shaken_target(1, 0.5), std::nullopt, pose);
+  EXPECT_EQ(pose, expected);
+
+  CP::Registration_options options;
+  EXPECT_TRUE(options.is_injective());
+  options.fairing_passes = 1;
+  EXPECT_FALSE(options.is_injective());
+  options.injective = true;
+  EXPECT_TRUE(options.is_injective());
 }
 
 // The target is the mirror image: cells all over the body are inverted.

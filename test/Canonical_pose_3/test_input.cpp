@@ -134,6 +134,9 @@ TEST(Bad_input, options_are_refused_by_name)
   options.registration.tikhonov = -1;
   expect_refused(mesh, "tikhonov", options);
   options = CP::Options();
+  options.number_of_rounds = -1;
+  expect_refused(mesh, "number_of_rounds", options);
+  options = CP::Options();
   options.number_of_threads = -1;
   expect_refused(mesh, "number_of_threads", options);
   options = CP::Options();

@@ -100,10 +100,13 @@ struct Complex_case
   CP::Intermediate_results results;
 };
 
+// Without rounds, since the distances are given, and at a minimum, which inverted cells are part of.
 Point_matrix complex_pose(Complex_case c)
 {
   std::vector<Kernel::Point_3> pose(c.complex.points.size());
   CP::Options options;
+  options.number_of_rounds = 0;
+  options.registration.injective = false;
   options.given = c.results;
   options.registration.energy_tolerance = 1e-12;
   options.registration.move_tolerance = 1e-9;
@@ -178,7 +181,7 @@ TEST(Invariance, whole_pipeline)
   const Permutation old_row = shuffled(std::size_t(points.rows()));
   EXPECT_LT(rms(surface_pose(permuted(points, old_row), renamed(triangles, old_row))
                 - permuted(pose, old_row)),
-            4e-3 * size);
+            6e-3 * size);
 
   // All lengths are divided by powers of two or by other lengths, so they scale exactly.
   EXPECT_LT(rms(surface_pose(64 * points, triangles) / 64 - pose), 1e-12 * size);

@@ -9,6 +9,8 @@
 
 #include <CGAL/Canonical_pose_3/Gaussian_kernel.h>
 #include <CGAL/Canonical_pose_3/Landmark_mds_target_builder_3.h>
+#include <CGAL/Canonical_pose_3/Power_kernel.h>
+#include <CGAL/Canonical_pose_3/pose_difference.h>
 
 #include <CGAL/Random.h>
 
@@ -73,6 +75,23 @@ TEST(Landmark_mds, recovers_a_cloud_from_its_distances)
   EXPECT_EQ(builder.number_of_positive_eigenvalues(), 3);
   EXPECT_LT(builder.eigenvalues()[3], 1e-10 * builder.eigenvalues()[0]);
   EXPECT_TRUE(builder.is_determined());
+}
+
+// If the distances are Euclidean ones to the power of 2/p, then the kernel matrix of exponent p is that
+// of classical scaling for the Euclidean ones, up to a factor, so the cloud is recovered up to its
+// scale. Only rounding errors remain.
+TEST(Landmark_mds, recovers_a_cloud_from_powers_of_its_distances)
+{
+  const Eigen::MatrixXd points = random_points(200, 3);
+  for(const double p : {1., 1.5, 2., 3.})
+  {
+    CP::Landmark_fields_3 fields = euclidean_fields(points, 20);
+    fields.distances = fields.distances.array().pow(2 / p).matrix();
+    CP::Landmark_mds_target_builder_3<CP::Power_kernel> builder{CP::Power_kernel(p)};
+    builder.build(fields);
+    EXPECT_LT(CP::pose_difference(builder.targets(), points, true), 1e-9) << "p = " << p;
+    EXPECT_EQ(builder.number_of_positive_eigenvalues(), 3) << "p = " << p;
+  }
 }
 
 // In any order, the embedded landmarks of a point cloud have the given distances.

@@ -243,9 +243,9 @@ TEST(Extremal_point, is_farthest_from_the_centroid_of_area)
   EXPECT_EQ(CP::extremal_vertex(mesh, mesh.points()), Mesh::Vertex_index(3));
 }
 
-// Both parts of the number are pseudoscalars: a reflection only changes the sign, and a rigid
-// motion, or scaling together with the input, has no effect. For the input itself, the volume part
-// is 1; the corner pulled out of the box makes it chiral.
+// Both numbers are pseudoscalars: a reflection only changes the sign, and a rigid motion has no
+// effect. For the input itself, the volume ratio is 1; the corner pulled out of the box makes it
+// chiral.
 TEST(Target_handedness, changes_sign_by_reflection_only)
 {
   auto soup
@@ -256,14 +256,20 @@ TEST(Target_handedness, changes_sign_by_reflection_only)
   const auto handedness = [&](const CP::Point_matrix& target) {
     return CP::target_handedness(target, points, soup.triangles, weights);
   };
-  const double value = handedness(points);
-  EXPECT_GT(std::abs(value - 1), 1e-3);
-  EXPECT_NEAR(handedness(points * Eigen::Vector3d(1, 1, -1).asDiagonal()), -value, 1e-12);
-  EXPECT_NEAR(handedness(-points), -value, 1e-12);
+  const double chirality = handedness(points).chirality;
+  EXPECT_GT(std::abs(chirality), 1e-3);
+  const auto expect_numbers = [&](const CP::Point_matrix& target, const double sign) {
+    EXPECT_NEAR(handedness(target).volume_ratio, sign, 1e-12);
+    EXPECT_NEAR(handedness(target).chirality, sign * chirality, 1e-12);
+  };
+  expect_numbers(points, 1);
+  expect_numbers(points * Eigen::Vector3d(1, 1, -1).asDiagonal(), -1);
+  expect_numbers(-points, -1);
   const Eigen::Matrix3d rotation
     = Eigen::AngleAxisd(2.5, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
-  EXPECT_NEAR(handedness((points * rotation).rowwise() + Eigen::RowVector3d(5, -6, 7)), value,
-              1e-12);
+  expect_numbers((points * rotation).rowwise() + Eigen::RowVector3d(5, -6, 7), 1);
   // flat: inside and outside cannot be distinguished
-  EXPECT_EQ(handedness(points * Eigen::Vector3d(1, 1, 0).asDiagonal()), 0.);
+  const CP::Target_handedness_3 flat = handedness(points * Eigen::Vector3d(1, 1, 0).asDiagonal());
+  EXPECT_EQ(flat.volume_ratio, 0);
+  EXPECT_EQ(flat.chirality, 0);
 }

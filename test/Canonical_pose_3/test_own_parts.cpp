@@ -9,11 +9,11 @@
 
 #include <CGAL/Canonical_pose_3/Eigen_factor_traits_d.h>
 #include <CGAL/Canonical_pose_3/Gaussian_kernel.h>
+#include <CGAL/Canonical_pose_3/Indexed_tetrahedra_3.h>
 #include <CGAL/Canonical_pose_3/Lattice_body_3.h>
+#include <CGAL/Canonical_pose_3/Vertex_constraints_3.h>
 #include <CGAL/Canonical_pose_3/Wavefront_geodesics_3.h>
 #include <CGAL/Canonical_pose_3/front_landmarks.h>
-#include <CGAL/Canonical_pose_3/Indexed_tetrahedra_3.h>
-#include <CGAL/Canonical_pose_3/Vertex_constraints_3.h>
 #include <CGAL/Canonical_pose_3/geodesic_distances.h>
 #include <CGAL/Canonical_pose_3/landmark_fields_function.h>
 #include <CGAL/Canonical_pose_3/make_triangle_mesh.h>
@@ -185,10 +185,12 @@ TEST(Own_parts, constraints_by_vertex_descriptors)
   EXPECT_EQ(on_complex.constraints().springs.at(0).q, 4u);
 }
 
-// Parts receive the repaired surface, one component at a time.
+// Parts receive the repaired surface, one component at a time; in rounds, they receive its pose, in
+// which it has the same vertices.
 TEST(Own_parts, of_components)
 {
   CP::Options options = shapes::each_component();
+  options.number_of_rounds = 0;
   std::vector<Eigen::Index> sizes;
   options.landmark_fields_function = [&](const Point_matrix& points, const Triangles& triangles,
                                          const std::size_t number, const std::size_t first) {
@@ -196,9 +198,17 @@ TEST(Own_parts, of_components)
     return wavefront_fields(points, triangles, number, first);
   };
   const auto bars = shapes::unsewn(shapes::merged(shapes::small_bar(), shapes::bar(), 20.));
+  const std::vector<Eigen::Index> expected{Eigen::Index(shapes::small_bar().points.size()),
+                                           Eigen::Index(shapes::bar().points.size())};
   EXPECT_TRUE(shapes::pose_of(bars, options).is_usable());
-  EXPECT_EQ(sizes, (std::vector<Eigen::Index>{Eigen::Index(shapes::small_bar().points.size()),
-                                              Eigen::Index(shapes::bar().points.size())}));
+  EXPECT_EQ(sizes, expected);
+
+  sizes.clear();
+  options.number_of_rounds = 1;
+  EXPECT_TRUE(shapes::pose_of(bars, options).is_usable());
+  EXPECT_GE(sizes.size(), 2 * expected.size());
+  sizes.erase(std::unique(sizes.begin(), sizes.end()), sizes.end());
+  EXPECT_EQ(sizes, expected);
 }
 
 // Invalid results are refused.

@@ -108,7 +108,7 @@ TEST(Parts_of_complexes, cavity_belongs_to_its_part)
   std::vector<std::size_t> origin;
   shapes::boundary(bar(false), &origin);
   for(const std::size_t v : origin)
-    EXPECT_LT((hollow.pose.row(Eigen::Index(v)) - full.pose.row(Eigen::Index(v))).norm(), 0.02 * 8)
+    EXPECT_LT((hollow.pose.row(Eigen::Index(v)) - full.pose.row(Eigen::Index(v))).norm(), 0.025 * 8)
       << v;
 
   shapes::boundary(bar(true), &origin);
@@ -205,7 +205,8 @@ TEST(Parts_of_complexes, thousands)
 }
 
 // A cell connected through an edge of the bar has no separate pose: it is part of the body. An
-// isolated vertex is attached to the nearest cell.
+// isolated vertex is attached to the nearest cell. Without rounds, in which a small difference of the
+// poses may lead to other landmarks.
 TEST(Parts_of_complexes, fragments_and_vertices_of_no_cell)
 {
   Tetrahedral_soup soup = small_bar();
@@ -216,11 +217,15 @@ TEST(Parts_of_complexes, fragments_and_vertices_of_no_cell)
       {{(p[0] + q[0]) / 2 + side, (p[1] + q[1]) / 2 + 0.3, (p[2] + q[2]) / 2 + 0.1 - side}});
   soup.cells.push_back({{n - 2, n - 1, n, n + 1}});
   soup.points.push_back(soup.points[3]);
-  const CP::Result outcome = pose_of(soup);
+  CP::Options options;
+  options.number_of_rounds = 0;
+  const CP::Result outcome = pose_of(soup, options);
   EXPECT_TRUE(outcome.summary.converged());
-  EXPECT_LT(
-    (outcome.pose.topRows(small_size) - pose_of(small_bar()).pose).rowwise().norm().maxCoeff(),
-    0.01);
+  EXPECT_LT((outcome.pose.topRows(small_size) - pose_of(small_bar(), options).pose)
+              .rowwise()
+              .norm()
+              .maxCoeff(),
+            0.01);
   EXPECT_LT((outcome.pose.row(small_size) - outcome.pose.row(small_size - 1)).norm(), 1.);
   EXPECT_LT((outcome.pose.row(small_size + 2) - outcome.pose.row(3)).norm(), 1e-9);
 }

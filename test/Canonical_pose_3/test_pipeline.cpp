@@ -66,9 +66,9 @@ const Articulated_figure& figure()
 } // namespace
 
 // The purpose of the package. The poses of the figure differ only by bending, so geodesics, and
-// thus the canonical poses, nearly agree: a seventh of the difference of the inputs remains, due to
-// changes of the geodesics at the joints. The strain bound ensures that the shape is preserved;
-// inverted cells, at most 1 in 1700, are in the joints.
+// thus the canonical poses, nearly agree: a twelfth of the difference of the inputs remains, without
+// rounds a seventh, due to changes of the geodesics at the joints. The strain bound ensures that the shape is
+// preserved. If inverted cells were untangled, the last energy may be higher than the one before.
 TEST(Pipeline, poses_of_the_figure_end_in_nearly_the_same_pose)
 {
   std::vector<Point_matrix> inputs, poses;
@@ -78,9 +78,14 @@ TEST(Pipeline, poses_of_the_figure_end_in_nearly_the_same_pose)
     const CP::Result outcome = canonical_pose(mesh);
     std::cout << named.name << ": " << outcome.summary << '\n';
     EXPECT_TRUE(outcome.summary.converged());
-    EXPECT_LE(outcome.summary.median_edge_strain, 0.08);
-    EXPECT_LE(outcome.summary.inverted, outcome.summary.body.tetrahedra / 1000);
-    EXPECT_TRUE(Canonical_pose_test::never_rises(outcome.summary.energy_history));
+    EXPECT_LE(outcome.summary.median_edge_strain, 0.1);
+    EXPECT_EQ(outcome.summary.inverted, 0u);
+    EXPECT_FALSE(outcome.summary.rounds.empty());
+    std::vector<double> energies = outcome.summary.energy_history;
+    EXPECT_EQ(energies.back(), outcome.summary.energy);
+    energies.pop_back();
+    EXPECT_TRUE(Canonical_pose_test::never_rises(energies));
+    EXPECT_LE(outcome.summary.energy, 1.05 * energies.back());
     inputs.push_back(CP::point_matrix(mesh));
     poses.push_back(outcome.pose);
   }
@@ -90,28 +95,32 @@ TEST(Pipeline, poses_of_the_figure_end_in_nearly_the_same_pose)
   std::cout << "mean pairwise rms: inputs " << before << ", canonical poses " << after << '\n';
   EXPECT_GT(before, 0.35);
   EXPECT_LT(before, 0.55);
-  EXPECT_LE(after, before / 4.5);
+  EXPECT_LE(after, before / 10);
 }
 
 // Along the fibers of a bent bar, distances are those of the straight bar up to the thickness.
 // Hence the centers of its ends, at distance 8 along the bar, must have (nearly) this distance in
-// space, and opposite corners sqrt(8^2 + 1 + 1).
+// space, and opposite corners sqrt(8^2 + 1 + 1), without rounds. These make the bar straighter, but
+// shorter, since fibers on the inside are measured.
 TEST(Pipeline, bent_bar_becomes_straight)
 {
   const Mesh bent = Canonical_pose_test::bent_bar<Mesh>(40, 4, 4, 3.);
-  const Point_matrix input = CP::point_matrix(bent), pose = canonical_pose(bent).pose;
+  CP::Options options;
+  options.number_of_rounds = 0;
+  const Point_matrix input = CP::point_matrix(bent), pose = canonical_pose(bent, options).pose;
   EXPECT_LT(largest_distance(input), 6.5);
-  EXPECT_NEAR(largest_distance(pose), std::sqrt(66.), 0.15);
+  EXPECT_NEAR(largest_distance(pose), std::sqrt(66.), 0.35);
 }
 
 // Geodesics on a ball are up to pi / 2 times as long as straight segments, so a target at their
-// scale has more than twice the volume; the body must preserve its volume.
+// scale has more than twice the volume; the volume of the pose must stay near the limit of 1.15.
 TEST(Pipeline, ball_keeps_its_volume)
 {
   const CP::Result outcome = canonical_pose(Canonical_pose_test::icosphere<Mesh>(4, 1.));
   EXPECT_TRUE(outcome.summary.converged());
   EXPECT_LT(outcome.summary.target.scale, 1);
-  EXPECT_NEAR(outcome.summary.volume_ratio, 1, 0.05);
+  EXPECT_GT(outcome.summary.volume_ratio, 0.95);
+  EXPECT_LT(outcome.summary.volume_ratio, 1.16);
 }
 
 // All stages together: the same bytes on one thread and on more threads than cores.
@@ -126,12 +135,20 @@ TEST(Pipeline, number_of_threads_does_not_matter)
 // Kernels, distances and solvers are variants of the same method. Three squares across the bar are
 // few for the heat method, whose distances are 5 % too long: it differs from the other two by 0.075
 // radii of gyration, while these differ from each other by 0.005 (the input differs by 0.28).
-// Solvers differ by rounding.
+// Solvers differ by rounding. In a single registration, since rounding is amplified by ties of
+// landmarks in rounds, and by untangling cells.
 TEST(Pipeline, distances_and_solvers_are_choices)
 {
   const Mesh mesh = Canonical_pose_test::bent_bar<Mesh>(24, 3, 3, 3.);
-  const CP::Result reference = canonical_pose(mesh);
   CP::Options options;
+  options.number_of_rounds = 0;
+  options.registration.injective = false;
+  const CP::Result reference = canonical_pose(mesh, options);
+  options.solver = CP::Options::Solver::EIGEN;
+  const CP::Result eigen = canonical_pose(mesh, options);
+  EXPECT_LT((eigen.pose - reference.pose).norm(), 1e-11 * reference.pose.norm());
+  EXPECT_NE(eigen.summary.solver.find("Eigen"), std::string::npos);
+  options.solver = CP::Options::Solver::AUTOMATIC;
   options.number_of_landmarks = 30;
   options.geodesics = CP::Options::Geodesics::WAVEFRONT;
   const Point_matrix wavefront = canonical_pose(mesh, options).pose;
@@ -139,31 +156,29 @@ TEST(Pipeline, distances_and_solvers_are_choices)
   const Point_matrix exact = canonical_pose(mesh, options).pose;
   EXPECT_LT(Canonical_pose_test::relative_rms(wavefront, exact), 0.01);
   EXPECT_LT(Canonical_pose_test::relative_rms(exact, reference.pose), 0.12);
-  options = CP::Options();
-  options.solver = CP::Options::Solver::EIGEN;
-  const CP::Result eigen = canonical_pose(mesh, options);
-  EXPECT_LT((eigen.pose - reference.pose).norm(), 1e-11 * reference.pose.norm());
-  EXPECT_NE(eigen.summary.solver.find("Eigen"), std::string::npos);
 }
 
 // Gaussian kernels hardly distinguish large distances and unbend less than the classical one, which
 // makes the bar longer by 2.0: they do by 0.62, and by 1.08 in the literal mode, whose body is
-// softer.
+// softer. Rounds use no kernel, and there are none in the literal mode.
 TEST(Pipeline, kernels_are_choices)
 {
   const Mesh mesh = Canonical_pose_test::bent_bar<Mesh>(24, 3, 3, 3.);
   const double length = largest_distance(CP::point_matrix(mesh));
   CP::Options options;
   options.kernel = CP::Options::Kernel::GAUSSIAN;
+  options.number_of_rounds = 0;
   const CP::Result gaussian = canonical_pose(mesh, options);
   EXPECT_NEAR(largest_distance(gaussian.pose) - length, 0.62, 0.2);
   EXPECT_EQ(gaussian.summary.target.kernel, "gaussian");
   options.kernel = CP::Options::Kernel::UNCENTERED_GAUSSIAN;
+  options.number_of_rounds.reset();
   options.paper_weights.emplace();
   const CP::Result literal = canonical_pose(mesh, options);
   EXPECT_TRUE(literal.summary.converged());
   EXPECT_NEAR(largest_distance(literal.pose) - length, 1.08, 0.25);
   EXPECT_LT(literal.summary.inverted, 10u);
+  EXPECT_TRUE(literal.summary.rounds.empty());
   EXPECT_EQ(literal.summary.target.kernel, "gaussian-uncentred");
 }
 

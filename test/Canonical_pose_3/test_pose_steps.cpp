@@ -7,11 +7,14 @@
 //
 // Author(s) : The Canonical_pose_3 authors
 
-// The steps of the one call, called one after the other, are the one call: the same computation, hence the same bytes.
+// The steps of the one call, called one after the other, are the one call: the same computation, hence the same bytes,
+// with rounds and without.
 
 #include <CGAL/Canonical_pose_3/Wavefront_geodesics_3.h>
 #include <CGAL/Canonical_pose_3/landmark_fields_function.h>
 #include <CGAL/Canonical_pose_3/pose_steps.h>
+#include <CGAL/Canonical_pose_3/surface_measures.h>
+#include <CGAL/Canonical_pose_3/target_handedness.h>
 
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Simple_cartesian.h>
@@ -42,25 +45,62 @@ CP::Result by_steps(const CP::Prepared_surface_3& prepared)
   std::vector<CP::Result> results;
   for(const auto& [surface, options] : prepared.components)
   {
-    const CP::Landmark_fields_3 fields = CP::landmark_fields(surface, options);
-    const CP::Target_3 target = CP::mds_target(surface, fields, options);
-    const CP::Surface_body_3 body = CP::surface_body(surface, fields, options);
-    results.push_back(CP::registered_pose(surface, target, body, options));
+    const CP::Coarse_surface_3 coarse = CP::coarse_surface(surface, options);
+    const CP::Landmark_fields_3 fields = CP::landmark_fields(coarse, options);
+    const CP::Target_3 target = CP::mds_target(surface, coarse, fields, options);
+    const CP::Surface_body_3 body = CP::surface_body(surface, coarse, fields, options);
+    results.push_back(CP::registered_pose(surface, coarse, target, body, options));
   }
   return CP::joined_result(prepared, results);
 }
 
-void expect_same(const Polygon_soup& soup, const CP::Options& options)
+void expect_same_rounds(const std::vector<CP::Registration_summary::Round>& rounds,
+                        const std::vector<CP::Registration_summary::Round>& expected)
 {
-  const CP::Result expected = pose_of(soup, options);
-  const CP::Result result
-    = by_steps(CP::prepare_surface(shapes::to_matrix(soup.points), soup.polygons, options));
-  EXPECT_EQ(result.pose, expected.pose);
-  EXPECT_EQ(result.pose_of_followers, expected.pose_of_followers);
-  EXPECT_EQ(*result.target, *expected.target);
-  EXPECT_EQ(result.brief_report().substr(0, 40), expected.brief_report().substr(0, 40));
-  EXPECT_EQ(result.summary.warnings, expected.summary.warnings);
-  EXPECT_EQ(result.summary.input.vertices, expected.summary.input.vertices);
+  ASSERT_EQ(rounds.size(), expected.size());
+  for(std::size_t i = 0; i < rounds.size(); ++i)
+  {
+    EXPECT_EQ(rounds[i].stress, expected[i].stress);
+    EXPECT_EQ(rounds[i].energy, expected[i].energy);
+    EXPECT_EQ(rounds[i].median_edge_strain, expected[i].median_edge_strain);
+  }
+}
+
+void expect_same(const Polygon_soup& soup, CP::Options options)
+{
+  for(const int rounds : {0, 2})
+  {
+    options.number_of_rounds = rounds;
+    const CP::Result expected = pose_of(soup, options);
+    const CP::Result result
+      = by_steps(CP::prepare_surface(shapes::to_matrix(soup.points), soup.polygons, options));
+    EXPECT_EQ(result.pose, expected.pose);
+    EXPECT_EQ(result.pose_of_followers, expected.pose_of_followers);
+    EXPECT_EQ(*result.target, *expected.target);
+    EXPECT_EQ(result.brief_report().substr(0, 40), expected.brief_report().substr(0, 40));
+    EXPECT_EQ(result.summary.warnings, expected.summary.warnings);
+    EXPECT_EQ(result.summary.input.vertices, expected.summary.input.vertices);
+    EXPECT_EQ(result.summary.rounds.empty(), rounds == 0);
+    expect_same_rounds(result.summary.rounds, expected.summary.rounds);
+  }
+}
+
+// The only component of the bar.
+CP::Surface_component_3 surface_of_bar()
+{
+  return CP::prepare_surface(shapes::to_matrix(shapes::bar().points), shapes::bar().polygons)
+    .components.front()
+    .surface;
+}
+
+// For a coarse surface of fewer vertices than the bar has. The heat method is less accurate on it.
+CP::Options coarse_options()
+{
+  CP::Options options;
+  options.geodesics = CP::Options::Geodesics::WAVEFRONT;
+  options.number_of_coarse_vertices = 120;
+  options.number_of_landmarks = 20;
+  return options;
 }
 
 template <class Triangle_mesh>
@@ -69,6 +109,7 @@ void expect_same_on_mesh()
   const auto soup = shapes::bent_bar();
   auto mesh = CP::make_triangle_mesh<Triangle_mesh>(shapes::to_matrix(soup.points), soup.triangles);
   const CP::Result result = by_steps(CP::prepare_surface(mesh));
+  EXPECT_FALSE(result.summary.rounds.empty()); // by default
   EXPECT_EQ(result.pose, CGAL::canonical_pose_3(mesh, get(CGAL::vertex_point, mesh)).pose);
 }
 
@@ -100,6 +141,105 @@ TEST(Pose_steps, on_soups)
   expect_same(shapes::merged(shapes::small_bar(), shapes::bar(), 20.), options);
 }
 
+// Distances on a coarse surface lead to about the same pose.
+TEST(Pose_steps, on_coarse_surfaces)
+{
+  ASSERT_LT(CP::coarse_surface(surface_of_bar(), coarse_options()).vertices.size(),
+            shapes::bar().points.size());
+  expect_same(shapes::bar(), coarse_options());
+  CP::Options fine = coarse_options();
+  fine.number_of_coarse_vertices = 0;
+  EXPECT_LT(shapes::relative_rms(pose_of(shapes::bar(), coarse_options()).pose,
+                                 pose_of(shapes::bar(), fine).pose),
+            0.15);
+}
+
+// A surface with few vertices is its own coarse surface.
+TEST(Pose_steps, small_surfaces_are_not_simplified)
+{
+  const CP::Surface_component_3 surface = surface_of_bar();
+  const CP::Coarse_surface_3 coarse = CP::coarse_surface(surface);
+  EXPECT_EQ(coarse.surface.points, surface.points);
+  EXPECT_EQ(coarse.surface.triangles, surface.triangles);
+  EXPECT_TRUE(coarse.combinations.empty());
+  EXPECT_EQ(CP::landmark_fields(coarse).distances, CP::landmark_fields(surface).distances);
+}
+
+// Of given distances, those of the vertices of the coarse surface are used, and all landmarks are
+// among these.
+TEST(Pose_steps, given_distances_on_a_coarse_surface)
+{
+  const CP::Surface_component_3 surface = surface_of_bar();
+  CP::Options options = coarse_options();
+  const CP::Landmark_fields_3 given = CP::landmark_fields(surface, options);
+  options.given.landmark_fields = given;
+  const CP::Coarse_surface_3 coarse = CP::coarse_surface(surface, options);
+  ASSERT_LT(coarse.vertices.size(), std::size_t(surface.points.rows()));
+  const CP::Landmark_fields_3 fields = CP::landmark_fields(coarse, options);
+  ASSERT_EQ(fields.landmarks.size(), given.landmarks.size());
+  for(std::size_t j = 0; j < given.landmarks.size(); ++j)
+    EXPECT_EQ(coarse.vertices[fields.landmarks[j]], given.landmarks[j]);
+  for(std::size_t i = 0; i < coarse.vertices.size(); ++i)
+    EXPECT_EQ(fields.distances.row(Eigen::Index(i)),
+              given.distances.row(Eigen::Index(coarse.vertices[i])));
+}
+
+// A round by hand: a pose with half the detail length, larger tolerances,
+// the distances on it, and the target that is refined with them. The summary describes the first
+// target only.
+TEST(Pose_steps, of_a_round)
+{
+  const CP::Surface_component_3 surface = surface_of_bar();
+  CP::Options options;
+  options.number_of_rounds = 0;
+  CP::Options of_measurement = options;
+  of_measurement.registration.detail_length /= 2;
+  of_measurement.registration.energy_tolerance = 1e-3;
+  of_measurement.registration.move_tolerance = 5e-3;
+  of_measurement.registration.injective = false;
+  const auto coarse = CP::coarse_surface(surface, options);
+  const auto fields = CP::landmark_fields(coarse, options);
+  const auto target = CP::mds_target(surface, coarse, fields, options);
+  const auto body = CP::surface_body(surface, coarse, fields, options);
+  const auto measured = CP::registered_pose(surface, coarse, target, body, of_measurement);
+  const auto fields_of_pose = CP::landmark_fields(coarse.posed(measured.pose), options);
+  const auto refined = CP::refined_target(surface, coarse, fields_of_pose, measured.pose, options);
+  const auto expected = CP::registered_pose(surface, coarse, refined, body, options);
+  options.number_of_rounds = 1;
+  const auto result = CP::registered_pose(surface, coarse, target, body, options);
+  EXPECT_EQ(result.pose, expected.pose);
+  EXPECT_EQ(*result.target, *expected.target);
+  EXPECT_EQ(result.summary.target.stress, target.summary.stress);
+  EXPECT_EQ(result.summary.target.kernel, target.summary.kernel);
+  EXPECT_EQ(result.summary.energy_history, expected.summary.energy_history);
+  EXPECT_EQ(result.summary.iterations, measured.summary.iterations + expected.summary.iterations);
+  ASSERT_EQ(result.summary.rounds.size(), 1u);
+  EXPECT_EQ(result.summary.rounds[0].stress, refined.summary.stress);
+  EXPECT_EQ(result.summary.rounds[0].energy, measured.summary.energy);
+  EXPECT_EQ(result.summary.rounds[0].median_edge_strain, measured.summary.median_edge_strain);
+}
+
+// The other choice is the mirror image, whose handedness has the opposite numbers.
+TEST(Pose_steps, mirror_image_of_the_target)
+{
+  const CP::Surface_component_3 surface = surface_of_bar();
+  const auto coarse = CP::coarse_surface(surface);
+  const auto fields = CP::landmark_fields(coarse);
+  CP::Options options;
+  const auto target = CP::mds_target(surface, coarse, fields, options);
+  options.takes_mirror_image = true;
+  const auto other = CP::mds_target(surface, coarse, fields, options);
+  EXPECT_NE(other.summary.reflected, target.summary.reflected);
+  const auto handedness = [&](const CP::Target_3& of) {
+    return CP::target_handedness(of.points, surface.points, surface.triangles,
+                                 CP::vertex_area_shares(surface.points, surface.triangles));
+  };
+  EXPECT_FALSE(handedness(target).is_mirror_image());
+  EXPECT_TRUE(handedness(other).is_mirror_image());
+  EXPECT_NEAR(handedness(other).volume_ratio, -handedness(target).volume_ratio, 1e-9);
+  EXPECT_NEAR(handedness(other).chirality, -handedness(target).chirality, 1e-9);
+}
+
 // The target is that of its distances, body and length are those of the others.
 TEST(Pose_steps, distances_of_the_target_alone)
 {
@@ -110,16 +250,21 @@ TEST(Pose_steps, distances_of_the_target_alone)
   const auto prepared
     = CP::prepare_surface(shapes::to_matrix(shapes::bar().points), shapes::bar().polygons, heat);
   const auto& surface = prepared.components.front().surface;
-  const auto heat_fields = CP::landmark_fields(surface, heat);
+  const auto coarse = CP::coarse_surface(surface, heat);
+  const auto heat_fields = CP::landmark_fields(coarse, heat);
   const auto path_fields
     = both.target_fields_function(surface.points, surface.triangles, 30, heat_fields.landmarks[0]);
-  const auto target = CP::mds_target(surface, path_fields, heat);
-  const auto body = CP::surface_body(surface, heat_fields, heat);
+  const auto target = CP::mds_target(surface, coarse, path_fields, heat);
+  const auto body = CP::surface_body(surface, coarse, heat_fields, heat);
   EXPECT_EQ(body.length_scale, heat_fields.distances.maxCoeff());
   EXPECT_NE(body.length_scale, path_fields.distances.maxCoeff());
-  const CP::Result result = pose_of(shapes::bar(), both);
-  EXPECT_EQ(result.pose, CP::registered_pose(surface, target, body, heat).pose);
-  EXPECT_NE(result.pose, pose_of(shapes::bar(), heat).pose);
+  for(const int rounds : {0, 1}) // in rounds, distances for a target are required only
+  {
+    both.number_of_rounds = heat.number_of_rounds = rounds;
+    const CP::Result result = pose_of(shapes::bar(), both);
+    EXPECT_EQ(result.pose, CP::registered_pose(surface, coarse, target, body, both).pose);
+    EXPECT_NE(result.pose, pose_of(shapes::bar(), heat).pose);
+  }
 }
 
 // A target that is twice as large gives a pose of a larger volume. With a limit it is scaled down, by the power of the
@@ -127,6 +272,7 @@ TEST(Pose_steps, distances_of_the_target_alone)
 TEST(Pose_steps, volume_of_a_given_target)
 {
   CP::Options options;
+  options.number_of_rounds = 0;
   options.given = pose_of(shapes::bar(), options);
   *options.given.target *= 2;
   const CP::Result large = pose_of(shapes::bar(), options);
@@ -149,17 +295,19 @@ TEST(Pose_steps, steps_are_used_again)
     = CP::prepare_surface(shapes::to_matrix(shapes::bar().points), shapes::bar().polygons);
   const auto& [surface, given_options] = prepared.components.front();
   CP::Options options = given_options;
-  const auto fields = CP::landmark_fields(surface, options);
-  const auto target = CP::mds_target(surface, fields, options);
-  const auto body = CP::surface_body(surface, fields, options);
+  const auto coarse = CP::coarse_surface(surface, options);
+  const auto fields = CP::landmark_fields(coarse, options);
+  const auto target = CP::mds_target(surface, coarse, fields, options);
+  const auto body = CP::surface_body(surface, coarse, fields, options);
   for(const double detail_length : {0.05, 0.2})
-  {
-    options.registration.detail_length = detail_length;
-    CP::Options whole;
-    whole.registration.detail_length = detail_length;
-    EXPECT_EQ(CP::registered_pose(surface, target, body, options).pose,
-              pose_of(shapes::bar(), whole).pose);
-  }
+    for(const int rounds : {0, 1})
+    {
+      CP::Options whole;
+      whole.registration.detail_length = options.registration.detail_length = detail_length;
+      whole.number_of_rounds = options.number_of_rounds = rounds;
+      EXPECT_EQ(CP::registered_pose(surface, coarse, target, body, options).pose,
+                pose_of(shapes::bar(), whole).pose);
+    }
 }
 
 TEST(Pose_steps, what_does_not_fit_is_refused)
@@ -168,15 +316,29 @@ TEST(Pose_steps, what_does_not_fit_is_refused)
     = CP::prepare_surface(shapes::to_matrix(shapes::bar().points), shapes::bar().polygons);
   const auto& [surface, options] = prepared.components.front();
   EXPECT_THROW(CP::joined_result(prepared, {}), CGAL::Precondition_exception);
-  auto fields = CP::landmark_fields(surface, options);
-  const auto target = CP::mds_target(surface, fields, options);
-  const auto body = CP::surface_body(surface, fields, options);
+  const auto coarse = CP::coarse_surface(surface, options);
+  auto fields = CP::landmark_fields(coarse, options);
+  const auto target = CP::mds_target(surface, coarse, fields, options);
+  const auto body = CP::surface_body(surface, coarse, fields, options);
   CP::Target_3 short_target = target;
   short_target.points.conservativeResize(5, 3);
-  EXPECT_THROW(CP::registered_pose(surface, short_target, body, options),
+  EXPECT_THROW(CP::registered_pose(surface, coarse, short_target, body, options),
+               CGAL::Precondition_exception);
+  EXPECT_THROW(CP::refined_target(surface, coarse, fields, short_target.points, options),
+               CGAL::Precondition_exception);
+  EXPECT_THROW(coarse.posed(short_target.points), CGAL::Precondition_exception);
+  CP::Coarse_surface_3 short_coarse = coarse;
+  short_coarse.vertices.pop_back();
+  EXPECT_THROW(CP::mds_target(surface, short_coarse, fields, options),
+               CGAL::Precondition_exception);
+  EXPECT_THROW(CP::surface_body(surface, short_coarse, fields, options),
+               CGAL::Precondition_exception);
+  EXPECT_THROW(CP::registered_pose(surface, short_coarse, target, body, options),
                CGAL::Precondition_exception);
   fields.distances.conservativeResize(5, fields.distances.cols());
-  EXPECT_THROW(CP::mds_target(surface, fields, options), CGAL::Precondition_exception);
-  EXPECT_THROW(CP::surface_body(surface, fields, options), CGAL::Precondition_exception);
+  EXPECT_THROW(CP::mds_target(surface, coarse, fields, options), CGAL::Precondition_exception);
+  EXPECT_THROW(CP::surface_body(surface, coarse, fields, options), CGAL::Precondition_exception);
+  EXPECT_THROW(CP::refined_target(surface, coarse, fields, target.points, options),
+               CGAL::Precondition_exception);
   EXPECT_THROW_WITH(CP::prepare_surface(Point_matrix(), {}), std::invalid_argument, "no face");
 }

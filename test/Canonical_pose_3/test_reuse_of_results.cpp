@@ -43,8 +43,9 @@ Result pose_with_fields(const Polygon_soup& soup, CP::Options options = CP::Opti
   return pose_of(soup, options);
 }
 
-// Given distances lead to the same target and pose, a given target to nearly the same pose: the
-// iteration starts at the shrunk target, and ends within its tolerance.
+// Given distances lead to the same target and pose. A given target, that of the last round, leads to
+// nearly the same pose without rounds: the iteration starts at the shrunk target, and ends within its
+// tolerance.
 void expect_reusable(const Polygon_soup& soup, CP::Options options = CP::Options())
 {
   const Result first = pose_with_fields(soup, options);
@@ -57,10 +58,13 @@ void expect_reusable(const Polygon_soup& soup, CP::Options options = CP::Options
   EXPECT_FALSE(second.landmark_fields);
   EXPECT_EQ(second.pose, first.pose);
   EXPECT_EQ(second.summary.target.stress, first.summary.target.stress);
+  EXPECT_FALSE(first.summary.rounds.empty());
+  EXPECT_EQ(second.summary.rounds.size(), first.summary.rounds.size());
 
   options.given = first;
   const Result third = pose_with_fields(soup, options);
   EXPECT_EQ(third.summary.target.kernel, "given");
+  EXPECT_TRUE(third.summary.rounds.empty());
   EXPECT_LT(shapes::relative_rms(third.pose, first.pose), 1e-3);
   EXPECT_EQ(*third.target, *first.target);
   EXPECT_EQ(third.landmark_fields->distances, first.landmark_fields->distances);

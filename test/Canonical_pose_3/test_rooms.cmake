@@ -8,7 +8,7 @@ set(rooms pipeline registration injective energy target lattice body wavefront h
   support)
 # Public headers that any folder may include.
 set(data_types point_matrix Options Registration_options Registration_progress Registration_summary Diagnosis_3
-  Repaired_surface_3 Landmark_fields_3 surface_measures)
+  Repaired_surface_3 Landmark_fields_3 Surface_component_3 Vertex_combination_3 surface_measures)
 # Additional public headers per folder. The pipeline combines the public parts. The default solver is a public class.
 set(also_in_body Embedded_body_3 Tetrahedral_complex_traits_3)
 set(also_in_linear_algebra Default_factor_traits_d Eigen_factor_traits_d)

@@ -23,25 +23,34 @@ namespace shapes = Canonical_pose_test;
 using CP::Point_matrix;
 using CP::Registration_summary;
 
-// Geodesics around a ball make its target too large: it is registered twice. Iterations are
-// numbered consecutively, with one call each. Stopping in the first registration skips the second.
+// Geodesics around a ball make its target too large: it is registered twice, after once per round.
+// Iterations are numbered consecutively, with one call each. Stopping in the first registration skips
+// the others.
 TEST(Visitor_of_the_one_call, counts_all_iterations)
 {
   const shapes::Triangle_soup ball = shapes::icosphere_soup(3, 1.);
   CP::Options options;
-  int calls = 0;
-  options.visitor = [&](const CP::Registration_progress& progress) {
-    EXPECT_EQ(progress.iteration, ++calls);
-    return true;
-  };
-  const shapes::Result watched = shapes::pose_of(ball, options);
-  EXPECT_LT(watched.summary.target.scale, 1);
-  EXPECT_EQ(calls, watched.summary.iterations);
-  EXPECT_TRUE(shapes::pose_of(ball, CP::Options()).pose == watched.pose);
+  for(const int rounds : {0, 2})
+  {
+    options.number_of_rounds = rounds;
+    options.visitor = nullptr;
+    const Point_matrix expected = shapes::pose_of(ball, options).pose;
+    int calls = 0;
+    options.visitor = [&](const CP::Registration_progress& progress) {
+      EXPECT_EQ(progress.iteration, ++calls);
+      return true;
+    };
+    const shapes::Result watched = shapes::pose_of(ball, options);
+    EXPECT_LT(watched.summary.target.scale, 1);
+    EXPECT_EQ(calls, watched.summary.iterations);
+    EXPECT_EQ(watched.summary.rounds.empty(), rounds == 0);
+    EXPECT_TRUE(watched.pose == expected);
+  }
   options.visitor = [](const CP::Registration_progress&) { return false; };
   const shapes::Result stopped = shapes::pose_of(ball, options);
   EXPECT_EQ(stopped.summary.iterations, 1);
   EXPECT_EQ(stopped.summary.target.scale, 1);
+  EXPECT_TRUE(stopped.summary.rounds.empty());
   EXPECT_TRUE(stopped.pose.allFinite());
   EXPECT_NE(stopped.summary.warnings.back().find("canceled"), std::string::npos);
 }

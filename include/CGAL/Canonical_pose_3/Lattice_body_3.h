@@ -10,6 +10,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_LATTICE_BODY_3_H
 #define CGAL_CANONICAL_POSE_3_LATTICE_BODY_3_H
 
+#include <CGAL/Canonical_pose_3/internal/lattice/Geodesic_bounds.h>
 #include <CGAL/Canonical_pose_3/internal/lattice/Lattice_body_data.h>
 #include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
@@ -84,6 +85,12 @@ public:
     : Lattice_body_3(point_matrix(tmesh, vertex_point_map), internal::index_triangles(tmesh),
                      distances, spacing)
   {}
+
+  /// \cond SKIP_IN_MANUAL
+  Lattice_body_3(const Point_matrix& points, std::vector<std::array<std::size_t, 3>> triangles,
+                 internal::Geodesic_bounds bounds, double spacing,
+                 const std::vector<std::array<std::size_t, 3>>& caps);
+  /// \endcond
 
   /// returns the \f$ N \times 3 \f$ nodes, in the unit of the surface.
   const Point_matrix& points() const { return m_data.points; }

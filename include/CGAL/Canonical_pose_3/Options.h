@@ -71,7 +71,8 @@ struct Paper_weights
 /// computes landmarks and the distances to them on a connected surface, an oriented 2-manifold,
 /// possibly with boundary. The arguments are its points, its triangles as triples of rows, the
 /// number of landmarks (possibly larger than that of the points), and the first landmark. Returns
-/// finite distances with one row per point.
+/// finite distances with one row per point. The surface is usually the coarse one, see
+/// `Method_options::number_of_coarse_vertices`, and in each round it is in another pose.
 using Landmark_fields_function = std::function<Landmark_fields_3(
   const Point_matrix& points, const std::vector<std::array<std::size_t, 3>>& triangles,
   std::size_t number_of_landmarks, std::size_t first_landmark)>;
@@ -123,6 +124,11 @@ struct Method_options
   /// length \f$ L \f$ are still based on the distances above.
   Landmark_fields_function target_fields_function;
 
+  /// approximate number of vertices of the coarse surface on which distances are computed, see
+  /// `coarse_surface()`; 0 for distances on the surface itself. At least four times the number of
+  /// landmarks is used.
+  std::size_t number_of_coarse_vertices = 5000;
+
   /// number of landmarks, at least 1. If it exceeds the number \f$ n \f$ of vertices, \f$ n \f$ is
   /// used. The number used must be at most 4096 and at most \f$ 2^{29} / n \f$.
   std::size_t number_of_landmarks = 80;
@@ -136,6 +142,17 @@ struct Method_options
 
   /// if set, a model of `MdsKernel` that replaces `kernel`.
   std::optional<Mds_kernel> mds_kernel;
+
+  /// maximum number of rounds before the final registration. In a round, the body is registered with
+  /// half the detail length, and distances are measured again on this pose, where limbs are straight
+  /// and distances depend less on the posture; they lead to the `refined_target()`. The default is
+  /// 3; for a given target, with `paper_weights`, and with the uncentered kernel, it is 0.
+  /// Nonnegative.
+  std::optional<int> number_of_rounds;
+
+  /// whether to choose the mirror image of the target that would be chosen otherwise, see
+  /// `align_handedness()`.
+  bool takes_mirror_image = false;
 
   /// the body of a surface; a complex is its own body.
   Body body = Body::AUTOMATIC;

@@ -14,6 +14,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -72,8 +73,11 @@ struct Registration_options
   /// differs from that at rest, where none is flat. Such cells are untangled after the iteration,
   /// with their surroundings, by foldover-free maps \cgalCite{cgal:canonical-gkkprs-ffm-21}; then
   /// the energy is decreased with a barrier that no cell crosses. If there are none, this option
-  /// has no effect.
-  bool injective = false;
+  /// has no effect. By default, it is set unless there is fairing, as with the paper's weights.
+  std::optional<bool> injective;
+
+  /// returns `injective`, or its default.
+  bool is_injective() const { return injective.value_or(fairing_passes == 0); }
 
   /*!
   sets the weights in the form of the paper \cgalCite{cgal:canonical-s-sdacm-15} (Equation 13), to

@@ -58,6 +58,9 @@ struct Registration_summary
     double max_geodesic = 0; ///< \f$ L \f$, the largest distance to a landmark.
     double scale = 1;        ///< factor by which the target of a compact shape was shrunk.
     bool reflected = false;  ///< whether the target was mirrored.
+    /// whether the choice between the target and its mirror image is safe, see
+    /// `Target_handedness_3`; `true` for a given target.
+    bool is_handedness_certain = true;
   };
 
   /// describes the elastic body.
@@ -67,6 +70,19 @@ struct Registration_summary
                       ///< that of `Options::make_body`.
     std::size_t vertices = 0;   ///< number of body vertices.
     std::size_t tetrahedra = 0; ///< number of cells.
+  };
+
+  /// describes a round, see `Method_options::number_of_rounds`.
+  struct Round
+  {
+    /// stress of the refined target, see `Smacof_target_builder_3::stress()`.
+    double stress = 0;
+    /// energy of the pose on which distances were measured, with half the detail length.
+    double energy = 0;
+    /// median edge strain of this pose.
+    double median_edge_strain = 0;
+    /// running time.
+    double seconds = 0;
   };
 
   /// a stage of the pipeline with its running time in seconds.
@@ -105,6 +121,8 @@ struct Registration_summary
   Diagnosis_3 input;
   /// the target.
   Target target;
+  /// the rounds before the final registration, of the largest component.
+  std::vector<Round> rounds;
   /// the body.
   Body body;
   /// warnings, one line each, about a usable result.

@@ -51,10 +51,11 @@ is returned.
 
 \sa `farthest_point_landmarks()`
 */
-inline std::size_t extremal_point(const Point_matrix& points,
+inline std::size_t extremal_point(Point_matrix points,
                                   const std::vector<std::array<std::size_t, 3>>& triangles)
 {
   CGAL_precondition(points.rows() > 0);
+  internal::normalize(points);
   Eigen::RowVector3d weighted = Eigen::RowVector3d::Zero();
   double area = 0;
   for(const std::array<std::size_t, 3>& t : triangles)

@@ -41,14 +41,19 @@ inline Point_matrix in_unit_of_gyration(Point_matrix points)
   return points / radius;
 }
 
+inline double difference_after_alignment(const Point_matrix& a, const Point_matrix& b,
+                                         const bool is_mirrored)
+{
+  const Eigen::VectorXd weights = Eigen::VectorXd::Ones(a.rows());
+  return std::sqrt((align_target(a, b, weights, is_mirrored) - b).rowwise().squaredNorm().mean());
+}
+
 inline double difference_of_unit_poses(const Point_matrix& a, const Point_matrix& b,
                                        const bool may_be_reflected)
 {
-  const Eigen::VectorXd weights = Eigen::VectorXd::Ones(a.rows());
-  const auto difference = [&](const bool mirrored) {
-    return std::sqrt((align_target(a, b, weights, mirrored) - b).rowwise().squaredNorm().mean());
-  };
-  return may_be_reflected ? (std::min)(difference(false), difference(true)) : difference(false);
+  const double difference = difference_after_alignment(a, b, false);
+  return may_be_reflected ? (std::min)(difference, difference_after_alignment(a, b, true))
+                          : difference;
 }
 
 inline void check_poses_correspond(const Point_matrix& a, const Point_matrix& b)

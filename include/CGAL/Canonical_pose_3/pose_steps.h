@@ -10,6 +10,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_POSE_STEPS_H
 #define CGAL_CANONICAL_POSE_3_POSE_STEPS_H
 
+#include <CGAL/Canonical_pose_3/Coarse_surface_3.h>
 #include <CGAL/Canonical_pose_3/Landmark_fields_3.h>
 #include <CGAL/Canonical_pose_3/Options.h>
 #include <CGAL/Canonical_pose_3/Prepared_surface_3.h>
@@ -75,17 +76,27 @@ Prepared_surface_3 prepare_surface(const TriangleMesh& tmesh, const Options& opt
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief chooses landmarks on a surface and computes the distances to them, or returns the given ones:
-the second step of `canonical_pose_3()`, after `prepare_surface()`.
+\brief simplifies a surface, since distances do not require all vertices: the second step of
+`canonical_pose_3()`, after `prepare_surface()`.
 
 \param surface the surface.
-\param options `geodesics`, `landmark_fields_function`, `number_of_landmarks`, `random_seed`, the solver,
-       `number_of_threads` and `given.landmark_fields` are used.
+\param options `number_of_coarse_vertices` and `number_of_landmarks` are used; the landmarks of
+       `given.landmark_fields` remain vertices.
+*/
+Coarse_surface_3 coarse_surface(const Surface_component_3& surface,
+                                const Options& options = Options());
+
+/*!
+\ingroup PkgCanonicalPose3Ref
+
+\brief chooses landmarks on a surface and computes the distances to them.
+
+\param surface the surface.
+\param options `geodesics`, `landmark_fields_function`, `number_of_landmarks`, `random_seed`, the solver
+       and `number_of_threads` are used.
 
 \throws std::invalid_argument if the distances require faces with an area and a face has none, or the
         function in the options returns invalid distances.
-
-\sa `mds_target()`
 */
 Landmark_fields_3 landmark_fields(const Surface_component_3& surface,
                                   const Options& options = Options());
@@ -93,15 +104,34 @@ Landmark_fields_3 landmark_fields(const Surface_component_3& surface,
 /*!
 \ingroup PkgCanonicalPose3Ref
 
+\brief chooses landmarks on a coarse surface and computes the distances to them, or returns the given
+ones for its vertices: the third step of `canonical_pose_3()`, after `coarse_surface()`.
+
+\param coarse the coarse surface.
+\param options as above, and `given.landmark_fields`.
+
+\pre The landmarks of the given distances, if any, are vertices of the coarse surface.
+
+\throws std::invalid_argument as above.
+
+\sa `mds_target()`
+*/
+Landmark_fields_3 landmark_fields(const Coarse_surface_3& coarse,
+                                  const Options& options = Options());
+
+/*!
+\ingroup PkgCanonicalPose3Ref
+
 \brief computes the target of a surface by landmark multidimensional scaling, mirrors it if its
-handedness requires it, and aligns it with the surface; or returns the given target: the third step of
+handedness requires it, and aligns it with the surface; or returns the given target: the fourth step of
 `canonical_pose_3()`.
 
 \param surface the surface.
-\param fields distances, one row per vertex.
+\param coarse its coarse surface, from which the target is interpolated.
+\param fields distances, one row per vertex of the coarse surface.
 \param options `kernel`, `mds_kernel` and `given.target` are used.
 
-\pre `fields` and the given target, if any, have one row per vertex.
+\pre The numbers of rows agree; the given target, if any, has one row per vertex of the surface.
 
 \throws std::invalid_argument see `Landmark_mds_target_builder_3::build()`.
 
@@ -109,21 +139,46 @@ handedness requires it, and aligns it with the surface; or returns the given tar
 \sa `target_handedness()`
 \sa `align_target()`
 */
-Target_3 mds_target(const Surface_component_3& surface, const Landmark_fields_3& fields,
-                    const Options& options = Options());
+Target_3 mds_target(const Surface_component_3& surface, const Coarse_surface_3& coarse,
+                    const Landmark_fields_3& fields, const Options& options = Options());
+
+/*!
+\ingroup PkgCanonicalPose3Ref
+
+\brief computes a target from distances that were measured on a pose of the surface, starting from
+this pose, and aligns it with the surface.
+
+In the pose, limbs are straight, so the shortest paths do not depend on how they were bent. The
+distances are scaled such that the area of the pose becomes that of the surface: otherwise, the
+stretch of one pose would be passed on to the next one.
+
+\param surface the surface.
+\param coarse its coarse surface.
+\param fields distances on `coarse.posed(pose)`.
+\param pose one row per vertex of the surface.
+\param options `number_of_threads` is used.
+
+\pre The numbers of rows agree.
+
+\sa `Smacof_target_builder_3`
+*/
+Target_3 refined_target(const Surface_component_3& surface, const Coarse_surface_3& coarse,
+                        const Landmark_fields_3& fields, const Point_matrix& pose,
+                        const Options& options = Options());
 
 inline namespace CGAL_CANONICAL_POSE_3_BODIES {
 
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief creates the body of a surface: the fourth step of `canonical_pose_3()`.
+\brief creates the body of a surface: the fifth step of `canonical_pose_3()`.
 
 \param surface the surface.
-\param fields distances, one row per vertex.
+\param coarse its coarse surface.
+\param fields distances, one row per vertex of the coarse surface.
 \param options `body`, `make_body`, `lattice_spacing` and `stiffness` are used.
 
-\pre `fields.distances.rows() == surface.points.rows()`
+\pre The numbers of rows agree.
 
 \throws std::invalid_argument if the function in the options returns a body of another surface.
 \throws std::runtime_error if the mesher fails, or the program was built without support for the requested body.
@@ -131,10 +186,10 @@ inline namespace CGAL_CANONICAL_POSE_3_BODIES {
 \sa `Lattice_body_3`
 */
 inline Surface_body_3 surface_body(const Surface_component_3& surface,
-                                   const Landmark_fields_3& fields,
+                                   const Coarse_surface_3& coarse, const Landmark_fields_3& fields,
                                    const Options& options = Options())
 {
-  return internal::body_of_surface(surface, fields, options, internal::linked_bodies());
+  return internal::body_of_surface(surface, coarse, fields, options, internal::linked_bodies());
 }
 
 } // namespace CGAL_CANONICAL_POSE_3_BODIES
@@ -142,12 +197,21 @@ inline Surface_body_3 surface_body(const Surface_component_3& surface,
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief registers the body of a surface to its target: the fifth step of `canonical_pose_3()`, before `joined_result()`.
+\brief registers the body of a surface to its target, then to refined targets: the sixth step of
+`canonical_pose_3()`, before `joined_result()`.
+
+In each round, the body is registered with half the detail length and larger tolerances, and
+distances are measured on this pose; the next registration is to the `refined_target()`, the last
+one with all details. Rounds end early if the target hardly changes, or changes more than in the
+round before: then it drifts. After the rounds, `target_handedness()` is certain for most shapes; if
+it requires the mirror image, everything is repeated from the mirrored first target.
 
 \param surface the surface.
-\param target the target.
+\param coarse its coarse surface.
+\param target the first target.
 \param body the body.
-\param options `registration`, `paper_weights`, `volume_ratio_limit`, `matching_weights`, `constraints`, `followers`, the
+\param options `number_of_rounds` and the options of `landmark_fields()`, `registration`,
+       `paper_weights`, `volume_ratio_limit`, `matching_weights`, `constraints`, `followers`, the
        solver, `number_of_threads` and `visitor` are used.
 
 \returns the pose of the surface vertices of the body, the pose of the followers, the target, and the summary.
@@ -159,8 +223,9 @@ inline Surface_body_3 surface_body(const Surface_component_3& surface,
 
 \sa `Tetrahedral_arap_registrar_3`
 */
-Result registered_pose(const Surface_component_3& surface, const Target_3& target,
-                       const Surface_body_3& body, const Options& options = Options());
+Result registered_pose(const Surface_component_3& surface, const Coarse_surface_3& coarse,
+                       const Target_3& target, const Surface_body_3& body,
+                       const Options& options = Options());
 
 /*!
 \ingroup PkgCanonicalPose3Ref
@@ -186,6 +251,7 @@ Result joined_result(const Prepared_surface_3& surface, const std::vector<Result
 #include <CGAL/Canonical_pose_3/internal/pipeline/landmark_fields_impl.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/mds_target_impl.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/prepare_surface_impl.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/refined_target_impl.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/registered_pose_impl.h>
 #endif
 

@@ -18,6 +18,7 @@
 #include <Eigen/Core>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -28,27 +29,69 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief returns a number that is positive if the target has the handedness of the canonical pose, and
-negative if its mirror image has.
+\brief tells whether a target has the handedness of the canonical pose, or its mirror image has.
 
 Distances do not distinguish a target from its mirror image. The choice must be the same for all
 poses of a shape, so it must not depend on the pose, unlike the energy of the registration, which
-moreover differs by little. The function returns the sum of two dimensionless numbers that depend
-only on the target and change their sign under reflection:
-- the volume enclosed by the surface in the target, relative to that in the input. It dominates for
-  shapes such as quadrupeds (magnitude 1.2 to 2 over their poses), whose target is inside out if it
-  is mirrored. It is set to 0 if the volume of the input is at most \f$ 10^{-6} A^{3/2} \f$, where
-  \f$ A \f$ is its area, or within the error of rounding its coordinates: a flat sheet has no inside
-  (a closed sheet of paper has, with \f$ 1.4 \cdot 10^{-4} A^{3/2} \f$);
-- the third moment \f$ \sum m_i x_i y_i z_i \f$ along the principal axes of the target, the longest
-  first, divided by the product of the standard deviations. It dominates for shapes such as humans
-  (magnitude 0.9 to 1.4 over their poses), whose target is twisted: neither a twist nor its mirror
-  image is inside out.
+moreover differs by little. Two dimensionless numbers depend on the target only and change their sign
+under reflection. Which of them decides is determined by their ratio: for shapes such as quadrupeds,
+whose target is inside out if it is mirrored, the volume; for shapes such as humans, whose target is
+twisted, the chirality.
+
+\sa `target_handedness()`
+*/
+struct Target_handedness_3
+{
+  /// the volume enclosed by the surface in the target, relative to that in the input; 0 if the volume
+  /// of the input is at most \f$ 10^{-6} A^{3/2} \f$, where \f$ A \f$ is its area, or within the error
+  /// of rounding its coordinates: a flat sheet has no inside (a closed sheet of paper has, with
+  /// \f$ 1.4 \cdot 10^{-4} A^{3/2} \f$).
+  double volume_ratio = 0;
+
+  /// the third moment \f$ \sum m_i x_i y_i z_i \f$ along the principal axes of the target, the longest
+  /// first, divided by the product of the standard deviations.
+  double chirality = 0;
+
+  /// returns whether the chirality decides: it is larger than a multiple of the square of the
+  /// volume ratio.
+  bool is_decided_by_chirality() const
+  {
+    return std::abs(chirality) > CHIRALITY_PER_SQUARED_VOLUME * volume_ratio * volume_ratio;
+  }
+
+  /// returns whether the mirror image has the handedness of the canonical pose.
+  bool is_mirror_image() const
+  {
+    return (is_decided_by_chirality() ? chirality : volume_ratio) < 0;
+  }
+
+  /// returns whether the choice is safe: the number that decides is not close to 0, and the other one
+  /// agrees, or their ratio is not close to the limit. If not, and the target is not its own mirror
+  /// image, as that of a bar, other poses of the shape may have the other handedness; see
+  /// `align_handedness()`.
+  bool is_certain() const
+  {
+    const double squared_volume = volume_ratio * volume_ratio;
+    if(is_decided_by_chirality())
+      return std::abs(chirality) > LEAST_CHIRALITY
+             && (chirality * volume_ratio >= 0
+                 || std::abs(chirality) > MARGIN * CHIRALITY_PER_SQUARED_VOLUME * squared_volume);
+    return std::abs(volume_ratio) > LEAST_VOLUME
+           && (chirality * volume_ratio >= 0
+               || MARGIN * std::abs(chirality) < CHIRALITY_PER_SQUARED_VOLUME * squared_volume);
+  }
+
+private:
+  static constexpr double CHIRALITY_PER_SQUARED_VOLUME = 0.45, MARGIN = 1.2, LEAST_CHIRALITY = 0.02,
+                          LEAST_VOLUME = 0.3;
+};
+
+/*!
+\ingroup PkgCanonicalPose3Ref
+
+\brief measures the handedness of a target.
 
 The volume of an open surface is that of the cone over it, with the mean of all points as apex.
-
-If the number is close to 0 (for shapes whose target is its own mirror image, such as a bar), both
-choices lead to about the same pose.
 
 \param target \f$ n \times 3 \f$, target of each vertex.
 \param points \f$ n \times 3 \f$, points of the input.
@@ -62,10 +105,11 @@ Target and input may be in any unit, the same for both.
 <em>Complexity:</em> linear.
 
 \sa `align_target()`
+\sa `align_handedness()`
 */
-double target_handedness(Point_matrix target, Point_matrix points,
-                         const std::vector<std::array<std::size_t, 3>>& triangles,
-                         const Eigen::VectorXd& weights);
+Target_handedness_3 target_handedness(Point_matrix target, Point_matrix points,
+                                      const std::vector<std::array<std::size_t, 3>>& triangles,
+                                      const Eigen::VectorXd& weights);
 
 /*!
 \ingroup PkgCanonicalPose3Ref
@@ -78,8 +122,8 @@ double target_handedness(Point_matrix target, Point_matrix points,
         a kernel as values
 */
 template <class TriangleMesh, class VertexPointMap>
-double target_handedness(const Point_matrix& target, const TriangleMesh& tmesh,
-                         VertexPointMap vertex_point_map)
+Target_handedness_3 target_handedness(const Point_matrix& target, const TriangleMesh& tmesh,
+                                      VertexPointMap vertex_point_map)
 {
   const Point_matrix points = point_matrix(tmesh, vertex_point_map);
   const auto triangles = internal::index_triangles(tmesh);

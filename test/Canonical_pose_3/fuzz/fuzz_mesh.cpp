@@ -51,8 +51,8 @@ Options read_options(Byte_source& bytes, const std::size_t number_of_points)
   options.registration.detail_length = one_of<6>({{0.1, 0.1, 0.1, 1e-6, 1e6, 0}}, bytes);
   options.registration.tikhonov = one_of<4>({{0, 0, 10, -1}}, bytes);
   options.registration.fairing_passes = int(bytes.below(2));
-  // Half of the cells of an unconverged pose may be inverted: this takes minutes in a lattice of
-  // usual size.
+  // By default, all inverted cells are untangled. Half of the cells of an unconverged pose may be:
+  // this takes minutes in a lattice of usual size.
   options.registration.injective = bytes.below(2) == 1 && options.lattice_spacing != 0;
   const auto vertex = [&] { return bytes.below(number_of_points + 1); };
   const auto length = [&] { return one_of<4>({{0, 0.1, 10, 1e300}}, bytes); };
@@ -73,6 +73,8 @@ Options read_options(Byte_source& bytes, const std::size_t number_of_points)
     default:
       options.constraints.symmetric_pairs.push_back({vertex(), vertex(), stiffness()});
     }
+  options.number_of_rounds = int(bytes.below(3));
+  options.number_of_coarse_vertices = 20 * bytes.below(3);
   return options;
 }
 
@@ -85,7 +87,8 @@ void check_pose(const Mutated_soup& soup, const Options& options)
     const auto summary = CGAL::canonical_pose_3(points, soup.polygons, pose, options).summary;
     if(!summary.is_usable())
       return;
-    require(!options.registration.injective || summary.inverted == 0 || !summary.warnings.empty(),
+    require(!options.registration.is_injective() || summary.inverted == 0
+              || !summary.warnings.empty(),
             "no cell is inverted in injective mode, or there is a warning");
     require(pose.size() == points.size(), "each vertex has a pose");
     for(const Point_3& p : pose)

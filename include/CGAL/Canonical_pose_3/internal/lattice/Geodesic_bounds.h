@@ -31,9 +31,20 @@ class Geodesic_bounds
 public:
   // `distances`: one row per vertex, one column per landmark; `unit`: the unit of the bounds.
   Geodesic_bounds(const Eigen::MatrixXd& distances, const double unit)
-    : m_distances(
-      (distances.leftCols((std::min)(distances.cols(), NUMBER_OF_LANDMARKS)) / unit).cast<float>())
+    : m_unit(unit), m_are_finite(distances.allFinite()), m_distances(used_part(distances, unit))
   {}
+
+  // Replaces the vertices by those to which `map.interpolated()` maps values.
+  template <class Map>
+  void interpolate(const Map& map)
+  {
+    m_distances = map.interpolated(m_distances);
+  }
+
+  double unit() const { return m_unit; }
+
+  // Whether all given distances are.
+  bool are_finite() const { return m_are_finite; }
 
   // Appends the midpoint of each edge, whose endpoints may be such midpoints themselves; `points`:
   // all points, in the unit of the bounds. If a landmark is visible from both endpoints through
@@ -65,9 +76,19 @@ public:
   }
 
 private:
+  using Rows = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
   static constexpr Eigen::Index NUMBER_OF_LANDMARKS = 32;
 
-  Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> m_distances;
+  static Rows used_part(const Eigen::MatrixXd& distances, const double unit)
+  {
+    return (distances.leftCols((std::min)(distances.cols(), NUMBER_OF_LANDMARKS)) / unit)
+      .cast<float>();
+  }
+
+  double m_unit;
+  bool m_are_finite;
+  Rows m_distances;
 };
 
 } // namespace internal

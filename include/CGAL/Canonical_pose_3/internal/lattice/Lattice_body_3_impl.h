@@ -11,6 +11,7 @@
 #define CGAL_CANONICAL_POSE_3_INTERNAL_LATTICE_LATTICE_BODY_3_IMPL_H
 
 #include <CGAL/Canonical_pose_3/Lattice_body_3.h>
+#include <CGAL/Canonical_pose_3/internal/lattice/Geodesic_bounds.h>
 #include <CGAL/Canonical_pose_3/internal/lattice/Lattice_builder.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
@@ -33,8 +34,20 @@ Lattice_body_3::Lattice_body_3(const Point_matrix& points,
                                const std::vector<std::array<std::size_t, 3>>& caps)
 {
   CGAL_precondition(distances.rows() == points.rows() && distances.cols() > 0);
-  m_data = internal::Lattice_builder(points, std::move(triangles), distances, spacing, caps).take();
+  m_data = internal::Lattice_builder(points, std::move(triangles),
+                                     internal::Geodesic_bounds(distances, distances.maxCoeff()),
+                                     spacing, caps)
+             .take();
 }
+
+CGAL_CANONICAL_POSE_3_INLINE
+Lattice_body_3::Lattice_body_3(const Point_matrix& points,
+                               std::vector<std::array<std::size_t, 3>> triangles,
+                               internal::Geodesic_bounds bounds, const double spacing,
+                               const std::vector<std::array<std::size_t, 3>>& caps)
+  : m_data(internal::Lattice_builder(points, std::move(triangles), std::move(bounds), spacing, caps)
+             .take())
+{}
 
 } // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3

@@ -46,17 +46,16 @@ class Lattice_builder
 {
 public:
   Lattice_builder(const Point_matrix& points, std::vector<std::array<std::size_t, 3>> triangles,
-                  const Eigen::MatrixXd& distances, const double spacing,
+                  Geodesic_bounds bounds, const double spacing,
                   const std::vector<std::array<std::size_t, 3>>& caps)
   {
-    check(distances, spacing);
-    m_unit = distances.maxCoeff();
+    check(bounds, spacing);
+    m_unit = bounds.unit();
     place(points, triangles);
     check_vertices(triangles);
     if(spacing > 0 && is_too_small(spacing, triangles))
       throw std::invalid_argument("the spacing of the lattice, " + std::to_string(spacing)
                                   + " of the largest distance, is too small");
-    Geodesic_bounds bounds(distances, m_unit);
     split_faces(spacing > 0 ? (std::min)(spacing, LARGEST_SPACING) : LARGEST_SPACING, triangles,
                 bounds);
     const Chord_finder find_chords(m_surface, triangles, caps, bounds);
@@ -87,11 +86,11 @@ private:
   static constexpr double LARGEST_NUMBER_OF_CUBES = 2e7; // in the bounding box of the surface
   static constexpr double SUITABLE_NUMBER_OF_CUBES = 7000;
 
-  static void check(const Eigen::MatrixXd& distances, const double spacing)
+  static void check(const Geodesic_bounds& bounds, const double spacing)
   {
     if(!(spacing >= 0) || !std::isfinite(spacing))
       throw std::invalid_argument("the spacing of the lattice is negative or not finite");
-    if(!distances.allFinite())
+    if(!bounds.are_finite())
       throw std::invalid_argument("a geodesic distance is not finite");
   }
 

@@ -17,9 +17,11 @@
 #include <CGAL/Canonical_pose_3/Surface_body_3.h>
 #include <CGAL/Canonical_pose_3/Surface_component_3.h>
 #include <CGAL/Canonical_pose_3/cell_stiffness.h>
+#include <CGAL/Canonical_pose_3/internal/lattice/Geodesic_bounds.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/Body_makers.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/Thread_limit.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/body_of_surface.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/interpolated_fields.h>
 #include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
@@ -53,6 +55,7 @@ inline Elastic_body_3 checked_body(Elastic_body_3 body, const Eigen::Index n)
 
 // Only the body, its kind and warnings.
 inline Surface_body_3 requested_body(const Surface_component_3& surface,
+                                     const Coarse_surface_3& coarse,
                                      const Landmark_fields_3& fields, const Options& options,
                                      const Body_makers& bodies)
 {
@@ -64,8 +67,9 @@ inline Surface_body_3 requested_body(const Surface_component_3& surface,
                           {},   std::move(warnings)};
   };
   if(options.make_body)
-    return of_kind("given",
-                   checked_body(options.make_body(points, triangles, fields), points.rows()));
+    return of_kind("given", checked_body(options.make_body(points, triangles,
+                                                           interpolated_fields(coarse, fields)),
+                                         points.rows()));
   if(options.body == Options::Body::MESH_3)
   {
     if(bodies.mesh_3 == nullptr)
@@ -86,18 +90,23 @@ inline Surface_body_3 requested_body(const Surface_component_3& surface,
       warnings.push_back(error.what() + std::string("; the lattice took its place"));
     }
   }
-  return of_kind("lattice", Lattice_body_3(points, triangles, fields.distances,
+  Geodesic_bounds bounds(fields.distances, fields.distances.maxCoeff());
+  bounds.interpolate(coarse);
+  return of_kind("lattice", Lattice_body_3(points, triangles, std::move(bounds),
                                            options.lattice_spacing, surface.caps));
 }
 
 CGAL_CANONICAL_POSE_3_INLINE Surface_body_3 body_of_surface(const Surface_component_3& surface,
+                                                            const Coarse_surface_3& coarse,
                                                             const Landmark_fields_3& fields,
                                                             const Options& options,
                                                             const Body_makers& bodies)
 {
   const Thread_limit limit(options);
-  CGAL_precondition(fields.distances.rows() == surface.points.rows());
-  Surface_body_3 result = requested_body(surface, fields, options, bodies);
+  CGAL_precondition(coarse.number_of_surface_vertices()
+                    == static_cast<std::size_t>(surface.points.rows()));
+  CGAL_precondition(fields.distances.rows() == coarse.surface.points.rows());
+  Surface_body_3 result = requested_body(surface, coarse, fields, options, bodies);
   result.surface_vertices.resize(static_cast<std::size_t>(surface.points.rows()));
   std::iota(result.surface_vertices.begin(), result.surface_vertices.end(), std::size_t(0));
   if(options.stiffness.size() > 0)

@@ -57,6 +57,9 @@ inline void check_options(const Options& options, const std::size_t n)
                 true);
   if(options.number_of_landmarks == 0)
     throw std::invalid_argument("option number_of_landmarks is 0, but must be >= 1");
+  if(options.number_of_rounds && *options.number_of_rounds < 0)
+    throw std::invalid_argument("option number_of_rounds is "
+                                + std::to_string(*options.number_of_rounds) + ", but must be >= 0");
   if(options.volume_ratio_limit && !(*options.volume_ratio_limit > 0))
     throw std::invalid_argument("option volume_ratio_limit is "
                                 + std::to_string(*options.volume_ratio_limit)

@@ -40,7 +40,7 @@ inline Eigen::MatrixXd distances_on_surface(const Repaired_surface_3& surface,
   std::vector<Indexed_mesh::Vertex_index> vertices;
   for(const std::size_t source : sources)
     vertices.emplace_back(static_cast<Indexed_mesh::size_type>(source));
-  return with_geodesics(mesh, options, solver_of_options(options).lane_factor_maker(),
+  return with_geodesics(mesh, options, solver_of_options(options).lane_factor_maker(), 1,
                         [&](const auto& geodesics) { return geodesics.distances(vertices); });
 }
 

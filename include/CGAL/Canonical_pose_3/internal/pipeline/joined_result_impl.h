@@ -169,6 +169,8 @@ inline Registration_summary joined_summary(Registration_summary summary,
     summary.add_seconds(stage.first, stage.second);
   summary.termination = (std::max)(summary.termination, smaller.termination);
   summary.iterations += smaller.iterations;
+  summary.target.is_handedness_certain
+    = summary.target.is_handedness_certain && smaller.target.is_handedness_certain;
   summary.inverted += smaller.inverted;
   summary.flipped_faces += smaller.flipped_faces;
   summary.body.vertices += smaller.body.vertices;

@@ -10,6 +10,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_LANDMARK_FIELDS_IMPL_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_LANDMARK_FIELDS_IMPL_H
 
+#include <CGAL/Canonical_pose_3/Coarse_surface_3.h>
 #include <CGAL/Canonical_pose_3/Landmark_fields_3.h>
 #include <CGAL/Canonical_pose_3/Options.h>
 #include <CGAL/Canonical_pose_3/Surface_component_3.h>
@@ -20,21 +21,90 @@
 #include <CGAL/Canonical_pose_3/internal/pipeline/solver_of_options.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/with_geodesics.h>
 #include <CGAL/Canonical_pose_3/internal/soup/Indexed_mesh.h>
+#include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
+#include <CGAL/Canonical_pose_3/internal/soup/root_of_area.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+#include <CGAL/Canonical_pose_3/internal/support/values_at.h>
 #include <CGAL/Canonical_pose_3/internal/target/check_number_of_landmarks.h>
 #include <CGAL/Canonical_pose_3/pose_steps.h>
 
+#include <CGAL/assertions.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
 #include <cstddef>
+#include <vector>
 
 namespace CGAL {
 namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
-CGAL_CANONICAL_POSE_3_INLINE Landmark_fields_3 landmark_fields(const Surface_component_3& surface,
+namespace internal {
+
+// Distances for targets are smoothed over a width that does not depend on the mesh: kinks, where
+// shortest paths from two sides meet, move when a shape bends. Returns the time step factor of the
+// heat method for it.
+inline double smoothing_time_step_factor(const Surface_component_3& surface)
+{
+  constexpr double width = 0.065; // by the square root of the area
+  double lengths = 0;
+  for(const Index_triangle& t : surface.triangles)
+    for(std::size_t k = 0; k < 3; ++k)
+      lengths += (surface.points.row(static_cast<Eigen::Index>(t[k]))
+                  - surface.points.row(static_cast<Eigen::Index>(t[(k + 1) % 3])))
+                   .norm();
+  const double mean = lengths / static_cast<double>(3 * surface.triangles.size());
+  const double ratio
+    = mean > 0 ? width * root_of_area(surface.points, surface.triangles) / mean : 1;
+  return (std::min)((std::max)(ratio * ratio, 1.), 1e6);
+}
+
+// The rows of the vertices of a coarse surface.
+inline Landmark_fields_3 fields_at(const Landmark_fields_3& fields, const Coarse_surface_3& coarse)
+{
+  Landmark_fields_3 result;
+  result.covering_radius = fields.covering_radius;
+  for(const std::size_t landmark : fields.landmarks)
+  {
+    const auto position
+      = std::lower_bound(coarse.vertices.begin(), coarse.vertices.end(), landmark);
+    CGAL_precondition(position != coarse.vertices.end() && *position == landmark);
+    result.landmarks.push_back(static_cast<std::size_t>(position - coarse.vertices.begin()));
+  }
+  result.distances.resize(static_cast<Eigen::Index>(coarse.vertices.size()),
+                          fields.distances.cols());
+  for(Eigen::Index j = 0; j < fields.distances.cols(); ++j)
+    result.distances.col(j) = values_at(fields.distances.col(j), coarse.vertices);
+  return result;
+}
+
+} // namespace internal
+
+CGAL_CANONICAL_POSE_3_INLINE Coarse_surface_3 coarse_surface(const Surface_component_3& surface,
+                                                             const Options& options)
+{
+  const auto n = static_cast<std::size_t>(surface.points.rows());
+  const std::size_t number = options.number_of_coarse_vertices == 0
+                               ? n
+                               : (std::max)(options.number_of_coarse_vertices,
+                                            4 * (std::min)(options.number_of_landmarks, n));
+  return coarse_surface(surface, number,
+                        options.given.landmark_fields ? options.given.landmark_fields->landmarks
+                                                      : std::vector<std::size_t>());
+}
+
+CGAL_CANONICAL_POSE_3_INLINE Landmark_fields_3 landmark_fields(const Coarse_surface_3& coarse,
                                                                const Options& options)
 {
   if(options.given.landmark_fields)
-    return *options.given.landmark_fields;
+    return internal::fields_at(*options.given.landmark_fields, coarse);
+  return landmark_fields(coarse.surface, options);
+}
+
+CGAL_CANONICAL_POSE_3_INLINE Landmark_fields_3 landmark_fields(const Surface_component_3& surface,
+                                                               const Options& options)
+{
   const internal::Thread_limit limit(options);
   internal::check_number_of_landmarks(options.number_of_landmarks,
                                       static_cast<std::size_t>(surface.points.rows()));
@@ -45,7 +115,7 @@ CGAL_CANONICAL_POSE_3_INLINE Landmark_fields_3 landmark_fields(const Surface_com
     static_cast<internal::Indexed_mesh::size_type>(internal::first_landmark(surface, options)));
   return internal::with_geodesics(
     mesh, options, internal::solver_of_options(options).lane_factor_maker(),
-    [&](const auto& geodesics) {
+    internal::smoothing_time_step_factor(surface), [&](const auto& geodesics) {
       return front_landmarks(geodesics, options.number_of_landmarks, first);
     });
 }

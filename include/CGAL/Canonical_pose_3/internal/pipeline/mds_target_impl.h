@@ -10,6 +10,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_MDS_TARGET_IMPL_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_MDS_TARGET_IMPL_H
 
+#include <CGAL/Canonical_pose_3/Coarse_surface_3.h>
 #include <CGAL/Canonical_pose_3/Gaussian_kernel.h>
 #include <CGAL/Canonical_pose_3/Landmark_fields_3.h>
 #include <CGAL/Canonical_pose_3/Landmark_mds_target_builder_3.h>
@@ -20,7 +21,7 @@
 #include <CGAL/Canonical_pose_3/Target_3.h>
 #include <CGAL/Canonical_pose_3/align_target.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/Thread_limit.h>
-#include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/closed.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 #include <CGAL/Canonical_pose_3/pose_steps.h>
@@ -32,7 +33,7 @@
 #include <Eigen/Core>
 
 #include <algorithm>
-#include <vector>
+#include <cstddef>
 
 namespace CGAL {
 namespace Canonical_pose_3 {
@@ -78,11 +79,14 @@ inline Target_3 embedded_target(const Landmark_fields_3& fields, const Mds_kerne
 } // namespace internal
 
 CGAL_CANONICAL_POSE_3_INLINE Target_3 mds_target(const Surface_component_3& surface,
+                                                 const Coarse_surface_3& coarse,
                                                  const Landmark_fields_3& fields,
                                                  const Options& options)
 {
   const internal::Thread_limit limit(options);
-  CGAL_precondition(fields.distances.rows() == surface.points.rows());
+  CGAL_precondition(coarse.number_of_surface_vertices()
+                    == static_cast<std::size_t>(surface.points.rows()));
+  CGAL_precondition(fields.distances.rows() == coarse.surface.points.rows());
   Target_3 target;
   if(options.given.target)
   {
@@ -93,10 +97,12 @@ CGAL_CANONICAL_POSE_3_INLINE Target_3 mds_target(const Surface_component_3& surf
   else
   {
     target = internal::embedded_target(fields, internal::kernel_of(options));
-    std::vector<internal::Index_triangle> closed = surface.triangles;
-    closed.insert(closed.end(), surface.caps.begin(), surface.caps.end());
+    target.points = coarse.interpolated(target.points);
     const Eigen::VectorXd shares = vertex_area_shares(surface.points, surface.triangles);
-    target.summary.reflected = target_handedness(target.points, surface.points, closed, shares) < 0;
+    const Target_handedness_3 handedness
+      = target_handedness(target.points, surface.points, internal::closed(surface), shares);
+    target.summary.reflected = handedness.is_mirror_image() != options.takes_mirror_image;
+    target.summary.is_handedness_certain = handedness.is_certain();
     target.points = align_target(target.points, surface.points, shares, target.summary.reflected);
   }
   target.summary.landmarks = fields.landmarks.size();

@@ -10,6 +10,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_POSE_OF_COMPLEX_IMPL_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_POSE_OF_COMPLEX_IMPL_H
 
+#include <CGAL/Canonical_pose_3/Coarse_surface_3.h>
 #include <CGAL/Canonical_pose_3/Conforming_body_3.h>
 #include <CGAL/Canonical_pose_3/Options.h>
 #include <CGAL/Canonical_pose_3/Prepared_surface_3.h>
@@ -98,7 +99,8 @@ CGAL_CANONICAL_POSE_3_INLINE Result pose_of_complex(const Point_matrix& points,
   const double seconds_for_diagnosis = timer.time() - seconds_for_body;
 
   Result result = pose_of_components(
-    prepared, options, [&](const std::size_t c, const Landmark_fields_3& fields) {
+    prepared, options,
+    [&](const std::size_t c, const Coarse_surface_3&, const Landmark_fields_3& fields) {
       const std::vector<std::size_t>& vertices = posed[c].surface.body_origins;
       return Surface_body_3{
         "complex",

@@ -10,6 +10,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_POSE_OF_COMPONENTS_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_POSE_OF_COMPONENTS_H
 
+#include <CGAL/Canonical_pose_3/Coarse_surface_3.h>
 #include <CGAL/Canonical_pose_3/Landmark_fields_3.h>
 #include <CGAL/Canonical_pose_3/Prepared_surface_3.h>
 #include <CGAL/Canonical_pose_3/Registration_summary.h>
@@ -17,6 +18,7 @@
 #include <CGAL/Canonical_pose_3/Surface_body_3.h>
 #include <CGAL/Canonical_pose_3/Target_3.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/fields_of_function.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/interpolated_fields.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/timed.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/pose_steps.h>
@@ -31,7 +33,7 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// The steps of canonical_pose_3() for one component. `make_body(fields)` returns a `Surface_body_3`.
+// The steps of canonical_pose_3() for one component. `make_body(coarse, fields)` returns a `Surface_body_3`.
 template <class MakeBody>
 Result pose_of_component(const Surface_component_3& surface, const Options& options,
                          const MakeBody& make_body)
@@ -41,27 +43,29 @@ Result pose_of_component(const Surface_component_3& surface, const Options& opti
       {"diagnosis", "geodesics", "target", "body", "factorization", "local_steps", "global_steps"})
     times.add_seconds(stage, 0);
 
-  Landmark_fields_3 fields
-    = timed(times, "geodesics", [&] { return landmark_fields(surface, options); });
+  const Coarse_surface_3 coarse
+    = timed(times, "geodesics", [&] { return coarse_surface(surface, options); });
+  const Landmark_fields_3 fields
+    = timed(times, "geodesics", [&] { return landmark_fields(coarse, options); });
   std::optional<Landmark_fields_3> target_fields;
   if(options.target_fields_function)
     target_fields = timed(times, "geodesics", [&] {
-      return fields_of_function(options.target_fields_function, surface, options);
+      return fields_of_function(options.target_fields_function, coarse.surface, options);
     });
   const Target_3 target = timed(times, "target", [&] {
-    return mds_target(surface, target_fields ? *target_fields : fields, options);
+    return mds_target(surface, coarse, target_fields ? *target_fields : fields, options);
   });
-  const Surface_body_3 body = timed(times, "body", [&] { return make_body(fields); });
-  Result result = registered_pose(surface, target, body, options);
+  const Surface_body_3 body = timed(times, "body", [&] { return make_body(coarse, fields); });
+  Result result = registered_pose(surface, coarse, target, body, options);
   for(const Registration_summary::Stage& stage : result.summary.stages)
     times.add_seconds(stage.first, stage.second);
   result.summary.stages = std::move(times.stages);
   if(options.return_landmark_fields)
-    result.landmark_fields = std::move(fields);
+    result.landmark_fields = interpolated_fields(coarse, fields);
   return result;
 }
 
-// Poses the components one after the other, the smallest first. `make_body(c, fields)` returns the
+// Poses the components one after the other, the smallest first. `make_body(c, coarse, fields)` returns the
 // body of component c.
 template <class MakeBody>
 Result pose_of_components(const Prepared_surface_3& prepared, const Options& options,
@@ -71,16 +75,18 @@ Result pose_of_components(const Prepared_surface_3& prepared, const Options& opt
   for(std::size_t c = results.size(); c-- > 0;)
   {
     const auto& [surface, local_options] = prepared.components[c];
-    results[c] = pose_of_component(surface, local_options, [&, c](const Landmark_fields_3& fields) {
-      return make_body(c, fields);
-    });
+    results[c]
+      = pose_of_component(surface, local_options,
+                          [&, c](const Coarse_surface_3& coarse, const Landmark_fields_3& fields) {
+                            return make_body(c, coarse, fields);
+                          });
     if(!results[c].is_usable())
       break;
   }
   Result result = joined_result(prepared, results);
   if(result.is_usable())
   {
-    if(options.given.target)
+    if(options.given.target && result.summary.rounds.empty())
       result.target = options.given.target;
     if(options.given.landmark_fields && options.return_landmark_fields)
       result.landmark_fields = options.given.landmark_fields;

@@ -10,6 +10,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_POSE_OF_SURFACE_IMPL_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_POSE_OF_SURFACE_IMPL_H
 
+#include <CGAL/Canonical_pose_3/Coarse_surface_3.h>
 #include <CGAL/Canonical_pose_3/Options.h>
 #include <CGAL/Canonical_pose_3/Prepared_surface_3.h>
 #include <CGAL/Canonical_pose_3/Result.h>
@@ -41,9 +42,10 @@ pose_of_surface(const Point_matrix& points, const std::vector<std::vector<std::s
   const Prepared_surface_3 prepared = prepare_surface(points, polygons, options);
   timer.stop();
   Result result = pose_of_components(
-    prepared, options, [&](const std::size_t c, const Landmark_fields_3& fields) {
+    prepared, options,
+    [&](const std::size_t c, const Coarse_surface_3& coarse, const Landmark_fields_3& fields) {
       const auto& [surface, local_options] = prepared.components[c];
-      return body_of_surface(surface, fields, local_options, bodies);
+      return body_of_surface(surface, coarse, fields, local_options, bodies);
     });
   result.summary.add_seconds("diagnosis", timer.time());
   return result;

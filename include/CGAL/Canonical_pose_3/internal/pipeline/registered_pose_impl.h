@@ -11,6 +11,8 @@
 #define CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_REGISTERED_POSE_IMPL_H
 
 #include <CGAL/Canonical_pose_3/Body_deformer_3.h>
+#include <CGAL/Canonical_pose_3/Coarse_surface_3.h>
+#include <CGAL/Canonical_pose_3/Landmark_fields_3.h>
 #include <CGAL/Canonical_pose_3/Options.h>
 #include <CGAL/Canonical_pose_3/Registration_options.h>
 #include <CGAL/Canonical_pose_3/Registration_progress.h>
@@ -19,10 +21,13 @@
 #include <CGAL/Canonical_pose_3/Surface_body_3.h>
 #include <CGAL/Canonical_pose_3/Surface_component_3.h>
 #include <CGAL/Canonical_pose_3/Target_3.h>
+#include <CGAL/Canonical_pose_3/align_target.h>
 #include <CGAL/Canonical_pose_3/internal/body/Body_view.h>
 #include <CGAL/Canonical_pose_3/internal/energy/default_rotation_routines.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/Options_constraints.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/Thread_limit.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/closed.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/fields_of_function.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/solver_of_options.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/timed.h>
 #include <CGAL/Canonical_pose_3/internal/registration/Arap_registration.h>
@@ -30,10 +35,13 @@
 #include <CGAL/Canonical_pose_3/internal/registration/flipped_faces.h>
 #include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+#include <CGAL/Canonical_pose_3/internal/support/values_at.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 #include <CGAL/Canonical_pose_3/pose_steps.h>
 #include <CGAL/Canonical_pose_3/surface_measures.h>
+#include <CGAL/Canonical_pose_3/target_handedness.h>
 
+#include <CGAL/Real_timer.h>
 #include <CGAL/assertions.h>
 
 #include <Eigen/SparseCore>
@@ -129,125 +137,338 @@ inline double volume_ratio_limit(const Options& options, const Target_3& target)
     target.is_given || options.paper_weights ? std::numeric_limits<double>::infinity() : limit);
 }
 
-// The volume grows approximately as the 1.5th power of the scale; with this exponent, the volume of
-// most shapes is reduced to about the limit.
-inline Target_3 shrunk(Target_3 target, const double volume_ratio, const double limit,
-                       const Eigen::VectorXd& shares)
+inline Target_3 shrunk(Target_3 target, const double scale, const Eigen::VectorXd& shares)
 {
-  target.summary.scale = std::pow(limit / volume_ratio, 0.65);
+  target.summary.scale = scale;
   const Eigen::RowVector3d centroid = shares.transpose() * target.points;
   target.points = Point_matrix(
     (target.summary.scale * (target.points.rowwise() - centroid)).rowwise() + centroid);
   return target;
 }
 
-// Adds the summary of a registrar to what is already known.
-inline Registration_summary continued(Registration_summary summary, Registration_summary registered)
+// A pose of the body, and how it was reached.
+struct Registered_body
 {
-  for(const Registration_summary::Stage& stage : registered.stages)
-    summary.add_seconds(stage.first, stage.second);
-  registered.stages = std::move(summary.stages);
-  registered.iterations += summary.iterations;
-  registered.body.kind = std::move(summary.body.kind);
-  registered.warnings.insert(registered.warnings.begin(), summary.warnings.begin(),
-                             summary.warnings.end());
-  return registered;
+  Registration_summary summary; // times and iterations are those of all registrations so far
+  Point_matrix points;
+  Target_3 target;
+};
+
+// What a pose is needed for.
+enum class Purpose { RESULT, MEASUREMENT };
+
+// The options of the registrar for poses on which distances are measured: the shape of details and
+// inverted cells do not matter, but limbs should be straight.
+inline Registration_options measurement_options(Registration_options options)
+{
+  options.detail_length /= 2;
+  options.injective = false;
+  options.energy_tolerance = (std::max)(options.energy_tolerance, 1e-3);
+  options.move_tolerance = (std::max)(options.move_tolerance, 5e-3);
+  return options;
 }
 
-// A registrar for the body of a surface.
-inline std::unique_ptr<Arap_registration> surface_registration(const Surface_component_3& surface,
-                                                               const Surface_body_3& body,
-                                                               const Eigen::VectorXd& weights,
-                                                               const Options& options)
+// Registers the body of a surface to one target after the other.
+class Surface_registration
 {
-  const Body_view view(body.body);
-  if(const auto row
-     = surface_vertex_of_loose_component(view, weights)) // the registrar would name one of the body
-    throw std::invalid_argument("all matching weights are 0 in the part around vertex "
-                                + std::to_string(surface.body_origins[*row]));
-  return make_arap_registration(view, weights, body.length_scale,
-                                registration_options(options, surface, view, body.length_scale),
-                                body.stiffness, default_rotation_routines(),
-                                solver_of_options(options).factor_maker());
-}
+public:
+  Surface_registration(const Surface_component_3& surface, const Surface_body_3& body,
+                       const Options& options)
+    : m_surface(surface), m_body(body), m_options(options), m_view(body.body),
+      m_rows(body.surface_vertices, m_view.embedding().rows()),
+      m_shares(vertex_area_shares(surface.points, surface.triangles)),
+      m_triangles(m_rows.triangles(surface.triangles)),
+      m_rest(m_view.embedding() * m_view.points()),
+      m_registration_options(registration_options(options, surface, m_view, body.length_scale)),
+      m_constraints(options.constraints, static_cast<std::size_t>(m_view.embedding().rows())),
+      m_registration(registration(body_weights(m_rows, m_shares, options)))
+  {
+    m_constraints.add_to(*m_registration, surface.body_origins);
+  }
 
-// Completes a result that has a summary: pose of surface and followers, and measures.
-inline void add_poses(const Surface_component_3& surface, const Surface_body_3& body,
-                      const Body_rows& rows, const Point_matrix& body_pose,
-                      const Point_matrix& followers, Result& result)
-{
-  const Body_view view(body.body);
-  Registration_summary& summary = result.summary;
-  result.pose = view.embedding() * body_pose;
-  const std::vector<Index_triangle> triangles = rows.triangles(surface.triangles);
-  const Point_matrix rest = view.embedding() * view.points();
-  summary.median_edge_strain
-    = timed(summary, "diagnosis", [&] { return median_edge_strain(rest, result.pose, triangles); });
-  summary.flipped_faces = timed(summary, "diagnosis", [&] {
-    return flipped_faces(view, triangles, rest, result.pose, body_pose);
-  });
-  if(followers.rows() > 0)
-    result.pose_of_followers = timed(summary, "global_steps", [&] {
-      return Point_matrix(Body_deformer_3<Body_view>(view, triangles).embedding(followers)
-                          * body_pose);
+  // Registers to the target of `previous`. If the visitor canceled, only inverted cells are untangled.
+  Registered_body operator()(const Registered_body& previous, const Purpose purpose) const
+  {
+    Registered_body result{previous.summary, {}, previous.target};
+    result.summary.warnings = m_body.warnings;
+    result.summary.warnings.insert(result.summary.warnings.end(), result.target.warnings.begin(),
+                                   result.target.warnings.end());
+    if(previous.summary.termination == Registration_summary::CANCELED)
+    {
+      Registration_options last = m_registration_options;
+      last.number_of_iterations = 0;
+      m_registration->set_options(last);
+      result.points = previous.points;
+      run(result);
+      result.summary.termination = Registration_summary::CANCELED;
+      return result;
+    }
+    m_registration->set_options(purpose == Purpose::MEASUREMENT
+                                  ? measurement_options(m_registration_options)
+                                  : m_registration_options);
+    run(result);
+    const double limit = volume_ratio_limit(m_options, previous.target);
+    if(is_complete(result) && result.summary.volume_ratio > limit)
+      shrink(previous.target, limit, result);
+    return result;
+  }
+
+  // Whether there is a pose, and the visitor did not cancel the registration.
+  static bool is_complete(const Registered_body& registered)
+  {
+    return registered.summary.is_usable()
+           && registered.summary.termination != Registration_summary::CANCELED;
+  }
+
+  double median_strain(const Registered_body& registered) const
+  {
+    return median_edge_strain(m_rest, pose(registered), m_triangles);
+  }
+
+  // How far two targets are apart after alignment: the root mean square distance by the length
+  // scale.
+  double difference(const Target_3& target, const Target_3& other) const
+  {
+    const Point_matrix aligned = align_target(target.points, other.points, m_shares);
+    return std::sqrt((aligned - other.points).rowwise().squaredNorm().dot(m_shares)
+                     / m_shares.sum())
+           / m_body.length_scale;
+  }
+
+  // The pose of the surface vertices of the body.
+  Point_matrix pose(const Registered_body& registered) const
+  {
+    return m_view.embedding() * registered.points;
+  }
+
+  // The pose of the vertices of the surface.
+  Point_matrix surface_pose(const Registered_body& registered) const
+  {
+    return rows_at(pose(registered), m_body.surface_vertices);
+  }
+
+  Target_handedness_3 handedness(const Target_3& target) const
+  {
+    return target_handedness(target.points, m_surface.points, closed(m_surface), m_shares);
+  }
+
+  Target_3 mirrored(Target_3 target) const
+  {
+    target.points = align_target(target.points, m_surface.points, m_shares, true);
+    target.summary.reflected = !target.summary.reflected;
+    return target;
+  }
+
+  Result result(Registered_body registered) const
+  {
+    Result result;
+    Registration_summary& summary = result.summary = std::move(registered.summary);
+    summary.target = registered.target.summary;
+    summary.body.kind = m_body.kind;
+    if(!summary.is_usable())
+      return result;
+    result.pose = pose(registered);
+    summary.median_edge_strain
+      = timed(summary, "diagnosis", [&] { return median_strain(registered); });
+    summary.flipped_faces = timed(summary, "diagnosis", [&] {
+      return flipped_faces(m_view, m_triangles, m_rest, result.pose, registered.points);
     });
-  if(summary.termination == Registration_summary::ITERATION_LIMIT)
-    summary.warnings.push_back("the registration did not converge within the iterations allowed");
-  else if(summary.termination == Registration_summary::CANCELED)
-    summary.warnings.push_back("the registration was canceled before it converged");
+    if(m_options.followers.rows() > 0)
+      result.pose_of_followers = timed(summary, "global_steps", [&] {
+        return Point_matrix(
+          Body_deformer_3<Body_view>(m_view, m_triangles).embedding(m_options.followers)
+          * registered.points);
+      });
+    if(summary.termination == Registration_summary::ITERATION_LIMIT)
+      summary.warnings.push_back("the registration did not converge within the iterations allowed");
+    else if(summary.termination == Registration_summary::CANCELED)
+      summary.warnings.push_back("the registration was canceled before it converged");
+    result.target = std::move(registered.target.points);
+    return result;
+  }
+
+private:
+  std::unique_ptr<Arap_registration> registration(const Eigen::VectorXd& weights) const
+  {
+    if(const auto row = surface_vertex_of_loose_component(
+         m_view, weights)) // the registrar would name one of the body
+      throw std::invalid_argument("all matching weights are 0 in the part around vertex "
+                                  + std::to_string(m_surface.body_origins[*row]));
+    return make_arap_registration(m_view, weights, m_body.length_scale, m_registration_options,
+                                  m_body.stiffness, default_rotation_routines(),
+                                  solver_of_options(m_options).factor_maker());
+  }
+
+  // Scales the target down, until the volume is near the limit. It grows approximately as the 1.5th
+  // power of the scale for most shapes, but as the third power for a ball.
+  void shrink(const Target_3& target, const double limit, Registered_body& registered) const
+  {
+    const double ratio = registered.summary.volume_ratio;
+    double scale = std::pow(limit / ratio, 0.65);
+    registered.target = shrunk(target, scale, m_shares);
+    run(registered);
+    const double shrunk_ratio = registered.summary.volume_ratio;
+    if(!is_complete(registered) || !(shrunk_ratio > 0) || shrunk_ratio > limit / 1.1)
+      return;
+    scale = std::pow(scale, std::log(limit / ratio) / std::log(shrunk_ratio / ratio));
+    registered.target = shrunk(target, scale, m_shares);
+    run(registered);
+  }
+
+  void run(Registered_body& registered) const
+  {
+    const Registration_summary before = std::move(registered.summary);
+    Registration_visitor visitor;
+    if(m_options.visitor)
+      visitor = [&](Registration_progress progress) { // counts all iterations
+        progress.iteration += before.iterations;
+        return m_options.visitor(progress);
+      };
+    m_registration->set_target(m_rows.means(registered.target.points));
+    registered.summary = m_registration->register_to_target(registered.points, visitor);
+    Registration_summary& summary = registered.summary;
+    Registration_summary times = before;
+    for(const Registration_summary::Stage& stage : summary.stages)
+      times.add_seconds(stage.first, stage.second);
+    summary.stages = std::move(times.stages);
+    summary.iterations += before.iterations;
+    summary.rounds = before.rounds;
+    summary.warnings.insert(summary.warnings.begin(), before.warnings.begin(),
+                            before.warnings.end());
+  }
+
+  const Surface_component_3& m_surface;
+  const Surface_body_3& m_body;
+  const Options& m_options;
+  const Body_view m_view;
+  const Body_rows m_rows;
+  const Eigen::VectorXd m_shares;
+  const std::vector<Index_triangle> m_triangles; // of surface vertices of the body
+  const Point_matrix m_rest;
+  const Registration_options m_registration_options;
+  Options_constraints m_constraints;
+  const std::unique_ptr<Arap_registration> m_registration;
+};
+
+inline int number_of_rounds(const Options& options, const Target_3& target)
+{
+  constexpr int rounds = 3;
+  const bool is_uncentered = options.mds_kernel
+                               ? !options.mds_kernel->is_centered()
+                               : options.kernel == Options::Kernel::UNCENTERED_GAUSSIAN;
+  return options.number_of_rounds.value_or(
+    target.is_given || options.paper_weights || is_uncentered ? 0 : rounds);
 }
+
+// Refines a target by distances that are measured on poses.
+class Rounds
+{
+public:
+  Rounds(const Surface_registration& registration, const Surface_component_3& surface,
+         const Coarse_surface_3& coarse, const Options& options)
+    : m_registration(registration), m_surface(surface), m_coarse(coarse), m_options(options)
+  {}
+
+  // Refines `first` in at most `rounds` rounds. Returns the target, and the last pose that was
+  // measured. `before`: for times and iterations.
+  Registered_body operator()(const Registration_summary& before, const Target_3& first,
+                             const int rounds) const
+  {
+    Registered_body current{before, {}, first};
+    current.summary.rounds.clear();
+    double last_change = (std::numeric_limits<double>::infinity)();
+    for(int round = 0; round < rounds && last_change > SMALLEST_CHANGE; ++round)
+    {
+      Real_timer timer;
+      timer.start();
+      Registered_body measured = m_registration(current, Purpose::MEASUREMENT);
+      if(!Surface_registration::is_complete(measured))
+        return measured;
+      Target_3 target;
+      try
+      {
+        target = refined(measured);
+      }
+      catch(const std::invalid_argument& error) // the pose may have faces without area
+      {
+        current = std::move(measured);
+        current.target.warnings.push_back(
+          std::string("distances on the pose could not be computed: ") + error.what());
+        break;
+      }
+      const double change = m_registration.difference(target, current.target);
+      current = std::move(measured);
+      if(change > last_change) // it drifts
+        break;
+      last_change = change;
+      current.summary.rounds.push_back({target.summary.stress, current.summary.energy,
+                                        m_registration.median_strain(current), timer.time()});
+      current.target.points = std::move(target.points);
+      current.target.summary = first.summary;
+    }
+    return current;
+  }
+
+private:
+  static constexpr double SMALLEST_CHANGE = 1e-3;
+
+  // Measures distances on a pose.
+  Target_3 refined(Registered_body& measured) const
+  {
+    const Point_matrix pose = m_registration.surface_pose(measured);
+    const Landmark_fields_3 fields = timed(measured.summary, "geodesics", [&] {
+      const Surface_component_3 posed = m_coarse.posed(pose);
+      return m_options.target_fields_function
+               ? fields_of_function(m_options.target_fields_function, posed, m_options)
+               : landmark_fields(posed, m_options);
+    });
+    return timed(measured.summary, "target",
+                 [&] { return refined_target(m_surface, m_coarse, fields, pose, m_options); });
+  }
+
+  const Surface_registration& m_registration;
+  const Surface_component_3& m_surface;
+  const Coarse_surface_3& m_coarse;
+  const Options& m_options;
+};
 
 } // namespace internal
 
 CGAL_CANONICAL_POSE_3_INLINE Result registered_pose(const Surface_component_3& surface,
-                                                    const Target_3& given_target,
+                                                    const Coarse_surface_3& coarse,
+                                                    const Target_3& target,
                                                     const Surface_body_3& body,
                                                     const Options& options)
 {
   const internal::Thread_limit limit(options);
-  CGAL_precondition(given_target.points.rows() == surface.points.rows());
-  Target_3 target = given_target;
-  Result result;
-  Registration_summary& summary = result.summary;
-  summary.body.kind = body.kind;
-  summary.warnings = body.warnings;
-  summary.warnings.insert(summary.warnings.end(), target.warnings.begin(), target.warnings.end());
-
-  const Eigen::VectorXd shares = vertex_area_shares(surface.points, surface.triangles);
-  const internal::Body_rows rows(body.surface_vertices, body.body.embedding().rows());
-  const auto registration = internal::surface_registration(
-    surface, body, internal::body_weights(rows, shares, options), options);
-  internal::Options_constraints constraints(options.constraints,
-                                            static_cast<std::size_t>(body.body.embedding().rows()));
-  constraints.add_to(*registration, surface.body_origins);
-
-  Registration_visitor visitor;
-  if(options.visitor)
-    visitor = [&](Registration_progress progress) { // counts all iterations
-      progress.iteration += summary.iterations;
-      return options.visitor(progress);
+  CGAL_precondition(target.points.rows() == surface.points.rows());
+  CGAL_precondition(coarse.number_of_surface_vertices()
+                    == static_cast<std::size_t>(surface.points.rows()));
+  const internal::Surface_registration registration(surface, body, options);
+  const internal::Rounds rounds(registration, surface, coarse, options);
+  const int number_of_rounds = internal::number_of_rounds(options, target);
+  internal::Registered_body refined = rounds(Registration_summary(), target, number_of_rounds);
+  const auto is_complete = internal::Surface_registration::is_complete;
+  if(number_of_rounds > 0 && !target.is_given && is_complete(refined))
+  {
+    const auto is_mirror_image = [&](const Target_handedness_3& handedness) {
+      return handedness.is_mirror_image() != options.takes_mirror_image;
     };
-  Point_matrix body_pose;
-  const auto run = [&] {
-    registration->set_target(rows.means(target.points));
-    Registration_summary one = registration->register_to_target(body_pose, visitor);
-    summary = internal::continued(std::move(summary), std::move(one));
-    summary.target = target.summary;
-  };
-  run();
-  const double volume_limit = internal::volume_ratio_limit(options, target);
-  if(summary.is_usable() && summary.volume_ratio > volume_limit
-     && summary.termination != Registration_summary::CANCELED)
-  {
-    target = internal::shrunk(std::move(target), summary.volume_ratio, volume_limit, shares);
-    run();
+    Target_handedness_3 handedness = registration.handedness(refined.target);
+    if(is_mirror_image(handedness))
+    {
+      internal::Registered_body mirrored
+        = rounds(refined.summary, registration.mirrored(target), number_of_rounds);
+      if(is_complete(mirrored))
+      {
+        refined = std::move(mirrored);
+        handedness = registration.handedness(refined.target);
+      }
+    }
+    refined.target.summary.is_handedness_certain
+      = handedness.is_certain() && !is_mirror_image(handedness);
   }
-  if(summary.is_usable())
-  {
-    internal::add_poses(surface, body, rows, body_pose, options.followers, result);
-    result.target = std::move(target.points);
-  }
-  return result;
+  return registration.result(registration(refined, internal::Purpose::RESULT));
 }
 
 } // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION

@@ -23,13 +23,16 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // Calls a function with the requested model of GeodesicDistances_3, and returns its result.
+// `time_step_factor`: of the heat method.
 template <class Function>
 auto with_geodesics(const Indexed_mesh& mesh, const Options& options,
-                    const Lane_factor_maker lane_factor_maker, const Function& f)
+                    const Lane_factor_maker lane_factor_maker, const double time_step_factor,
+                    const Function& f)
 {
   if(options.geodesics == Options::Geodesics::WAVEFRONT)
     return f(Wavefront_geodesics_3<Indexed_mesh>(mesh));
-  return f(Heat_geodesics_3<Indexed_mesh>(mesh, get(vertex_point, mesh), {}, lane_factor_maker));
+  return f(Heat_geodesics_3<Indexed_mesh>(mesh, get(vertex_point, mesh), {}, lane_factor_maker,
+                                          time_step_factor));
 }
 
 } // namespace internal

@@ -35,6 +35,7 @@ class Arap_registration
 public:
   virtual ~Arap_registration() = default;
   virtual const Registration_options& options() const = 0;
+  virtual void set_options(const Registration_options& options) = 0;
   virtual void set_number_of_iterations(int number_of_iterations) = 0;
   virtual void set_detail_length(double detail_length) = 0;
   virtual void add_constraint(std::unique_ptr<Registration_constraint_base> constraint) = 0;

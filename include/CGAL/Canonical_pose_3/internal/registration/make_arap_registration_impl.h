@@ -62,6 +62,20 @@ public:
 
   const Registration_options& options() const override { return m_options; }
 
+  void set_options(const Registration_options& options) override
+  {
+    options.check();
+    CGAL_precondition(m_fairing || options.fairing_passes == 0);
+    const bool changes_matrix
+      = options.detail_length != m_options.detail_length || options.tikhonov != m_options.tikhonov;
+    m_options = options;
+    if(!changes_matrix)
+      return;
+    m_matrix.resize(0, 0);
+    m_factor = Updated_factor(m_factor_maker);
+    m_factored_revisions.reset();
+  }
+
   void set_number_of_iterations(const int number_of_iterations) override
   {
     CGAL_precondition(number_of_iterations >= 0);
@@ -72,11 +86,7 @@ public:
   {
     Registration_options options = m_options;
     options.detail_length = detail_length;
-    options.check();
-    m_options = options;
-    m_matrix.resize(0, 0);
-    m_factor = Updated_factor(m_factor_maker);
-    m_factored_revisions.reset();
+    set_options(options);
   }
 
   void add_constraint(std::unique_ptr<Registration_constraint_base> constraint) override
@@ -142,7 +152,7 @@ public:
     timed(summary, "local_steps", [&] { evaluate(v, summary); });
     summary.energy_history.push_back(summary.energy);
     iterate(v, body_points.rows() > 0, visitor, summary);
-    if(m_options.injective && summary.is_usable() && summary.inverted > 0)
+    if(m_options.is_injective() && summary.is_usable() && summary.inverted > 0)
       repair(v, summary);
     if(summary.is_usable())
       body_points = v * m_length_scale;

@@ -45,10 +45,9 @@ inline bool is_volume_negligible(const double six_volumes, const Point_matrix& p
 
 } // namespace internal
 
-CGAL_CANONICAL_POSE_3_INLINE double
-target_handedness(Point_matrix target, Point_matrix points,
-                  const std::vector<std::array<std::size_t, 3>>& triangles,
-                  const Eigen::VectorXd& weights)
+CGAL_CANONICAL_POSE_3_INLINE Target_handedness_3 target_handedness(
+  Point_matrix target, Point_matrix points,
+  const std::vector<std::array<std::size_t, 3>>& triangles, const Eigen::VectorXd& weights)
 {
   CGAL_precondition(target.rows() == points.rows() && weights.size() == points.rows());
   CGAL_precondition(weights.sum() > 0);
@@ -59,7 +58,10 @@ target_handedness(Point_matrix target, Point_matrix points,
     = internal::is_volume_negligible(volume, points, triangles)
         ? 0
         : std::ldexp(internal::signed_volume(target, triangles) / volume, 3 * exponent);
-  return (std::isfinite(volume_ratio) ? volume_ratio : 0) + internal::chirality(target, weights);
+  Target_handedness_3 result;
+  result.volume_ratio = std::isfinite(volume_ratio) ? volume_ratio : 0;
+  result.chirality = internal::chirality(target, weights);
+  return result;
 }
 
 } // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION

@@ -1,0 +1,66 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_POWER_KERNEL_H
+#define CGAL_CANONICAL_POSE_3_POWER_KERNEL_H
+
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+
+#include <CGAL/assertions.h>
+
+#include <cmath>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
+
+/*!
+\ingroup PkgCanonicalPose3Ref
+
+\brief is the kernel of multidimensional scaling with powers of the distances, \f$ k(r) = -r^p/2 \f$.
+
+The exponent 2 is that of `Squared_distance_kernel`. The smaller it is, the less the target is dominated by
+the largest distances.
+
+\cgalModels `MdsKernel`
+*/
+class Power_kernel
+{
+public:
+  /// constructs the kernel.
+  /// \pre `exponent` is positive and finite.
+  explicit Power_kernel(const double exponent = 1.5) : m_exponent(exponent)
+  {
+    CGAL_precondition(exponent > 0 && std::isfinite(exponent));
+  }
+
+  /// returns the exponent \f$ p \f$.
+  double exponent() const { return m_exponent; }
+
+  /// returns \f$ -r^p/2 \f$ for the relative distance \f$ r = g/L \f$.
+  double operator()(const double relative_distance) const
+  {
+    return -0.5 * std::pow(relative_distance, m_exponent);
+  }
+
+  /// returns `true`.
+  bool is_centered() const { return true; }
+
+  /// returns `"power"`.
+  const char* name() const { return "power"; }
+
+private:
+  double m_exponent;
+};
+
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_POWER_KERNEL_H

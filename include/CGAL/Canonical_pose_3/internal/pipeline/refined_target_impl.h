@@ -1,0 +1,70 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_REFINED_TARGET_IMPL_H
+#define CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_REFINED_TARGET_IMPL_H
+
+#include <CGAL/Canonical_pose_3/Coarse_surface_3.h>
+#include <CGAL/Canonical_pose_3/Landmark_fields_3.h>
+#include <CGAL/Canonical_pose_3/Options.h>
+#include <CGAL/Canonical_pose_3/Smacof_target_builder_3.h>
+#include <CGAL/Canonical_pose_3/Surface_component_3.h>
+#include <CGAL/Canonical_pose_3/Target_3.h>
+#include <CGAL/Canonical_pose_3/align_target.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/Thread_limit.h>
+#include <CGAL/Canonical_pose_3/internal/soup/root_of_area.h>
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+#include <CGAL/Canonical_pose_3/point_matrix.h>
+#include <CGAL/Canonical_pose_3/pose_steps.h>
+#include <CGAL/Canonical_pose_3/surface_measures.h>
+
+#include <CGAL/assertions.h>
+
+#include <Eigen/Core>
+
+#include <cstddef>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
+
+CGAL_CANONICAL_POSE_3_INLINE Target_3 refined_target(const Surface_component_3& surface,
+                                                     const Coarse_surface_3& coarse,
+                                                     const Landmark_fields_3& fields,
+                                                     const Point_matrix& pose,
+                                                     const Options& options)
+{
+  const internal::Thread_limit limit(options);
+  CGAL_precondition(pose.rows() == surface.points.rows());
+  CGAL_precondition(fields.distances.rows() == coarse.surface.points.rows());
+  const Surface_component_3 posed = coarse.posed(pose);
+  const double size = internal::root_of_area(posed.points, posed.triangles);
+  Landmark_fields_3 scaled = fields;
+  if(size > 0)
+    scaled.distances
+      *= internal::root_of_area(coarse.surface.points, coarse.surface.triangles) / size;
+  Smacof_target_builder_3 builder;
+  builder.build(scaled, posed.points,
+                vertex_area_shares(coarse.surface.points, coarse.surface.triangles));
+  Target_3 target;
+  target.points = align_target(coarse.interpolated(builder.targets()), surface.points,
+                               vertex_area_shares(surface.points, surface.triangles));
+  target.summary.kernel = "smacof";
+  target.summary.stress = builder.stress();
+  target.summary.landmarks = fields.landmarks.size();
+  target.summary.covering_radius = fields.covering_radius;
+  target.summary.max_geodesic = fields.distances.maxCoeff();
+  return target;
+}
+
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_REFINED_TARGET_IMPL_H
