@@ -12,11 +12,10 @@
 #include <CGAL/Canonical_pose_3/Power_kernel.h>
 #include <CGAL/Canonical_pose_3/pose_difference.h>
 
-#include <CGAL/Random.h>
-
 #include <gtest/gtest.h>
 
 #include "matchers.h"
+#include "point_clouds.h"
 
 #include <Eigen/Dense>
 
@@ -25,42 +24,9 @@
 #include <limits>
 
 namespace CP = CGAL::Canonical_pose_3;
-
-namespace {
-
-Eigen::MatrixXd random_points(const int n, const int dimension)
-{
-  CGAL::Random random(7);
-  Eigen::MatrixXd points(n, dimension);
-  for(int i = 0; i < n; ++i)
-    for(int k = 0; k < dimension; ++k)
-      points(i, k) = random.get_double(-1., 1.);
-  return points;
-}
-
-CP::Landmark_fields_3 euclidean_fields(const Eigen::MatrixXd& points, const int l)
-{
-  CP::Landmark_fields_3 fields;
-  fields.distances.resize(points.rows(), l);
-  for(int j = 0; j < l; ++j)
-  {
-    fields.landmarks.push_back(static_cast<std::size_t>(j));
-    fields.distances.col(j) = (points.rowwise() - points.row(j)).rowwise().norm();
-  }
-  return fields;
-}
-
-double largest_distance_error(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b)
-{
-  double error = 0;
-  for(Eigen::Index i = 0; i < a.rows(); ++i)
-    for(Eigen::Index j = 0; j < i; ++j)
-      error
-        = (std::max)(error, std::abs((a.row(i) - a.row(j)).norm() - (b.row(i) - b.row(j)).norm()));
-  return error;
-}
-
-} // namespace
+using Canonical_pose_test::euclidean_fields;
+using Canonical_pose_test::largest_distance_error;
+using Canonical_pose_test::random_points;
 
 // Classical scaling is exact on Euclidean distances: the centered kernel matrix is then the Gram
 // matrix of the landmarks, of rank 3, and interpolation recovers every other point. Only rounding

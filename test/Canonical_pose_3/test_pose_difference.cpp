@@ -14,22 +14,17 @@
 #include <gtest/gtest.h>
 
 #include "matchers.h"
+#include "point_clouds.h"
 
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 
 namespace CP = CGAL::Canonical_pose_3;
+using Canonical_pose_test::corner;
 using CP::Point_matrix;
 
 namespace {
-
-Point_matrix corner()
-{
-  Point_matrix points(4, 3);
-  points << 0, 0, 0, 1, 0, 0, 0, 2, 0, 0, 0, 3;
-  return points;
-}
 
 Point_matrix mirrored(Point_matrix points)
 {

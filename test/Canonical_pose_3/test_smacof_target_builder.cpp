@@ -15,6 +15,7 @@
 #include <gtest/gtest.h>
 
 #include "matchers.h"
+#include "point_clouds.h"
 
 #include <Eigen/Dense>
 
@@ -25,23 +26,15 @@
 #include <limits>
 
 namespace CP = CGAL::Canonical_pose_3;
+using Canonical_pose_test::euclidean_fields;
+using Canonical_pose_test::largest_distance_error;
+using Canonical_pose_test::random_points;
 using Canonical_pose_test::relative_rms;
 using Canonical_pose_test::uniform_weights;
 using CP::Point_matrix;
 using CP::Smacof_target_builder_3;
 
 namespace {
-
-Eigen::MatrixXd random_points(const Eigen::Index n, const Eigen::Index dimension,
-                              const unsigned int seed = 7)
-{
-  CGAL::Random random(seed);
-  Eigen::MatrixXd points(n, dimension);
-  for(Eigen::Index i = 0; i < n; ++i)
-    for(Eigen::Index k = 0; k < dimension; ++k)
-      points(i, k) = random.get_double(-1., 1.);
-  return points;
-}
 
 Point_matrix perturbed(const Point_matrix& points, const double length)
 {
@@ -51,29 +44,6 @@ Point_matrix perturbed(const Point_matrix& points, const double length)
 Point_matrix mirrored(const Point_matrix& points)
 {
   return points * Eigen::Vector3d(1, 1, -1).asDiagonal();
-}
-
-// The first points are the landmarks.
-CP::Landmark_fields_3 euclidean_fields(const Eigen::MatrixXd& points, const Eigen::Index l)
-{
-  CP::Landmark_fields_3 fields;
-  fields.distances.resize(points.rows(), l);
-  for(Eigen::Index j = 0; j < l; ++j)
-  {
-    fields.landmarks.push_back(static_cast<std::size_t>(j));
-    fields.distances.col(j) = (points.rowwise() - points.row(j)).rowwise().norm();
-  }
-  return fields;
-}
-
-double largest_distance_error(const Point_matrix& a, const Point_matrix& b)
-{
-  double error = 0;
-  for(Eigen::Index i = 0; i < a.rows(); ++i)
-    for(Eigen::Index j = 0; j < i; ++j)
-      error
-        = (std::max)(error, std::abs((a.row(i) - a.row(j)).norm() - (b.row(i) - b.row(j)).norm()));
-  return error;
 }
 
 // The weights of the documentation, without the robust factor.

@@ -99,10 +99,10 @@ struct Coarse_surface_3
 
 \brief simplifies a surface to about `number_of_vertices` vertices.
 
-Edges are contracted to one of their ends, the shortest ones first, unless this would change the topology,
-fold the surface over, or cut off a tip. So the vertices of the result are spread evenly, except for
-thin parts, where they are denser. If the surface has at most `number_of_vertices` vertices, the
-result is a copy of it.
+Edges are contracted to one of their ends, the shortest ones first, unless this would change the
+topology, fold the surface over, or cut off a tip. So the vertices of the result are spread evenly,
+except for thin parts, where they are denser. If the surface has at most `number_of_vertices`
+vertices, the result is a copy of it.
 
 \param surface the surface, for example a component of `prepare_surface()`.
 \param number_of_vertices the approximate number of vertices of the result; surfaces of a

@@ -143,11 +143,11 @@ struct Method_options
   /// if set, a model of `MdsKernel` that replaces `kernel`.
   std::optional<Mds_kernel> mds_kernel;
 
-  /// maximum number of rounds before the final registration. In a round, the body is registered with
-  /// half the detail length, and distances are measured again on this pose, where limbs are straight
-  /// and distances depend less on the posture; they lead to the `refined_target()`. The default is
-  /// 3; for a given target, with `paper_weights`, and with the uncentered kernel, it is 0.
-  /// Nonnegative.
+  /// maximum number of rounds before the final registration. In a round, the body is registered
+  /// with half the detail length, and distances are measured again on this pose, where limbs are
+  /// straight and distances depend less on the posture; they lead to the `refined_target()`. The
+  /// default is 3; for a given target, with `paper_weights`, and with the uncentered kernel, it is
+  /// 0. Nonnegative.
   std::optional<int> number_of_rounds;
 
   /// whether to choose the mirror image of the target that would be chosen otherwise, see

@@ -23,10 +23,11 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief is the kernel of multidimensional scaling with powers of the distances, \f$ k(r) = -r^p/2 \f$.
+\brief is the kernel of multidimensional scaling with powers of the distances,
+\f$ k(r) = -r^p/2 \f$.
 
-The exponent 2 is that of `Squared_distance_kernel`. The smaller it is, the less the target is dominated by
-the largest distances.
+The exponent 2 is that of `Squared_distance_kernel`. The smaller it is, the less the target is
+dominated by the largest distances.
 
 \cgalModels `MdsKernel`
 */

@@ -29,12 +29,13 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 from given positions.
 
 Multidimensional scaling by eigenvectors (`Landmark_mds_target_builder_3`) has no choice of weights,
-and finds the embedding up to a reflection. Here, the positions \f$ z_i \f$ of the landmarks decrease
-the weighted stress \f$ \sum_{i<j} w_{ij} (|z_i - z_j| - g_{ij})^2 \f$ from a start by majorization
-(SMACOF, \cgalCite{cgal:canonical-l-acda-77}), so a start near the embedding decides which of the
-two mirror images, and which arrangement of limbs, is found. Then, each point minimizes \f$ \sum_j
-c_j (|x - z_j| - d_j)^2 \f$ for its distances \f$ d_j \f$ to the landmarks (Levenberg-Marquardt),
-starting from its given position plus the displacement of the landmarks near it.
+and finds the embedding up to a reflection. Here, the positions \f$ z_i \f$ of the landmarks
+decrease the weighted stress \f$ \sum_{i<j} w_{ij} (|z_i - z_j| - g_{ij})^2 \f$ from a start by
+majorization (SMACOF, \cgalCite{cgal:canonical-l-acda-77}), so a start near the embedding decides
+which of the two mirror images, and which arrangement of limbs, is found. Then, each point minimizes
+\f$ \sum_j c_j (|x - z_j| - d_j)^2 \f$ for its distances \f$ d_j \f$ to the landmarks
+(Levenberg-Marquardt), starting from its given position plus the displacement of the landmarks near
+it.
 
 The weights are \f$ w_{ij} = a_i a_j \max(g_{ij}/L, 0.02)^q \f$ and \f$ c_j = a_j \max(d_j/L,
 0.02)^q \f$, where \f$ L \f$ is the largest distance, \f$ a_j \f$ is the share of the points nearest
@@ -51,8 +52,8 @@ class Smacof_target_builder_3
 {
 public:
   /// constructs a builder.
-  /// \pre `weight_exponent` is finite, and `robust_scale` is nonnegative and finite; 0 for weights that
-  ///      do not depend on residuals.
+  /// \pre `weight_exponent` is finite, and `robust_scale` is nonnegative and finite; 0 for weights
+  ///      that do not depend on residuals.
   explicit Smacof_target_builder_3(double weight_exponent = 0.75, double robust_scale = 0);
 
   /*!
@@ -86,8 +87,8 @@ public:
   /// returns the \f$ l \times 3 \f$ matrix of embedded landmarks.
   const Point_matrix& landmark_targets() const { return m_landmark_targets; }
 
-  /// returns \f$ \sqrt{\sum w (|z_i - z_j| - g)^2 / \sum w g^2} \f$ over all pairs of landmarks; 0 if all
-  /// distances are 0.
+  /// returns \f$ \sqrt{\sum w (|z_i - z_j| - g)^2 / \sum w g^2} \f$ over all pairs of landmarks; 0
+  /// if all distances are 0.
   double stress() const { return m_stress; }
 
   /// returns \f$ \sqrt{\sum c (|x - z_j| - d)^2 / \sum c d^2} \f$ for each point.

@@ -31,8 +31,9 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 The handedness of a single pose is not always certain, see
 `Registration_summary::Target::is_handedness_certain`; for several poses of the same shape with
-corresponding vertices, it can be made consistent: compute the poses that are found once more, with the opposite value of
-`Method_options::takes_mirror_image`. (To reflect their coordinates would turn them inside out.)
+corresponding vertices, it can be made consistent: compute the poses that are found once more, with
+the opposite value of `Method_options::takes_mirror_image`. (To reflect their coordinates would turn
+them inside out.)
 
 Two poses have the same handedness if their `pose_difference()` is smaller than that of one of them
 and the mirror image of the other one. If this is contradictory for three or more poses, the choice

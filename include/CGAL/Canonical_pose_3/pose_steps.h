@@ -92,11 +92,11 @@ Coarse_surface_3 coarse_surface(const Surface_component_3& surface,
 \brief chooses landmarks on a surface and computes the distances to them.
 
 \param surface the surface.
-\param options `geodesics`, `landmark_fields_function`, `number_of_landmarks`, `random_seed`, the solver
-       and `number_of_threads` are used.
+\param options `geodesics`, `landmark_fields_function`, `number_of_landmarks`, `random_seed`, the
+       solver and `number_of_threads` are used.
 
-\throws std::invalid_argument if the distances require faces with an area and a face has none, or the
-        function in the options returns invalid distances.
+\throws std::invalid_argument if the distances require faces with an area and a face has none, or
+        the function in the options returns invalid distances.
 */
 Landmark_fields_3 landmark_fields(const Surface_component_3& surface,
                                   const Options& options = Options());
@@ -104,8 +104,8 @@ Landmark_fields_3 landmark_fields(const Surface_component_3& surface,
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief chooses landmarks on a coarse surface and computes the distances to them, or returns the given
-ones for its vertices: the third step of `canonical_pose_3()`, after `coarse_surface()`.
+\brief chooses landmarks on a coarse surface and computes the distances to them, or returns the
+given ones for its vertices: the third step of `canonical_pose_3()`, after `coarse_surface()`.
 
 \param coarse the coarse surface.
 \param options as above, and `given.landmark_fields`.
@@ -181,7 +181,8 @@ inline namespace CGAL_CANONICAL_POSE_3_BODIES {
 \pre The numbers of rows agree.
 
 \throws std::invalid_argument if the function in the options returns a body of another surface.
-\throws std::runtime_error if the mesher fails, or the program was built without support for the requested body.
+\throws std::runtime_error if the mesher fails, or the program was built without support for the
+        requested body.
 
 \sa `Lattice_body_3`
 */
@@ -214,7 +215,8 @@ it requires the mirror image, everything is repeated from the mirrored first tar
        `paper_weights`, `volume_ratio_limit`, `matching_weights`, `constraints`, `followers`, the
        solver, `number_of_threads` and `visitor` are used.
 
-\returns the pose of the surface vertices of the body, the pose of the followers, the target, and the summary.
+\returns the pose of the surface vertices of the body, the pose of the followers, the target, and
+         the summary.
 
 \pre `target.points.rows() == surface.points.rows()`
 
@@ -233,7 +235,8 @@ Result registered_pose(const Surface_component_3& surface, const Coarse_surface_
 \brief transfers the poses of the components to the vertices of the input: the last step of
 `canonical_pose_3()`.
 
-Vertices of other components, and isolated vertices, move with the nearest component that has a pose.
+Vertices of other components, and isolated vertices, move with the nearest component that has a
+pose.
 
 \param surface the surface.
 \param results the result of `registered_pose()` for each component.

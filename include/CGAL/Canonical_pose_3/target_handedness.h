@@ -33,23 +33,24 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 Distances do not distinguish a target from its mirror image. The choice must be the same for all
 poses of a shape, so it must not depend on the pose, unlike the energy of the registration, which
-moreover differs by little. Two dimensionless numbers depend on the target only and change their sign
-under reflection. Which of them decides is determined by their ratio: for shapes such as quadrupeds,
-whose target is inside out if it is mirrored, the volume; for shapes such as humans, whose target is
-twisted, the chirality.
+moreover differs by little. Two dimensionless numbers depend on the target only and change their
+sign under reflection. Which of them decides is determined by their ratio: for shapes such as
+quadrupeds, whose target is inside out if it is mirrored, the volume; for shapes such as humans,
+whose target is twisted, the chirality.
 
 \sa `target_handedness()`
 */
 struct Target_handedness_3
 {
-  /// the volume enclosed by the surface in the target, relative to that in the input; 0 if the volume
-  /// of the input is at most \f$ 10^{-6} A^{3/2} \f$, where \f$ A \f$ is its area, or within the error
-  /// of rounding its coordinates: a flat sheet has no inside (a closed sheet of paper has, with
+  /// the volume enclosed by the surface in the target, relative to that in the input; 0 if the
+  /// volume of the input is at most \f$ 10^{-6} A^{3/2} \f$, where \f$ A \f$ is its area, or within
+  /// the error of rounding its coordinates: a flat sheet has no inside (a closed sheet of paper
+  /// has, with
   /// \f$ 1.4 \cdot 10^{-4} A^{3/2} \f$).
   double volume_ratio = 0;
 
-  /// the third moment \f$ \sum m_i x_i y_i z_i \f$ along the principal axes of the target, the longest
-  /// first, divided by the product of the standard deviations.
+  /// the third moment \f$ \sum m_i x_i y_i z_i \f$ along the principal axes of the target, the
+  /// longest first, divided by the product of the standard deviations.
   double chirality = 0;
 
   /// returns whether the chirality decides: it is larger than a multiple of the square of the
@@ -65,9 +66,9 @@ struct Target_handedness_3
     return (is_decided_by_chirality() ? chirality : volume_ratio) < 0;
   }
 
-  /// returns whether the choice is safe: the number that decides is not close to 0, and the other one
-  /// agrees, or their ratio is not close to the limit. If not, and the target is not its own mirror
-  /// image, as that of a bar, other poses of the shape may have the other handedness; see
+  /// returns whether the choice is safe: the number that decides is not close to 0, and the other
+  /// one agrees, or their ratio is not close to the limit. If not, and the target is not its own
+  /// mirror image, as that of a bar, other poses of the shape may have the other handedness; see
   /// `align_handedness()`.
   bool is_certain() const
   {
@@ -118,8 +119,8 @@ Target_handedness_3 target_handedness(Point_matrix target, Point_matrix points,
 `vertex_area_shares()`.
 
 \tparam TriangleMesh a model of `FaceListGraph`
-\tparam VertexPointMap a model of `ReadablePropertyMap` with vertex descriptors as keys and points of
-        a kernel as values
+\tparam VertexPointMap a model of `ReadablePropertyMap` with vertex descriptors as keys and points
+        of a kernel as values
 */
 template <class TriangleMesh, class VertexPointMap>
 Target_handedness_3 target_handedness(const Point_matrix& target, const TriangleMesh& tmesh,

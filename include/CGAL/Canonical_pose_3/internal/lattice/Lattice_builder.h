@@ -156,11 +156,10 @@ private:
     }
     const double volume
       = std::abs(signed_volume(m_surface, triangles) + signed_volume(m_surface, caps)) / 6;
-    double area = 0;
-    for(const auto& t : triangles)
-      area += twice_area(m_surface, t) / 2;
+    const double total_area = area(m_surface, triangles);
     double result = (std::max)((std::min)(thin / 2, LARGEST_SPACING), SMALLEST_SPACING);
-    while(volume / (result * result * result) + area / (result * result) > SUITABLE_NUMBER_OF_CUBES)
+    while(volume / (result * result * result) + total_area / (result * result)
+          > SUITABLE_NUMBER_OF_CUBES)
       result *= 1.05;
     return result;
   }

@@ -22,6 +22,7 @@
 #include <CGAL/Canonical_pose_3/align_target.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/Thread_limit.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/closed.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/describe_fields.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 #include <CGAL/Canonical_pose_3/pose_steps.h>
@@ -105,9 +106,7 @@ CGAL_CANONICAL_POSE_3_INLINE Target_3 mds_target(const Surface_component_3& surf
     target.summary.is_handedness_certain = handedness.is_certain();
     target.points = align_target(target.points, surface.points, shares, target.summary.reflected);
   }
-  target.summary.landmarks = fields.landmarks.size();
-  target.summary.covering_radius = fields.covering_radius;
-  target.summary.max_geodesic = fields.distances.maxCoeff();
+  internal::describe_fields(fields, target.summary);
   return target;
 }
 

@@ -33,7 +33,8 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// The steps of canonical_pose_3() for one component. `make_body(coarse, fields)` returns a `Surface_body_3`.
+// The steps of canonical_pose_3() for one component. `make_body(coarse, fields)` returns a
+// `Surface_body_3`.
 template <class MakeBody>
 Result pose_of_component(const Surface_component_3& surface, const Options& options,
                          const MakeBody& make_body)
@@ -65,8 +66,8 @@ Result pose_of_component(const Surface_component_3& surface, const Options& opti
   return result;
 }
 
-// Poses the components one after the other, the smallest first. `make_body(c, coarse, fields)` returns the
-// body of component c.
+// Poses the components one after the other, the smallest first. `make_body(c, coarse, fields)`
+// returns the body of component c.
 template <class MakeBody>
 Result pose_of_components(const Prepared_surface_3& prepared, const Options& options,
                           const MakeBody& make_body)

@@ -18,6 +18,7 @@
 #include <CGAL/Canonical_pose_3/Target_3.h>
 #include <CGAL/Canonical_pose_3/align_target.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/Thread_limit.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/describe_fields.h>
 #include <CGAL/Canonical_pose_3/internal/soup/root_of_area.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
@@ -57,9 +58,7 @@ CGAL_CANONICAL_POSE_3_INLINE Target_3 refined_target(const Surface_component_3& 
                                vertex_area_shares(surface.points, surface.triangles));
   target.summary.kernel = "smacof";
   target.summary.stress = builder.stress();
-  target.summary.landmarks = fields.landmarks.size();
-  target.summary.covering_radius = fields.covering_radius;
-  target.summary.max_geodesic = fields.distances.maxCoeff();
+  internal::describe_fields(fields, target.summary);
   return target;
 }
 

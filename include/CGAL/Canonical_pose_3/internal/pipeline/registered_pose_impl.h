@@ -186,7 +186,8 @@ public:
     m_constraints.add_to(*m_registration, surface.body_origins);
   }
 
-  // Registers to the target of `previous`. If the visitor canceled, only inverted cells are untangled.
+  // Registers to the target of `previous`. If the visitor canceled, only inverted cells are
+  // untangled.
   Registered_body operator()(const Registered_body& previous, const Purpose purpose) const
   {
     Registered_body result{previous.summary, {}, previous.target};

@@ -23,14 +23,12 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// The square root of the area of triangles, which is in the range of `double` whenever the points are.
+// The square root of the area of triangles, which is in the range of `double` whenever the points
+// are.
 inline double root_of_area(Point_matrix points, const std::vector<Index_triangle>& triangles)
 {
   const int exponent = normalize(points);
-  double area = 0;
-  for(const Index_triangle& t : triangles)
-    area += twice_area(points, t) / 2;
-  return std::ldexp(std::sqrt(area), exponent);
+  return std::ldexp(std::sqrt(area(points, triangles)), exponent);
 }
 
 } // namespace internal

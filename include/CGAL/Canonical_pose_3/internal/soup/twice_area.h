@@ -17,6 +17,7 @@
 
 #include <array>
 #include <cstddef>
+#include <vector>
 
 namespace CGAL {
 namespace Canonical_pose_3 {
@@ -31,6 +32,15 @@ double twice_area(const Points& points, const std::array<std::size_t, 3>& t)
     return points.row(static_cast<Eigen::Index>(t[k]));
   };
   return (corner(1) - corner(0)).cross(corner(2) - corner(0)).norm();
+}
+
+template <class Points>
+double area(const Points& points, const std::vector<std::array<std::size_t, 3>>& triangles)
+{
+  double result = 0;
+  for(const auto& t : triangles)
+    result += twice_area(points, t) / 2;
+  return result;
 }
 
 } // namespace internal

@@ -24,6 +24,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -40,8 +41,9 @@ inline void contract_to(Edge_contraction& contraction, const std::size_t number,
 {
   constexpr double area_per_vertex = 1.6, growth = 1.3, last_growth = 1.1;
   constexpr int most_last_passes = 30;
-  const auto length
-    = [&](const std::size_t n) { return root_of_area / std::sqrt(area_per_vertex * double(n)); };
+  const auto length = [&](const std::size_t n) {
+    return root_of_area / std::sqrt(area_per_vertex * static_cast<double>(n));
+  };
   double h = length(contraction.number_of_vertices());
   for(; h * growth < length(number); h *= growth)
     contraction.contract_edges(h, number);
@@ -49,6 +51,17 @@ inline void contract_to(Edge_contraction& contraction, const std::size_t number,
   for(int pass = 0; contraction.number_of_vertices() > number && pass < most_last_passes;
       ++pass, h *= last_growth)
     contraction.contract_edges(h, number);
+}
+
+inline Coarse_surface_3 copied_surface(const Surface_component_3& surface)
+{
+  Coarse_surface_3 result;
+  result.surface = surface;
+  result.surface.caps.clear();
+  result.surface.body_origins = surface.origins;
+  result.vertices.resize(static_cast<std::size_t>(surface.points.rows()));
+  std::iota(result.vertices.begin(), result.vertices.end(), std::size_t(0));
+  return result;
 }
 
 inline Coarse_surface_3 remaining_surface(const Surface_component_3& surface,
@@ -87,17 +100,17 @@ CGAL_CANONICAL_POSE_3_INLINE Coarse_surface_3 coarse_surface(const Surface_compo
                                                              const std::vector<std::size_t>& kept)
 {
   const auto n = static_cast<std::size_t>(surface.points.rows());
+  for(const std::size_t v : kept)
+    CGAL_precondition(v < n);
+  if(number_of_vertices >= n)
+    return internal::copied_surface(surface);
   Point_matrix points = surface.points;
   internal::normalize(points);
   internal::Edge_contraction contraction(points, surface.triangles);
   for(const std::size_t v : kept)
-  {
-    CGAL_precondition(v < n);
     contraction.keep(v);
-  }
-  if(number_of_vertices < n)
-    internal::contract_to(contraction, (std::max)(number_of_vertices, std::size_t(1)),
-                          internal::root_of_area(points, surface.triangles));
+  internal::contract_to(contraction, (std::max)(number_of_vertices, std::size_t(1)),
+                        internal::root_of_area(points, surface.triangles));
   return internal::remaining_surface(surface, contraction);
 }
 

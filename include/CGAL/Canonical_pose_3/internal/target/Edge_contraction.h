@@ -186,8 +186,8 @@ private:
       contract(v, best, combination);
   }
 
-  // Whether the surface remains a manifold of the same topology if the edge of the last star to `neighbor`
-  // is contracted (the link condition).
+  // Whether the surface remains a manifold of the same topology if the edge of the last star to
+  // `neighbor` is contracted (the link condition).
   bool keeps_topology(const Neighbor& neighbor)
   {
     ++m_mark;

@@ -158,7 +158,8 @@ public:
       m_stress_weights(weights), m_distances(shares.size()), m_weights(shares.size())
   {}
 
-  // Returns the position; `stress` receives the relative residual. In units of the largest distance.
+  // Returns the position; `stress` receives the relative residual. In units of the largest
+  // distance.
   Eigen::RowVector3d operator()(const Eigen::VectorXd& distances, const Eigen::RowVector3d& start,
                                 double& stress)
   {

@@ -36,11 +36,9 @@ namespace internal {
 inline bool is_volume_negligible(const double six_volumes, const Point_matrix& points,
                                  const std::vector<std::array<std::size_t, 3>>& triangles)
 {
-  double area = 0;
-  for(const auto& t : triangles)
-    area += twice_area(points, t) / 2;
+  const double total = area(points, triangles);
   const double rounding = 1e-15 * points.cwiseAbs().maxCoeff();
-  return !(std::abs(six_volumes) / 6 > area * (std::max)(1e-6 * std::sqrt(area), rounding));
+  return !(std::abs(six_volumes) / 6 > total * (std::max)(1e-6 * std::sqrt(total), rounding));
 }
 
 } // namespace internal
