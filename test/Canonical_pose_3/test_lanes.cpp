@@ -12,6 +12,7 @@
 #include <CGAL/Canonical_pose_3/Default_factor_traits_d.h>
 #include <CGAL/Canonical_pose_3/Eigen_factor_traits_d.h>
 #include <CGAL/Canonical_pose_3/internal/heat/Gradient_field.h>
+#include <CGAL/Canonical_pose_3/internal/linear_algebra/Column_substitution.h>
 #include <CGAL/Canonical_pose_3/internal/linear_algebra/Lane_factor.h>
 #include <CGAL/Canonical_pose_3/internal/linear_algebra/Supernodal_routines.h>
 
@@ -19,6 +20,7 @@
 
 #include <array>
 #include <limits>
+#include <numeric>
 #include <random>
 #include <vector>
 
@@ -107,35 +109,48 @@ void for_each_version(const Function& f)
 #endif
 }
 
+// Two blocks: columns 0 to 10 with the rows 0 to 10, 12, 19; columns 11 to 19.
+struct Two_blocks
+{
+  std::vector<int> rows;
+  std::array<int, 3> columns = {0, 11, 20}, first_rows = {0, 13, 22}, first_values = {0, 143, 224};
+  std::vector<double> values = std::vector<double>(224), inverse_diagonal = std::vector<double>(20);
+  Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(20, 20);
+
+  template <class Uniform>
+  explicit Two_blocks(const Uniform& uniform)
+  {
+    for(int i = 0; i < 11; ++i)
+      rows.push_back(i);
+    rows.insert(rows.end(), {12, 19});
+    for(int i = 11; i < 20; ++i)
+      rows.push_back(i);
+    for(double& v : values)
+      v = uniform();
+    for(std::size_t s = 0; s < 2; ++s)
+      for(int j = columns[s], k = first_values[s]; j < columns[s + 1]; ++j)
+        for(int r = first_rows[s]; r < first_rows[s + 1]; ++r, ++k)
+          if(rows[std::size_t(r)] == j)
+            inverse_diagonal[std::size_t(j)]
+              = 1 / (dense(j, j) = values[std::size_t(k)] = 1 + 0.1 * j);
+          else if(rows[std::size_t(r)] > j)
+            dense(rows[std::size_t(r)], j) = values[std::size_t(k)];
+  }
+
+  Supernodal_matrix matrix() const
+  {
+    return {2,           columns.data(), first_rows.data(),      first_values.data(),
+            rows.data(), values.data(),  inverse_diagonal.data()};
+  }
+};
+
 // All versions compute the same sums, up to fused rounding: the reference is the dense matrix.
 TEST(Lanes, every_version_substitutes)
 {
-  // two blocks: columns 0 to 10 with the rows 0 to 10, 12, 19; columns 11 to 19
-  std::vector<int> rows;
-  for(int i = 0; i < 11; ++i)
-    rows.push_back(i);
-  rows.insert(rows.end(), {12, 19});
-  for(int i = 11; i < 20; ++i)
-    rows.push_back(i);
-  const std::array<int, 3> columns = {0, 11, 20}, first_rows = {0, 13, 22},
-                           first_values = {0, 143, 224};
   std::mt19937 generator(3);
   std::uniform_real_distribution<double> uniform(-0.1, 0.1);
-  std::vector<double> values(224), inverse_diagonal(20);
-  for(double& v : values)
-    v = uniform(generator);
-  Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(20, 20);
-  for(std::size_t s = 0; s < 2; ++s)
-    for(int j = columns[s], k = first_values[s]; j < columns[s + 1]; ++j)
-      for(int r = first_rows[s]; r < first_rows[s + 1]; ++r, ++k)
-        if(rows[std::size_t(r)] == j)
-          inverse_diagonal[std::size_t(j)]
-            = 1 / (dense(j, j) = values[std::size_t(k)] = 1 + 0.1 * j);
-        else if(rows[std::size_t(r)] > j)
-          dense(rows[std::size_t(r)], j) = values[std::size_t(k)];
-  const Supernodal_matrix matrix
-    = {2,           columns.data(), first_rows.data(),      first_values.data(),
-       rows.data(), values.data(),  inverse_diagonal.data()};
+  const Two_blocks blocks([&] { return uniform(generator); });
+  const Supernodal_matrix matrix = blocks.matrix();
   using Rows = Eigen::Matrix<double, Eigen::Dynamic, NUMBER_OF_LANES, Eigen::RowMajor>;
   Rows b(20, NUMBER_OF_LANES);
   for(Eigen::Index i = 0; i < b.size(); ++i)
@@ -148,14 +163,53 @@ TEST(Lanes, every_version_substitutes)
     for_each_version<Forward_substitution>([&](const auto& run) {
       Rows x = b;
       run(&matrix, x.data());
-      EXPECT_LT((dense * x - b).cwiseAbs().maxCoeff(), 1e-14);
+      EXPECT_LT((blocks.dense * x - b).cwiseAbs().maxCoeff(), 1e-14);
     });
     for_each_version<Backward_substitution>([&](const auto& run) {
       Rows x = b;
       run(&matrix, x.data());
-      EXPECT_LT((dense.transpose() * x - b).cwiseAbs().maxCoeff(), 1e-14);
+      EXPECT_LT((blocks.dense.transpose() * x - b).cwiseAbs().maxCoeff(), 1e-14);
     });
   }
+}
+
+// The same for columns. If only the rows of the first block are in reach, what it subtracts from the
+// others is collected.
+TEST(Columns, every_version_substitutes)
+{
+  std::mt19937 generator(4);
+  std::uniform_real_distribution<double> uniform(-0.1, 0.1);
+  const Two_blocks blocks([&] { return uniform(generator); });
+  const Supernodal_matrix matrix = blocks.matrix();
+  const Eigen::MatrixXd b
+    = Eigen::MatrixXd::NullaryExpr(20, NUMBER_OF_COORDINATES, [&] { return uniform(generator); });
+  std::vector<int> places(20);
+  std::iota(places.begin() + 11, places.end(), 0);
+  Eigen::MatrixXd x, sums, work(13, NUMBER_OF_COORDINATES);
+  const auto rows = [&](std::size_t end) {
+    x = b;
+    sums = Eigen::MatrixXd::Zero(9, NUMBER_OF_COORDINATES);
+    return Column_substitution_rows{
+      {x.data(), 20}, end, {sums.data(), 9}, places.data(), {work.data(), 13}};
+  };
+  const std::size_t first = 0, last = 1;
+  for_each_version<Forward_column_substitution>([&](const auto& run) {
+    Column_substitution_rows all = rows(20), reached = all;
+    run(&matrix, first, last, static_cast<const Column_substitution_rows*>(&all));
+    EXPECT_LT((blocks.dense * x - b).cwiseAbs().maxCoeff(), 1e-14);
+    const Eigen::MatrixXd expected = x;
+    reached = rows(11);
+    run(&matrix, first, first, static_cast<const Column_substitution_rows*>(&reached));
+    EXPECT_EQ(x.bottomRows(9), b.bottomRows(9));
+    x.bottomRows(9) += sums;
+    run(&matrix, last, last, static_cast<const Column_substitution_rows*>(&all));
+    EXPECT_LT((x - expected).cwiseAbs().maxCoeff(), 1e-15);
+  });
+  for_each_version<Backward_column_substitution>([&](const auto& run) {
+    const Column_substitution_rows all = rows(20);
+    run(&matrix, first, last, &all);
+    EXPECT_LT((blocks.dense.transpose() * x - b).cwiseAbs().maxCoeff(), 1e-14);
+  });
 }
 
 // One face, u linear on it: the field is minus the unit gradient, and its integral against the

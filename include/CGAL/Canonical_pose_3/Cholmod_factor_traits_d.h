@@ -13,6 +13,7 @@
 #include <CGAL/Canonical_pose_3/Eigen_factor_traits_d.h>
 #include <CGAL/Canonical_pose_3/internal/linear_algebra/Cholmod_factor.h>
 #include <CGAL/Canonical_pose_3/internal/linear_algebra/Cholmod_workspace.h>
+#include <CGAL/Canonical_pose_3/internal/linear_algebra/Supernodal_column_solver.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/support/state_of_the_process.h>
 #include <CGAL/Eigen_sparse_matrix.h>
@@ -31,6 +32,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
+#include <memory>
 
 namespace CGAL {
 namespace Canonical_pose_3 {
@@ -46,7 +48,7 @@ It is available if the CMake target of the package has found CHOLMOD and defines
 `CGAL_CANONICAL_POSE_3_USE_CHOLMOD`. It prints nothing. Copies share one factorization.
 
 Its results do not depend on the number of threads: inside its functions, OpenBLAS is temporarily
-limited to one thread, and the columns of a block are solved independently, one or three at a time
+limited to one thread, and the columns of a block are solved independently, three at a time
 (in parallel, if `CGAL_LINKED_WITH_TBB` is defined). It may be used from several threads at once.
 
 \cgalModels `SparseLinearAlgebraWithBlockFactorTraits_d`
@@ -77,6 +79,7 @@ public:
   {
     denominator = 1;
     m_factor.reset();
+    m_solver.reset();
     const internal::Single_threaded_blas guard;
     internal::Cholmod_common common;
     Eigen::SparseMatrix<double> compressed = matrix.eigen_object();
@@ -88,6 +91,8 @@ public:
        || !internal::has_positive_pivots(*result, compressed.diagonal()))
       return false;
     m_factor = result;
+    if(m_factor->is_super)
+      m_solver = std::make_shared<const internal::Supernodal_column_solver>(m_factor);
     return true;
   }
 
@@ -101,11 +106,10 @@ public:
   /// solves for one right-hand side, with the last matrix passed to `factor()`.
   bool linear_solver(const Vector& right_hand_side, Vector& solution) const
   {
-    CGAL_precondition(m_factor != nullptr);
-    const internal::Single_threaded_blas guard;
-    solution.eigen_object().resize(right_hand_side.size());
-    return internal::Cholmod_workspace().solve(m_factor.get(), right_hand_side.eigen_object(),
-                                               solution.eigen_object());
+    Eigen::MatrixXd solutions;
+    const bool solved = linear_solver(right_hand_side.eigen_object(), solutions);
+    solution.eigen_object() = solutions;
+    return solved;
   }
 
   /// solves for a block of right-hand sides, one per column. Each column of the solution is bitwise
@@ -118,15 +122,18 @@ public:
     const internal::Single_threaded_blas guard;
     solutions.resize(right_hand_sides.rows(), right_hand_sides.cols());
     std::atomic<bool> solved(true);
-    // Only CHOLMOD's simplicial solves sum in the same order for one to three columns.
-    const Index width = m_factor->is_super ? 1 : 3;
+    // CHOLMOD's simplicial solves sum in the same order for one to three columns.
+    constexpr Index width = internal::NUMBER_OF_COORDINATES;
     const auto solve_groups = [&](Index first, Index last) {
       internal::Cholmod_workspace workspace;
       for(Index k = first * width; k < (std::min)(last * width, solutions.cols()); k += width)
       {
         const Index columns = (std::min)(width, solutions.cols() - k);
-        if(!workspace.solve(m_factor.get(), right_hand_sides.middleCols(k, columns),
-                            solutions.middleCols(k, columns)))
+        const auto group = right_hand_sides.middleCols(k, columns);
+        auto result = solutions.middleCols(k, columns);
+        if(m_solver)
+          m_solver->solve(group, result);
+        else if(!workspace.solve(m_factor.get(), group, result))
           solved = false;
       }
     };
@@ -138,7 +145,7 @@ public:
 #else
     solve_groups(0, number_of_groups);
 #endif
-    return solved;
+    return solved && solutions.allFinite();
   }
 
   /// returns "CHOLMOD".
@@ -148,6 +155,7 @@ public:
 
 private:
   internal::Cholmod_factor_pointer m_factor;
+  std::shared_ptr<const internal::Supernodal_column_solver> m_solver; // if the factor is supernodal
 };
 
 } // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
