@@ -10,40 +10,9 @@
 #ifndef CGAL_CANONICAL_POSE_3_EXAMPLES_ARTICULATED_FIGURE_H
 #define CGAL_CANONICAL_POSE_3_EXAMPLES_ARTICULATED_FIGURE_H
 
-// A procedural mannequin, for examples and tests that require one shape in many poses with known
-// correspondence.
-//
-// - The rest shape (arms stretched sideways) is the zero set of a smooth union of capsules and
-//   ellipsoids.
-// - It is meshed once: marching tetrahedra, collapse of short edges down to the requested number of
-//   vertices, then rounds of edge flips and tangential smoothing. Collapses preserve the topology,
-//   which is the same at every size.
-// - A pose bends it along rods: one through each limb, one through the spine. A rod preserves its
-//   length and distributes the angle of a joint over an interval around it, so that geodesics
-//   hardly change.
-//
-// Units: meters. Axes: x to the left of the figure, y up, z forward. The soles are at y = 0.
+// A procedural person; the arms are stretched sideways in the rest pose.
 
-#include <CGAL/boost/graph/Euler_operations.h>
-#include <CGAL/boost/graph/iterator.h>
-#include <CGAL/Kernel_traits.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/Surface_mesh_simplification/edge_collapse.h>
-#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Edge_length_cost.h>
-#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Midpoint_placement.h>
-
-#include <Eigen/Geometry>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <stdexcept>
-#include <string>
-#include <unordered_map>
-#include <vector>
+#include "Articulated_shape.h"
 
 namespace Canonical_pose_examples {
 
@@ -77,49 +46,9 @@ struct Joint_angles
   Trunk spine, neck;
 };
 
-struct Named_pose
-{
-  std::string name;
-  Joint_angles angles;
-};
-
 enum class Landmark { LEFT_HAND, RIGHT_HAND, LEFT_FOOT, RIGHT_FOOT, HEAD };
 
 namespace detail {
-
-using Vector = Eigen::Vector3d;
-
-inline double smoothstep(double from, double to, double x)
-{
-  const double t = (std::min)(1., (std::max)(0., (x - from) / (to - from)));
-  return t * t * (3 - 2 * t);
-}
-
-/// A bump of height 1 and width about 0.035 around 0.
-inline double ridge(double x) { return 1 - smoothstep(0.012, 0.024, std::abs(x)); }
-
-/// Minimum with its crease rounded over the width `k`.
-inline double smooth_minimum(double a, double b, double k)
-{
-  const double h = (std::max)(k - std::abs(a - b), 0.);
-  return (std::min)(a, b) - h * h / (4 * k);
-}
-
-/// Distance to the segment from `a` to `b`, minus a radius that varies linearly from `ra` to `rb`.
-inline double capsule(const Vector& p, const Vector& a, const Vector& b, double ra, double rb)
-{
-  const Vector ab = b - a;
-  const double t = (std::min)(1., (std::max)(0., (p - a).dot(ab) / ab.squaredNorm()));
-  return (p - a - t * ab).norm() - (ra + t * (rb - ra));
-}
-
-/// Distance to an ellipsoid with axes along x, y, z, accurate to first order near its surface.
-inline double ellipsoid(const Vector& p, const Vector& center, const Vector& radii)
-{
-  const Vector q = (p - center).cwiseQuotient(radii);
-  const double norm = q.norm();
-  return norm < 1e-9 ? -radii.minCoeff() : norm * (norm - 1) / q.cwiseQuotient(radii).norm();
-}
 
 inline double head(const Vector& p)
 {
@@ -174,234 +103,6 @@ inline double leg(const Vector& p)
   return -smooth_minimum(-f, p.y(), 0.015); // sole
 }
 
-/// Negative inside the figure in its rest pose.
-inline double rest_shape(Vector p)
-{
-  p.x() = std::sqrt(p.x() * p.x() + 2.5e-5); // rounds the crease at the plane of symmetry
-  double f = smooth_minimum(trunk(p), head(p), 0.03);
-  f = smooth_minimum(f, arm(p), 0.05);
-  return smooth_minimum(f, leg(p), 0.04);
-}
-
-/// `p` after one step of Newton's method toward the surface.
-inline Vector projected(const Vector& p)
-{
-  const double f = rest_shape(p), h = 1e-5;
-  Vector gradient;
-  for(int i = 0; i < 3; ++i)
-    gradient[i] = (rest_shape(p + h * Vector::Unit(i)) - f) / h;
-  return p - f / gradient.squaredNorm() * gradient;
-}
-
-/// Suitable relative edge length around `p`: smaller where there is detail.
-inline double suitable_length(const Vector& p)
-{
-  const double face = smoothstep(1.5, 1.6, p.y()) * smoothstep(-0.06, 0.05, p.z());
-  const double hand = smoothstep(0.68, 0.76, std::abs(p.x()));
-  const double belly
-    = (1 - smoothstep(0.12, 0.18, std::abs(p.y() - 1.13))) * smoothstep(0, 0.05, p.z());
-  return 1 - 0.45 * (std::max)({face, hand, 0.6 * belly});
-}
-
-/// Marching tetrahedra over the cubes that intersect the surface; the triangles form a closed
-/// 2-manifold.
-class Rest_shape_mesher
-{
-public:
-  std::vector<Vector> points;
-  std::vector<std::array<std::size_t, 3>> triangles;
-
-  explicit Rest_shape_mesher(double edge_of_a_cube) : spacing(edge_of_a_cube)
-  {
-    int size = 1;
-    while(size * spacing < 2.1)
-      size *= 2;
-    visit({{0, 0, 0}}, size);
-  }
-
-private:
-  using Node = std::array<int, 3>;
-  double spacing;
-  std::unordered_map<std::uint64_t, double> values;
-  std::unordered_map<std::uint64_t, std::size_t> crossings; // key: smaller node, direction
-
-  Vector point(const Node& n) const
-  {
-    return Vector(-1.0513, -0.1517, -1.0521) + spacing * Vector(n[0], n[1], n[2]);
-  }
-
-  static std::uint64_t key(const Node& n, int direction = 0)
-  {
-    return ((std::uint64_t(n[0]) << 40) | (std::uint64_t(n[1]) << 20) | std::uint64_t(n[2])) << 3
-           | std::uint64_t(direction);
-  }
-
-  double value(const Node& n)
-  {
-    const auto found = values.insert({key(n), 0.});
-    if(found.second)
-      found.first->second = rest_shape(point(n));
-    return found.first->second;
-  }
-
-  void visit(const Node& low, int size)
-  {
-    if(size == 1)
-      return march(low);
-    const Vector center = point(low) + Vector::Constant(spacing * size / 2.);
-    if(std::abs(rest_shape(center)) > 2 * spacing * size) // its slope is below 2
-      return;
-    const int half = size / 2;
-    for(int corner = 0; corner < 8; ++corner)
-      visit({{low[0] + half * (corner & 1), low[1] + half * (corner >> 1 & 1),
-              low[2] + half * (corner >> 2)}},
-            half);
-  }
-
-  std::size_t crossing(const Node& a, const Node& b)
-  {
-    const Node& low = a < b ? a : b;
-    const int direction
-      = std::abs(a[0] - b[0]) + 2 * std::abs(a[1] - b[1]) + 4 * std::abs(a[2] - b[2]);
-    const auto found = crossings.insert({key(low, direction), points.size()});
-    if(found.second)
-    {
-      const double t = value(a) / (value(a) - value(b));
-      points.push_back((1 - t) * point(a) + t * point(b));
-    }
-    return found.first->second;
-  }
-
-  /// The six Kuhn tetrahedra of one cube.
-  void march(const Node& low)
-  {
-    for(int a = 0; a < 3; ++a)
-      for(int turn = 1; turn <= 2; ++turn)
-      {
-        std::array<Node, 4> tetrahedron = {{low, low, low, {{low[0] + 1, low[1] + 1, low[2] + 1}}}};
-        ++tetrahedron[1][a];
-        ++tetrahedron[2][a];
-        ++tetrahedron[2][(a + turn) % 3];
-        if(turn == 2)
-          std::swap(tetrahedron[1], tetrahedron[2]); // odd permutations of the axes are inverted
-        cut(tetrahedron);
-      }
-  }
-
-  /// The one or two triangles of a positively oriented tetrahedron, oriented outward.
-  void cut(std::array<Node, 4>& t)
-  {
-    int inside = 0;
-    bool odd = false;
-    for(int i = 0; i < 4; ++i)
-      if(value(t[i]) < 0)
-      {
-        for(int j = i; j > inside; --j, odd = !odd)
-          std::swap(t[j], t[j - 1]);
-        ++inside;
-      }
-    if(inside == 0 || inside == 4)
-      return;
-    if(odd && inside == 3)
-      std::swap(t[0], t[1]);
-    else if(odd)
-      std::swap(t[2], t[3]);
-    auto cross = [&](int i, int j) { return crossing(t[i], t[j]); };
-    if(inside == 1)
-      triangles.push_back({{cross(0, 1), cross(0, 2), cross(0, 3)}});
-    else if(inside == 3)
-      triangles.push_back({{cross(0, 3), cross(1, 3), cross(2, 3)}});
-    else
-    {
-      triangles.push_back({{cross(0, 2), cross(0, 3), cross(1, 3)}});
-      triangles.push_back({{cross(0, 2), cross(1, 3), cross(1, 2)}});
-    }
-  }
-};
-
-/// Cost of a collapse: edge length relative to the suitable length.
-template <class Mesh>
-struct Relative_length_cost
-{
-  template <class Profile, class Placement>
-  auto operator()(const Profile& profile, const Placement& placement) const
-  {
-    auto cost = CGAL::Surface_mesh_simplification::Edge_length_cost<Mesh>()(profile, placement);
-    const auto& p = profile.p0();
-    const double suitable = suitable_length(Vector(p.x(), p.y(), p.z()));
-    if(cost)
-      *cost /= suitable * suitable;
-    return cost;
-  }
-};
-
-struct Number_of_edges_reached
-{
-  std::size_t requested;
-
-  template <class FT, class Profile>
-  bool operator()(const FT&, const Profile&, std::size_t, std::size_t current) const
-  {
-    return current <= requested;
-  }
-};
-
-/// One joint of a rod: a rotation that is distributed between two arc lengths.
-struct Rod_joint
-{
-  double center, half_width;
-  Eigen::AngleAxisd rotation;
-};
-
-/// A straight rod that is bent at its joints, preserving its length.
-class Rod
-{
-public:
-  Rod(const Vector& start, const Vector& direction, double arc_length,
-      const std::vector<Rod_joint>& joints)
-    : length(arc_length)
-  {
-    Vector bent = start;
-    for(int i = 0; i <= STEPS; ++i)
-    {
-      const double s = length * i / STEPS;
-      const Eigen::Matrix3d r = rotation(joints, s);
-      frames.push_back(Eigen::Translation3d(bent) * Eigen::Affine3d(r)
-                       * Eigen::Translation3d(-start - s * direction));
-      bent += length / STEPS * (rotation(joints, s + length / (2 * STEPS)) * direction);
-    }
-  }
-
-  /// `p` moved with the cross section at arc length `s`.
-  Vector operator()(double s, const Vector& p) const
-  {
-    const double at = STEPS * (std::min)(1., (std::max)(0., s / length));
-    const int i = (std::min)(int(at), STEPS - 1);
-    return (i + 1 - at) * (frames[i] * p) + (at - i) * (frames[i + 1] * p);
-  }
-
-private:
-  static constexpr int STEPS = 500;
-  double length;
-  std::vector<Eigen::Affine3d> frames;
-
-  static Eigen::Matrix3d rotation(const std::vector<Rod_joint>& joints, double s)
-  {
-    Eigen::Matrix3d r = Eigen::Matrix3d::Identity();
-    for(const Rod_joint& j : joints)
-    {
-      const double share = smoothstep(j.center - j.half_width, j.center + j.half_width, s);
-      r *= Eigen::AngleAxisd(share * j.rotation.angle(), j.rotation.axis()).toRotationMatrix();
-    }
-    return r;
-  }
-};
-
-inline Eigen::AngleAxisd about(const Vector& axis, double degrees)
-{
-  return Eigen::AngleAxisd(degrees * 3.14159265358979323846 / 180, axis);
-}
-
 inline Rod arm_rod(const Joint_angles::Arm& a)
 {
   const Eigen::AngleAxisd shoulder(about(Vector::UnitY(), -a.forward)
@@ -433,185 +134,75 @@ inline Rod spine_rod(const Joint_angles::Trunk& spine, const Joint_angles::Trunk
              {{0.17, 0.15, rotation(spine)}, {0.55, 0.07, rotation(neck)}});
 }
 
-} // namespace detail
-
-/// The figure, meshed once in its rest pose; all poses have the same faces and the same order of
-/// the vertices.
-class Articulated_figure
+/// Bends the person along rods through limbs and spine.
+class Person
 {
 public:
-  using Points = std::vector<std::array<double, 3>>;
-  using Triangles = std::vector<std::array<std::size_t, 3>>;
+  using Joint_angles = Canonical_pose_examples::Joint_angles;
 
-  /// Has exactly the requested number of vertices, at least 2000 and at most 2 million.
-  explicit Articulated_figure(std::size_t number_of_vertices = 10000)
+  explicit Person(const Joint_angles& a)
+    : arms(arm_rod(a.right_arm), arm_rod(a.left_arm)),
+      legs(leg_rod(a.right_leg), leg_rod(a.left_leg)), spine(spine_rod(a.spine, a.neck))
+  {}
+
+  Vector operator()(const Vector& p) const { return spine(p.y() - 1, with_limbs(p)); }
+
+  /// Negative inside the rest pose.
+  static double rest_shape(Vector p)
   {
-    if(number_of_vertices < 2000 || number_of_vertices > 2000000)
-      throw std::invalid_argument("the figure has 2000 to 2000000 vertices");
-    Mesh mesh = coarse_mesh(number_of_vertices);
-    for(int round = 0; round < 8; ++round)
-    {
-      flip_edges(mesh);
-      smooth(mesh);
-    }
-    for(Mesh::Vertex_index v : mesh.vertices())
-      rest.push_back(vector(mesh.point(v)));
-    for(Mesh::Face_index f : mesh.faces())
-    {
-      const Mesh::Halfedge_index h = mesh.halfedge(f);
-      faces.push_back({{mesh.source(h), mesh.target(h), mesh.target(mesh.next(h))}});
-    }
+    p.x() = std::sqrt(p.x() * p.x() + 2.5e-5); // rounds the crease at the plane of symmetry
+    double f = smooth_minimum(trunk(p), head(p), 0.03);
+    f = smooth_minimum(f, arm(p), 0.05);
+    return smooth_minimum(f, leg(p), 0.04);
   }
 
-  /// Indices into `points()`, counterclockwise seen from outside.
-  const Triangles& triangles() const { return faces; }
-
-  /// The position of each vertex in the given pose; the lowest is at y = 0.
-  Points points(const Joint_angles& angles = Joint_angles()) const
+  /// Suitable relative edge length around `p`: smaller where there is detail.
+  static double suitable_length(const Vector& p)
   {
-    const Pair_of_rods arms
-      = {{detail::arm_rod(angles.right_arm), detail::arm_rod(angles.left_arm)}};
-    const Pair_of_rods legs
-      = {{detail::leg_rod(angles.right_leg), detail::leg_rod(angles.left_leg)}};
-    const detail::Rod spine = detail::spine_rod(angles.spine, angles.neck);
-    Points result;
-    result.reserve(rest.size());
-    double lowest = 1e9;
-    for(const Vector& p : rest)
-    {
-      const Vector q = spine(p.y() - 1, with_limbs(p, arms, legs));
-      result.push_back({{q.x(), q.y(), q.z()}});
-      lowest = (std::min)(lowest, q.y());
-    }
-    for(auto& p : result)
-      p[1] -= lowest;
-    return result;
+    const double face = smoothstep(1.5, 1.6, p.y()) * smoothstep(-0.06, 0.05, p.z());
+    const double hand = smoothstep(0.68, 0.76, std::abs(p.x()));
+    const double belly
+      = (1 - smoothstep(0.12, 0.18, std::abs(p.y() - 1.13))) * smoothstep(0, 0.05, p.z());
+    return 1 - 0.45 * (std::max)({face, hand, 0.6 * belly});
   }
 
-  /// The pose as a mesh, any model of `MutableFaceGraph`; vertices in the order of `points()`.
-  template <class TriangleMesh>
-  TriangleMesh make_mesh(const Joint_angles& angles = Joint_angles()) const
+private:
+  Pair_of_rods arms, legs;
+  Rod spine;
+
+  Vector with_limbs(const Vector& p) const
   {
-    using Point_map = typename boost::property_map<TriangleMesh, CGAL::vertex_point_t>::type;
-    using Point = typename boost::property_traits<Point_map>::value_type;
-    using FT = typename CGAL::Kernel_traits<Point>::Kernel::FT;
-    TriangleMesh mesh;
-    using Vertex = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
-    std::vector<Vertex> vertices;
-    for(const auto& p : points(angles))
-    {
-      vertices.push_back(add_vertex(mesh));
-      put(CGAL::vertex_point, mesh, vertices.back(), Point(FT(p[0]), FT(p[1]), FT(p[2])));
-    }
-    for(const auto& t : faces)
-      CGAL::Euler::add_face(std::array<Vertex, 3>{{vertices[t[0]], vertices[t[1]], vertices[t[2]]}},
-                            mesh);
-    return mesh;
+    // Far from its axis, the arm starts farther out, so that the chest does not move.
+    const double off_axis = std::hypot(p.y() - 1.41, p.z());
+    const double arm = std::abs(p.x()) - 1.2 * (std::max)(0., off_axis - 0.05);
+    return arm > 0.075 ? arms(arm, p) : legs(1.08 - p.y(), p);
   }
+};
+
+} // namespace detail
+
+/// A person; the arms are stretched sideways in the rest pose.
+class Articulated_figure : public Articulated_shape<detail::Person>
+{
+public:
+  using Articulated_shape::Articulated_shape;
 
   /// Index of the vertex at a tip of the body.
   std::size_t landmark(Landmark which) const
   {
-    const Vector tips[5] = {{0.92, 1.408, 0},
-                            {-0.92, 1.408, 0},
-                            {0.161, 0.035, 0.19},
-                            {-0.161, 0.035, 0.19},
-                            {0, 1.793, 0}};
-    const Vector& tip = tips[static_cast<int>(which)];
-    const auto nearer = [&](const Vector& p, const Vector& q) {
-      return (p - tip).squaredNorm() < (q - tip).squaredNorm();
-    };
-    return std::size_t(std::min_element(rest.begin(), rest.end(), nearer) - rest.begin());
+    const detail::Vector tips[5] = {{0.92, 1.408, 0},
+                                    {-0.92, 1.408, 0},
+                                    {0.161, 0.035, 0.19},
+                                    {-0.161, 0.035, 0.19},
+                                    {0, 1.793, 0}};
+    return nearest_vertex(tips[static_cast<int>(which)]);
   }
 
   static std::vector<Named_pose> named_poses();
-
-private:
-  using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
-  using Vector = detail::Vector;
-  using Pair_of_rods = std::array<detail::Rod, 2>; // right, left
-
-  std::vector<Vector> rest;
-  Triangles faces;
-
-  static Vector vector(const Mesh::Point& p) { return Vector(p.x(), p.y(), p.z()); }
-
-  static Mesh::Vertex_index index(std::size_t i) { return Mesh::Vertex_index(Mesh::size_type(i)); }
-
-  static Mesh coarse_mesh(std::size_t number_of_vertices)
-  {
-    // Fine enough to separate the fingers, and to leave a choice of collapses.
-    const double spacing = (std::min)(0.012, 2.0 / std::sqrt(double(number_of_vertices)));
-    const detail::Rest_shape_mesher mesher(spacing);
-    Mesh mesh;
-    for(const Vector& p : mesher.points)
-      mesh.add_vertex(Mesh::Point(p.x(), p.y(), p.z()));
-    for(const auto& t : mesher.triangles)
-      mesh.add_face(index(t[0]), index(t[1]), index(t[2]));
-    namespace SMS = CGAL::Surface_mesh_simplification;
-    SMS::edge_collapse(mesh, detail::Number_of_edges_reached{3 * number_of_vertices - 6},
-                       CGAL::parameters::get_cost(detail::Relative_length_cost<Mesh>())
-                         .get_placement(SMS::Midpoint_placement<Mesh>()));
-    mesh.collect_garbage();
-    return mesh;
-  }
-
-  /// Flips the edges whose opposite angles sum to more than 180 degrees.
-  static void flip_edges(Mesh& mesh)
-  {
-    for(Mesh::Edge_index e : mesh.edges())
-    {
-      const Mesh::Halfedge_index h = mesh.halfedge(e), g = mesh.opposite(h);
-      const Mesh::Vertex_index a = mesh.target(mesh.next(h)), b = mesh.target(mesh.next(g));
-      const Vector p = vector(mesh.point(mesh.source(h))), q = vector(mesh.point(mesh.target(h)));
-      const Vector pa = p - vector(mesh.point(a)), qa = q - vector(mesh.point(a));
-      const Vector pb = p - vector(mesh.point(b)), qb = q - vector(mesh.point(b));
-      const double cotangents = pa.dot(qa) / pa.cross(qa).norm() + pb.dot(qb) / pb.cross(qb).norm();
-      if(cotangents < -1e-3 && mesh.degree(mesh.source(h)) > 3 && mesh.degree(mesh.target(h)) > 3
-         && mesh.halfedge(a, b) == Mesh::null_halfedge())
-        CGAL::Euler::flip_edge(h, mesh);
-    }
-  }
-
-  /// Moves each vertex to the mean of its neighbors, then back onto the surface.
-  static void smooth(Mesh& mesh)
-  {
-    for(Mesh::Vertex_index v : mesh.vertices())
-    {
-      Vector mean = Vector::Zero();
-      double weights = 0;
-      for(Mesh::Vertex_index w : CGAL::vertices_around_target(v, mesh))
-      {
-        const Vector p = vector(mesh.point(w));
-        const double weight = (p - vector(mesh.point(v))).norm() / detail::suitable_length(p);
-        mean += weight * p;
-        weights += weight;
-      }
-      const Vector moved = 0.4 * vector(mesh.point(v)) + 0.6 / weights * mean;
-      const Vector p = detail::projected(detail::projected(moved));
-      mesh.point(v) = Mesh::Point(p.x(), p.y(), p.z());
-    }
-  }
-
-  static Vector with_limbs(const Vector& p, const Pair_of_rods& arms, const Pair_of_rods& legs)
-  {
-    auto moved = [&](const detail::Rod& rod, double s, bool left) {
-      const Vector mirror(left ? 1 : -1, 1, 1);
-      return Vector(mirror.cwiseProduct(rod(s, mirror.cwiseProduct(p))));
-    };
-    // Far from its axis, the arm starts farther out, so that the chest does not move.
-    const double off_axis = std::hypot(p.y() - 1.41, p.z());
-    const double arm = std::abs(p.x()) - 1.2 * (std::max)(0., off_axis - 0.05);
-    if(arm > 0.075)
-      return moved(arms[p.x() > 0], arm, p.x() > 0);
-    // Between the legs the two motions are blended.
-    const double s = 1.08 - p.y(), left = detail::smoothstep(-0.05, 0.05, p.x());
-    return left * moved(legs[1], s, true) + (1 - left) * moved(legs[0], s, false);
-  }
 };
 
 /// Five poses that differ in all joints.
-inline std::vector<Named_pose> Articulated_figure::named_poses()
+inline std::vector<Articulated_figure::Named_pose> Articulated_figure::named_poses()
 {
   std::vector<Named_pose> poses(5);
   poses[0].name = "standing";

@@ -7,50 +7,66 @@
 //
 // Author(s) : The Canonical_pose_3 authors
 
-// Writes the articulated figure in one of its poses as an OFF file.
+// Writes the articulated figure, a person or an animal, in one of its poses as an OFF file.
+#include "Articulated_animal.h"
 #include "Articulated_figure.h"
 
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
+#include <map>
 #include <stdexcept>
 #include <string>
 
+using Canonical_pose_examples::Articulated_animal;
 using Canonical_pose_examples::Articulated_figure;
-using Canonical_pose_examples::Joint_angles;
 
 namespace {
+
+template <class Shape>
+void print_names(std::ostream& out)
+{
+  out << "rest";
+  for(const auto& pose : Shape::named_poses())
+    out << ", " << pose.name;
+  out << ".\n";
+}
 
 int print_usage(bool was_asked_for)
 {
   std::ostream& out = was_asked_for ? std::cout : std::cerr;
-  out << "usage: make_figure [--vertices N] [--pose NAME] output.off\n"
-         "N: 2000 to 2000000, default 10000. NAME: rest";
-  for(const auto& pose : Articulated_figure::named_poses())
-    out << ", " << pose.name;
-  out << "; default standing.\n";
+  out << "usage: make_figure [--shape person|animal] [--vertices N] [--pose NAME] output.off\n"
+         "Default: person, 10000, standing. N: 2000 to 2000000.\n"
+         "NAME of a person: ";
+  print_names<Articulated_figure>(out);
+  out << "NAME of an animal: ";
+  print_names<Articulated_animal>(out);
   return was_asked_for ? 0 : 2;
 }
 
-Joint_angles angles_of(const std::string& name)
+template <class Shape>
+typename Shape::Joint_angles angles_of(const std::string& name)
 {
   if(name == "rest")
-    return Joint_angles();
-  for(const auto& pose : Articulated_figure::named_poses())
+    return {};
+  for(const auto& pose : Shape::named_poses())
     if(pose.name == name)
       return pose.angles;
   throw std::invalid_argument("there is no pose \"" + name + "\"");
 }
 
-void write(const std::string& path, const Articulated_figure& figure, const Joint_angles& angles)
+template <class Shape>
+void write(const std::string& path, std::size_t number_of_vertices, const std::string& pose)
 {
+  const auto angles = angles_of<Shape>(pose);
+  const Shape shape(number_of_vertices);
   std::ofstream out(path);
   out.precision(17);
-  const auto points = figure.points(angles);
-  out << "OFF\n" << points.size() << ' ' << figure.triangles().size() << " 0\n";
+  const auto points = shape.points(angles);
+  out << "OFF\n" << points.size() << ' ' << shape.triangles().size() << " 0\n";
   for(const auto& p : points)
     out << p[0] << ' ' << p[1] << ' ' << p[2] << '\n';
-  for(const auto& t : figure.triangles())
+  for(const auto& t : shape.triangles())
     out << "3 " << t[0] << ' ' << t[1] << ' ' << t[2] << '\n';
   if(!out.flush())
     throw std::runtime_error("cannot write " + path);
@@ -61,17 +77,26 @@ void write(const std::string& path, const Articulated_figure& figure, const Join
 int main(int argc, char* argv[])
 try
 {
-  std::string pose = "standing", vertices = "10000", output;
+  std::map<std::string, std::string> options{
+    {"--shape", "person"}, {"--vertices", "10000"}, {"--pose", "standing"}};
+  std::string output;
   for(int i = 1; i < argc; ++i)
   {
-    const std::string argument = argv[i];
-    const bool has_value = argument == "--vertices" || argument == "--pose";
-    std::string& value = argument == "--vertices" ? vertices : has_value ? pose : output;
-    value = !has_value ? argument : ++i < argc ? argv[i] : "";
+    const auto option = options.find(argv[i]);
+    if(option == options.end())
+      output = argv[i];
+    else
+      option->second = ++i < argc ? argv[i] : "";
   }
   if(output.empty() || output[0] == '-')
     return print_usage(output == "--help");
-  write(output, Articulated_figure(std::strtoul(vertices.c_str(), nullptr, 10)), angles_of(pose));
+  const std::size_t number_of_vertices = std::strtoul(options["--vertices"].c_str(), nullptr, 10);
+  if(options["--shape"] == "person")
+    write<Articulated_figure>(output, number_of_vertices, options["--pose"]);
+  else if(options["--shape"] == "animal")
+    write<Articulated_animal>(output, number_of_vertices, options["--pose"]);
+  else
+    throw std::invalid_argument("there is no shape \"" + options["--shape"] + "\"");
   return EXIT_SUCCESS;
 }
 catch(const std::exception& error)

@@ -207,12 +207,13 @@ TEST(Pose_steps, of_a_round)
   const auto expected = CP::registered_pose(surface, coarse, refined, body, options);
   options.number_of_rounds = 1;
   const auto result = CP::registered_pose(surface, coarse, target, body, options);
-  EXPECT_EQ(result.pose, expected.pose);
   EXPECT_EQ(*result.target, *expected.target);
   EXPECT_EQ(result.summary.target.stress, target.summary.stress);
   EXPECT_EQ(result.summary.target.kernel, target.summary.kernel);
-  EXPECT_EQ(result.summary.energy_history, expected.summary.energy_history);
-  EXPECT_EQ(result.summary.iterations, measured.summary.iterations + expected.summary.iterations);
+  // The registration starts at the measured pose, or at the target: two ways to the same minimum.
+  EXPECT_NEAR(result.summary.energy, expected.summary.energy, 0.01 * expected.summary.energy);
+  EXPECT_LT((result.pose - expected.pose).rowwise().norm().maxCoeff(), 0.01 * body.length_scale);
+  EXPECT_GT(result.summary.iterations, measured.summary.iterations);
   ASSERT_EQ(result.summary.rounds.size(), 1u);
   EXPECT_EQ(result.summary.rounds[0].stress, refined.summary.stress);
   EXPECT_EQ(result.summary.rounds[0].energy, measured.summary.energy);

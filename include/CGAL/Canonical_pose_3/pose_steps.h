@@ -202,10 +202,15 @@ inline Surface_body_3 surface_body(const Surface_component_3& surface,
 `canonical_pose_3()`, before `joined_result()`.
 
 In each round, the body is registered with half the detail length and larger tolerances, and
-distances are measured on this pose; the next registration is to the `refined_target()`, the last
-one with all details. Rounds end early if the target hardly changes, or changes more than in the
-round before: then it drifts. After the rounds, `target_handedness()` is certain for most shapes; if
-it requires the mirror image, everything is repeated from the mirrored first target.
+distances are measured on this pose; the next registration is to the `refined_target()`, starting at
+the pose, the last one with all details. If the body loses more than half of its volume in a round,
+it is registered with three times the detail length instead. Rounds end early if the target hardly
+changes, or changes more than in the round before: then it drifts.
+
+The handedness is determined after the rounds. If the target is inside out, or its chirality is less
+than \f$ -0.1 v^2 \f$, where \f$ v \f$ is the volume ratio (see `Target_handedness_3`), the rounds
+are repeated from the mirrored first target. It is chosen if it is not inside out after them and, if
+the other one is not inside out either, its stress is at most 1.2 times that of the other one.
 
 \param surface the surface.
 \param coarse its coarse surface.

@@ -36,7 +36,8 @@ poses of a shape, so it must not depend on the pose, unlike the energy of the re
 moreover differs by little. Two dimensionless numbers depend on the target only and change their
 sign under reflection. Which of them decides is determined by their ratio: for shapes such as
 quadrupeds, whose target is inside out if it is mirrored, the volume; for shapes such as humans,
-whose target is twisted, the chirality.
+whose target is twisted, the chirality. This is a guess for some first targets, which depend on the
+pose; `registered_pose()` decides after the rounds.
 
 \sa `target_handedness()`
 */

@@ -10,346 +10,32 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_REGISTERED_POSE_IMPL_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_REGISTERED_POSE_IMPL_H
 
-#include <CGAL/Canonical_pose_3/Body_deformer_3.h>
 #include <CGAL/Canonical_pose_3/Coarse_surface_3.h>
 #include <CGAL/Canonical_pose_3/Landmark_fields_3.h>
 #include <CGAL/Canonical_pose_3/Options.h>
-#include <CGAL/Canonical_pose_3/Registration_options.h>
-#include <CGAL/Canonical_pose_3/Registration_progress.h>
 #include <CGAL/Canonical_pose_3/Registration_summary.h>
 #include <CGAL/Canonical_pose_3/Result.h>
 #include <CGAL/Canonical_pose_3/Surface_body_3.h>
 #include <CGAL/Canonical_pose_3/Surface_component_3.h>
 #include <CGAL/Canonical_pose_3/Target_3.h>
-#include <CGAL/Canonical_pose_3/align_target.h>
-#include <CGAL/Canonical_pose_3/internal/body/Body_view.h>
-#include <CGAL/Canonical_pose_3/internal/energy/default_rotation_routines.h>
-#include <CGAL/Canonical_pose_3/internal/pipeline/Options_constraints.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/Handed_rounds.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/Rounds.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/Surface_registration.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/Thread_limit.h>
-#include <CGAL/Canonical_pose_3/internal/pipeline/closed.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/fields_of_function.h>
-#include <CGAL/Canonical_pose_3/internal/pipeline/solver_of_options.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/timed.h>
-#include <CGAL/Canonical_pose_3/internal/registration/Arap_registration.h>
-#include <CGAL/Canonical_pose_3/internal/registration/check_registration.h>
-#include <CGAL/Canonical_pose_3/internal/registration/flipped_faces.h>
-#include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
-#include <CGAL/Canonical_pose_3/internal/support/values_at.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 #include <CGAL/Canonical_pose_3/pose_steps.h>
-#include <CGAL/Canonical_pose_3/surface_measures.h>
-#include <CGAL/Canonical_pose_3/target_handedness.h>
 
-#include <CGAL/Real_timer.h>
 #include <CGAL/assertions.h>
 
-#include <Eigen/SparseCore>
-
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <limits>
-#include <memory>
-#include <stdexcept>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
-
 namespace internal {
-
-// Values at the vertices of a surface, transferred to the surface vertices of its body.
-class Body_rows
-{
-public:
-  Body_rows(const std::vector<std::size_t>& origins, const Eigen::Index n)
-    : m_origins(origins), m_copies(Eigen::VectorXd::Zero(n))
-  {
-    for(const std::size_t row : origins)
-      m_copies[static_cast<Eigen::Index>(row)] += 1;
-  }
-
-  Eigen::VectorXd sums(const Eigen::VectorXd& values) const
-  {
-    Eigen::VectorXd result = Eigen::VectorXd::Zero(m_copies.size());
-    for(std::size_t i = 0; i < m_origins.size(); ++i)
-      result[static_cast<Eigen::Index>(m_origins[i])] += values[static_cast<Eigen::Index>(i)];
-    return result;
-  }
-
-  // Copies of a vertex of the body have the same target.
-  Point_matrix means(const Point_matrix& points) const
-  {
-    Point_matrix result = Point_matrix::Zero(m_copies.size(), 3);
-    for(std::size_t i = 0; i < m_origins.size(); ++i)
-      result.row(static_cast<Eigen::Index>(m_origins[i]))
-        += points.row(static_cast<Eigen::Index>(i));
-    return m_copies.cwiseMax(1).cwiseInverse().asDiagonal() * result;
-  }
-
-  std::vector<Index_triangle> triangles(std::vector<Index_triangle> triangles) const
-  {
-    for(Index_triangle& t : triangles)
-      for(std::size_t& v : t)
-        v = m_origins[v];
-    return triangles;
-  }
-
-private:
-  const std::vector<std::size_t>& m_origins;
-  Eigen::VectorXd m_copies;
-};
-
-inline Eigen::VectorXd body_weights(const Body_rows& rows, const Eigen::VectorXd& shares,
-                                    const Options& options)
-{
-  const Eigen::VectorXd weights
-    = rows.sums(options.paper_weights ? Eigen::VectorXd::Ones(shares.size()).eval() : shares);
-  if(options.matching_weights.size() == 0)
-    return weights;
-  return weights.cwiseProduct(options.matching_weights);
-}
-
-// The options of the registrar for one component.
-inline Registration_options registration_options(const Options& options,
-                                                 const Surface_component_3& surface,
-                                                 const Body_view& body, const double length_scale)
-{
-  Registration_options result = options.registration;
-  if(options.paper_weights)
-  {
-    result.set_paper_weights(options.paper_weights->alpha, options.paper_weights->beta,
-                             static_cast<std::size_t>(surface.points.rows()), body.volume(),
-                             length_scale);
-    result.fairing_passes = (std::max)(result.fairing_passes, 1);
-  }
-  return result;
-}
-
-inline double volume_ratio_limit(const Options& options, const Target_3& target)
-{
-  constexpr double limit = 1.15;
-  return options.volume_ratio_limit.value_or(
-    target.is_given || options.paper_weights ? std::numeric_limits<double>::infinity() : limit);
-}
-
-inline Target_3 shrunk(Target_3 target, const double scale, const Eigen::VectorXd& shares)
-{
-  target.summary.scale = scale;
-  const Eigen::RowVector3d centroid = shares.transpose() * target.points;
-  target.points = Point_matrix(
-    (target.summary.scale * (target.points.rowwise() - centroid)).rowwise() + centroid);
-  return target;
-}
-
-// A pose of the body, and how it was reached.
-struct Registered_body
-{
-  Registration_summary summary; // times and iterations are those of all registrations so far
-  Point_matrix points;
-  Target_3 target;
-};
-
-// What a pose is needed for.
-enum class Purpose { RESULT, MEASUREMENT };
-
-// The options of the registrar for poses on which distances are measured: the shape of details and
-// inverted cells do not matter, but limbs should be straight.
-inline Registration_options measurement_options(Registration_options options)
-{
-  options.detail_length /= 2;
-  options.injective = false;
-  options.energy_tolerance = (std::max)(options.energy_tolerance, 1e-3);
-  options.move_tolerance = (std::max)(options.move_tolerance, 5e-3);
-  return options;
-}
-
-// Registers the body of a surface to one target after the other.
-class Surface_registration
-{
-public:
-  Surface_registration(const Surface_component_3& surface, const Surface_body_3& body,
-                       const Options& options)
-    : m_surface(surface), m_body(body), m_options(options), m_view(body.body),
-      m_rows(body.surface_vertices, m_view.embedding().rows()),
-      m_shares(vertex_area_shares(surface.points, surface.triangles)),
-      m_triangles(m_rows.triangles(surface.triangles)),
-      m_rest(m_view.embedding() * m_view.points()),
-      m_registration_options(registration_options(options, surface, m_view, body.length_scale)),
-      m_constraints(options.constraints, static_cast<std::size_t>(m_view.embedding().rows())),
-      m_registration(registration(body_weights(m_rows, m_shares, options)))
-  {
-    m_constraints.add_to(*m_registration, surface.body_origins);
-  }
-
-  // Registers to the target of `previous`. If the visitor canceled, only inverted cells are
-  // untangled.
-  Registered_body operator()(const Registered_body& previous, const Purpose purpose) const
-  {
-    Registered_body result{previous.summary, {}, previous.target};
-    result.summary.warnings = m_body.warnings;
-    result.summary.warnings.insert(result.summary.warnings.end(), result.target.warnings.begin(),
-                                   result.target.warnings.end());
-    if(previous.summary.termination == Registration_summary::CANCELED)
-    {
-      Registration_options last = m_registration_options;
-      last.number_of_iterations = 0;
-      m_registration->set_options(last);
-      result.points = previous.points;
-      run(result);
-      result.summary.termination = Registration_summary::CANCELED;
-      return result;
-    }
-    m_registration->set_options(purpose == Purpose::MEASUREMENT
-                                  ? measurement_options(m_registration_options)
-                                  : m_registration_options);
-    run(result);
-    const double limit = volume_ratio_limit(m_options, previous.target);
-    if(is_complete(result) && result.summary.volume_ratio > limit)
-      shrink(previous.target, limit, result);
-    return result;
-  }
-
-  // Whether there is a pose, and the visitor did not cancel the registration.
-  static bool is_complete(const Registered_body& registered)
-  {
-    return registered.summary.is_usable()
-           && registered.summary.termination != Registration_summary::CANCELED;
-  }
-
-  double median_strain(const Registered_body& registered) const
-  {
-    return median_edge_strain(m_rest, pose(registered), m_triangles);
-  }
-
-  // How far two targets are apart after alignment: the root mean square distance by the length
-  // scale.
-  double difference(const Target_3& target, const Target_3& other) const
-  {
-    const Point_matrix aligned = align_target(target.points, other.points, m_shares);
-    return std::sqrt((aligned - other.points).rowwise().squaredNorm().dot(m_shares)
-                     / m_shares.sum())
-           / m_body.length_scale;
-  }
-
-  // The pose of the surface vertices of the body.
-  Point_matrix pose(const Registered_body& registered) const
-  {
-    return m_view.embedding() * registered.points;
-  }
-
-  // The pose of the vertices of the surface.
-  Point_matrix surface_pose(const Registered_body& registered) const
-  {
-    return rows_at(pose(registered), m_body.surface_vertices);
-  }
-
-  Target_handedness_3 handedness(const Target_3& target) const
-  {
-    return target_handedness(target.points, m_surface.points, closed(m_surface), m_shares);
-  }
-
-  Target_3 mirrored(Target_3 target) const
-  {
-    target.points = align_target(target.points, m_surface.points, m_shares, true);
-    target.summary.reflected = !target.summary.reflected;
-    return target;
-  }
-
-  Result result(Registered_body registered) const
-  {
-    Result result;
-    Registration_summary& summary = result.summary = std::move(registered.summary);
-    summary.target = registered.target.summary;
-    summary.body.kind = m_body.kind;
-    if(!summary.is_usable())
-      return result;
-    result.pose = pose(registered);
-    summary.median_edge_strain
-      = timed(summary, "diagnosis", [&] { return median_strain(registered); });
-    summary.flipped_faces = timed(summary, "diagnosis", [&] {
-      return flipped_faces(m_view, m_triangles, m_rest, result.pose, registered.points);
-    });
-    if(m_options.followers.rows() > 0)
-      result.pose_of_followers = timed(summary, "global_steps", [&] {
-        return Point_matrix(
-          Body_deformer_3<Body_view>(m_view, m_triangles).embedding(m_options.followers)
-          * registered.points);
-      });
-    if(summary.termination == Registration_summary::ITERATION_LIMIT)
-      summary.warnings.push_back("the registration did not converge within the iterations allowed");
-    else if(summary.termination == Registration_summary::CANCELED)
-      summary.warnings.push_back("the registration was canceled before it converged");
-    result.target = std::move(registered.target.points);
-    return result;
-  }
-
-private:
-  std::unique_ptr<Arap_registration> registration(const Eigen::VectorXd& weights) const
-  {
-    if(const auto row = surface_vertex_of_loose_component(
-         m_view, weights)) // the registrar would name one of the body
-      throw std::invalid_argument("all matching weights are 0 in the part around vertex "
-                                  + std::to_string(m_surface.body_origins[*row]));
-    return make_arap_registration(m_view, weights, m_body.length_scale, m_registration_options,
-                                  m_body.stiffness, default_rotation_routines(),
-                                  solver_of_options(m_options).factor_maker());
-  }
-
-  // Scales the target down, until the volume is near the limit. It grows approximately as the 1.5th
-  // power of the scale for most shapes, but as the third power for a ball.
-  void shrink(const Target_3& target, const double limit, Registered_body& registered) const
-  {
-    const double ratio = registered.summary.volume_ratio;
-    double scale = std::pow(limit / ratio, 0.65);
-    registered.target = shrunk(target, scale, m_shares);
-    run(registered);
-    const double shrunk_ratio = registered.summary.volume_ratio;
-    if(!is_complete(registered) || !(shrunk_ratio > 0) || shrunk_ratio > limit / 1.1)
-      return;
-    scale = std::pow(scale, std::log(limit / ratio) / std::log(shrunk_ratio / ratio));
-    registered.target = shrunk(target, scale, m_shares);
-    run(registered);
-  }
-
-  void run(Registered_body& registered) const
-  {
-    const Registration_summary before = std::move(registered.summary);
-    Registration_visitor visitor;
-    if(m_options.visitor)
-      visitor = [&](Registration_progress progress) { // counts all iterations
-        progress.iteration += before.iterations;
-        return m_options.visitor(progress);
-      };
-    m_registration->set_target(m_rows.means(registered.target.points));
-    registered.summary = m_registration->register_to_target(registered.points, visitor);
-    Registration_summary& summary = registered.summary;
-    Registration_summary times = before;
-    for(const Registration_summary::Stage& stage : summary.stages)
-      times.add_seconds(stage.first, stage.second);
-    summary.stages = std::move(times.stages);
-    summary.iterations += before.iterations;
-    summary.rounds = before.rounds;
-    summary.warnings.insert(summary.warnings.begin(), before.warnings.begin(),
-                            before.warnings.end());
-  }
-
-  const Surface_component_3& m_surface;
-  const Surface_body_3& m_body;
-  const Options& m_options;
-  const Body_view m_view;
-  const Body_rows m_rows;
-  const Eigen::VectorXd m_shares;
-  const std::vector<Index_triangle> m_triangles; // of surface vertices of the body
-  const Point_matrix m_rest;
-  const Registration_options m_registration_options;
-  Options_constraints m_constraints;
-  const std::unique_ptr<Arap_registration> m_registration;
-};
 
 inline int number_of_rounds(const Options& options, const Target_3& target)
 {
@@ -361,77 +47,30 @@ inline int number_of_rounds(const Options& options, const Target_3& target)
     target.is_given || options.paper_weights || is_uncentered ? 0 : rounds);
 }
 
-// Refines a target by distances that are measured on poses.
-class Rounds
+// The target of the final registration, and the pose where it starts.
+inline Registered_body refined_in_rounds(const Surface_registration& registration,
+                                         const Surface_component_3& surface,
+                                         const Coarse_surface_3& coarse, const Target_3& target,
+                                         const Options& options)
 {
-public:
-  Rounds(const Surface_registration& registration, const Surface_component_3& surface,
-         const Coarse_surface_3& coarse, const Options& options)
-    : m_registration(registration), m_surface(surface), m_coarse(coarse), m_options(options)
-  {}
-
-  // Refines `first` in at most `rounds` rounds. Returns the target, and the last pose that was
-  // measured. `before`: for times and iterations.
-  Registered_body operator()(const Registration_summary& before, const Target_3& first,
-                             const int rounds) const
-  {
-    Registered_body current{before, {}, first};
-    current.summary.rounds.clear();
-    double last_change = (std::numeric_limits<double>::infinity)();
-    for(int round = 0; round < rounds && last_change > SMALLEST_CHANGE; ++round)
-    {
-      Real_timer timer;
-      timer.start();
-      Registered_body measured = m_registration(current, Purpose::MEASUREMENT);
-      if(!Surface_registration::is_complete(measured))
-        return measured;
-      Target_3 target;
-      try
-      {
-        target = refined(measured);
-      }
-      catch(const std::invalid_argument& error) // the pose may have faces without area
-      {
-        current = std::move(measured);
-        current.target.warnings.push_back(
-          std::string("distances on the pose could not be computed: ") + error.what());
-        break;
-      }
-      const double change = m_registration.difference(target, current.target);
-      current = std::move(measured);
-      if(change > last_change) // it drifts
-        break;
-      last_change = change;
-      current.summary.rounds.push_back({target.summary.stress, current.summary.energy,
-                                        m_registration.median_strain(current), timer.time()});
-      current.target.points = std::move(target.points);
-      current.target.summary = first.summary;
-    }
-    return current;
-  }
-
-private:
-  static constexpr double SMALLEST_CHANGE = 1e-3;
-
-  // Measures distances on a pose.
-  Target_3 refined(Registered_body& measured) const
-  {
-    const Point_matrix pose = m_registration.surface_pose(measured);
-    const Landmark_fields_3 fields = timed(measured.summary, "geodesics", [&] {
-      const Surface_component_3 posed = m_coarse.posed(pose);
-      return m_options.target_fields_function
-               ? fields_of_function(m_options.target_fields_function, posed, m_options)
-               : landmark_fields(posed, m_options);
+  const auto refined = [&](const Point_matrix& pose, Registration_summary& times) {
+    const Landmark_fields_3 fields = timed(times, "geodesics", [&] {
+      const Surface_component_3 posed = coarse.posed(pose);
+      return options.target_fields_function
+               ? fields_of_function(options.target_fields_function, posed, options)
+               : landmark_fields(posed, options);
     });
-    return timed(measured.summary, "target",
-                 [&] { return refined_target(m_surface, m_coarse, fields, pose, m_options); });
-  }
-
-  const Surface_registration& m_registration;
-  const Surface_component_3& m_surface;
-  const Coarse_surface_3& m_coarse;
-  const Options& m_options;
-};
+    return timed(times, "target",
+                 [&] { return refined_target(surface, coarse, fields, pose, options); });
+  };
+  const int number = number_of_rounds(options, target);
+  const Rounds rounds(registration, refined, number);
+  if(number == 0 || target.is_given)
+    return rounds(Registration_summary(), target);
+  const Handed_rounds handed_rounds(registration, rounds);
+  return options.takes_mirror_image ? handed_rounds.opposite(registration.mirrored(target))
+                                    : handed_rounds(target);
+}
 
 } // namespace internal
 
@@ -446,30 +85,8 @@ CGAL_CANONICAL_POSE_3_INLINE Result registered_pose(const Surface_component_3& s
   CGAL_precondition(coarse.number_of_surface_vertices()
                     == static_cast<std::size_t>(surface.points.rows()));
   const internal::Surface_registration registration(surface, body, options);
-  const internal::Rounds rounds(registration, surface, coarse, options);
-  const int number_of_rounds = internal::number_of_rounds(options, target);
-  internal::Registered_body refined = rounds(Registration_summary(), target, number_of_rounds);
-  const auto is_complete = internal::Surface_registration::is_complete;
-  if(number_of_rounds > 0 && !target.is_given && is_complete(refined))
-  {
-    const auto is_mirror_image = [&](const Target_handedness_3& handedness) {
-      return handedness.is_mirror_image() != options.takes_mirror_image;
-    };
-    Target_handedness_3 handedness = registration.handedness(refined.target);
-    if(is_mirror_image(handedness))
-    {
-      internal::Registered_body mirrored
-        = rounds(refined.summary, registration.mirrored(target), number_of_rounds);
-      if(is_complete(mirrored))
-      {
-        refined = std::move(mirrored);
-        handedness = registration.handedness(refined.target);
-      }
-    }
-    refined.target.summary.is_handedness_certain
-      = handedness.is_certain() && !is_mirror_image(handedness);
-  }
-  return registration.result(registration(refined, internal::Purpose::RESULT));
+  return registration.result(
+    registration(internal::refined_in_rounds(registration, surface, coarse, target, options)));
 }
 
 } // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION

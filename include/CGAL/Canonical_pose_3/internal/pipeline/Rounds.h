@@ -1,0 +1,102 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_ROUNDS_H
+#define CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_ROUNDS_H
+
+#include <CGAL/Canonical_pose_3/Registration_summary.h>
+#include <CGAL/Canonical_pose_3/Target_3.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/Surface_registration.h>
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+#include <CGAL/Canonical_pose_3/point_matrix.h>
+
+#include <CGAL/Real_timer.h>
+
+#include <functional>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
+namespace internal {
+
+// Refines targets by distances that are measured on poses.
+class Rounds
+{
+public:
+  // Returns the refined target for distances that are measured on a pose of the surface, and adds
+  // the times to a summary.
+  using Refinement = std::function<Target_3(const Point_matrix&, Registration_summary&)>;
+
+  // At most `number_of_rounds`.
+  Rounds(const Surface_registration& registration, Refinement refined, const int number_of_rounds)
+    : m_registration(registration), m_refined(std::move(refined)),
+      m_number_of_rounds(number_of_rounds)
+  {}
+
+  // Refines `first`; ends when the target is inside out, if that is of no use. Returns the target,
+  // and the last pose that was measured. `before`: for times and iterations.
+  Registered_body operator()(const Registration_summary& before, const Target_3& first,
+                             const bool ends_inside_out = false) const
+  {
+    Registered_body current{before, {}, first};
+    current.summary.rounds.clear();
+    double last_change = (std::numeric_limits<double>::infinity)();
+    for(int round = 0; round < m_number_of_rounds && last_change > SMALLEST_CHANGE; ++round)
+    {
+      Real_timer timer;
+      timer.start();
+      Registered_body measured = m_registration.measured(current);
+      if(!Surface_registration::is_complete(measured))
+        return measured;
+      Target_3 target;
+      try
+      {
+        target = m_refined(m_registration.surface_pose(measured), measured.summary);
+      }
+      catch(const std::invalid_argument& error) // the pose may have faces without area
+      {
+        current = std::move(measured);
+        current.target.warnings.push_back(
+          std::string("distances on the pose could not be computed: ") + error.what());
+        break;
+      }
+      const double change = m_registration.difference(target, current.target);
+      current = std::move(measured);
+      if(change > last_change) // it drifts
+        break;
+      // after a collapse, the target moves to another place
+      last_change = current.is_stiff ? (std::numeric_limits<double>::infinity)() : change;
+      current.summary.rounds.push_back({target.summary.stress, current.summary.energy,
+                                        m_registration.median_strain(current), timer.time()});
+      current.target.points = std::move(target.points);
+      current.target.summary = first.summary;
+      if(ends_inside_out && m_registration.handedness(current.target).volume_ratio < 0)
+        break;
+    }
+    return current;
+  }
+
+private:
+  static constexpr double SMALLEST_CHANGE = 1e-3;
+
+  const Surface_registration& m_registration;
+  const Refinement m_refined;
+  const int m_number_of_rounds;
+};
+
+} // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_ROUNDS_H
