@@ -136,6 +136,30 @@ TYPED_TEST(Factor_traits, vectors_of_cgal)
   EXPECT_EQ(x.eigen_object(), y.eigen_object());
 }
 
+#if defined(CGAL_CANONICAL_POSE_3_USE_CHOLMOD) && defined(CGAL_CANONICAL_POSE_3_HAS_WEAK_OPENMP)
+// OpenMP is off in the scope of the object only. For a user who has turned it off, it remains so.
+TEST(Cholmod_factor_traits, turns_openmp_off)
+{
+  using namespace internal;
+  if(canonical_pose_3_get_openmp_levels == nullptr)
+    GTEST_SKIP() << "CHOLMOD of this machine does not use OpenMP";
+  const int before = canonical_pose_3_get_openmp_levels();
+  for(int levels : {3, 0})
+  {
+    canonical_pose_3_set_openmp_levels(levels);
+    {
+      const Openmp_off off;
+      EXPECT_EQ(canonical_pose_3_get_openmp_levels(), 0);
+    }
+    EXPECT_EQ(canonical_pose_3_get_openmp_levels(), levels);
+    Sparse_factor factor(make_factor<Cholmod_factor_traits_d>);
+    factor.factor(grid_matrix(14, 14, 0.01), "the test matrix");
+    EXPECT_EQ(canonical_pose_3_get_openmp_levels(), levels);
+  }
+  canonical_pose_3_set_openmp_levels(before);
+}
+#endif
+
 #if defined(CGAL_CANONICAL_POSE_3_USE_CHOLMOD) && defined(CGAL_CANONICAL_POSE_3_HAS_WEAK_OPENBLAS)
 // OpenBLAS splits sums depending on the number of its threads. For any user setting, results do not
 // change, and neither does the setting.

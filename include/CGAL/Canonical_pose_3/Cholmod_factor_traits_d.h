@@ -81,6 +81,7 @@ public:
     m_factor.reset();
     m_solver.reset();
     const internal::Single_threaded_blas guard;
+    const internal::Openmp_off no_openmp;
     internal::Cholmod_common common;
     Eigen::SparseMatrix<double> compressed = matrix.eigen_object();
     compressed.makeCompressed();

@@ -54,6 +54,7 @@ public:
   bool factor(const Eigen::SparseMatrix<double>& matrix)
   {
     const Single_threaded_blas guard;
+    const Openmp_off no_openmp;
     Cholmod_common common;
     common.get()->supernodal = CHOLMOD_SUPERNODAL;
     cholmod_sparse view = lower_triangle(matrix);

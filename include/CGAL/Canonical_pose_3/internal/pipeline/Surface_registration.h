@@ -157,8 +157,7 @@ struct Registered_body
 };
 
 // The options of the registrar for poses on which distances are measured: the shape of details and
-// inverted cells do not matter, but limbs should be straight. `factor`: of
-// the detail length.
+// inverted cells do not matter, but limbs should be straight. `factor`: of the detail length.
 inline Registration_options measurement_options(Registration_options options, const double factor)
 {
   options.detail_length *= factor;

@@ -33,6 +33,47 @@ void openblas_set_num_threads(int number_of_threads) __attribute__((weak));
 #define CGAL_CANONICAL_POSE_3_HAS_WEAK_OPENBLAS
 #endif
 
+#if defined(__GNUC__) && defined(__ELF__)
+// Under other names, since <omp.h> declares the functions differently in each compiler.
+extern "C" {
+int canonical_pose_3_get_openmp_levels(void) __asm__("omp_get_max_active_levels")
+  __attribute__((weak));
+void canonical_pose_3_set_openmp_levels(int) __asm__("omp_set_max_active_levels")
+  __attribute__((weak));
+}
+#define CGAL_CANONICAL_POSE_3_HAS_WEAK_OPENMP
+#endif
+
+// During the lifetime of such an object, the libraries that this thread calls do not start threads of
+// OpenMP. CHOLMOD factors with four, which wait for each other at full load.
+class Openmp_off
+{
+public:
+  Openmp_off()
+  {
+#ifdef CGAL_CANONICAL_POSE_3_HAS_WEAK_OPENMP
+    if(canonical_pose_3_get_openmp_levels != nullptr
+       && canonical_pose_3_set_openmp_levels != nullptr)
+      m_levels = canonical_pose_3_get_openmp_levels();
+#endif
+    set(0);
+  }
+  ~Openmp_off() { set(m_levels); }
+  Openmp_off(const Openmp_off&) = delete;
+  Openmp_off& operator=(const Openmp_off&) = delete;
+
+private:
+  void set([[maybe_unused]] const int levels) const
+  {
+#ifdef CGAL_CANONICAL_POSE_3_HAS_WEAK_OPENMP
+    if(m_levels > 0)
+      canonical_pose_3_set_openmp_levels(levels);
+#endif
+  }
+
+  int m_levels = 0; // of the user
+};
+
 // During the lifetime of such objects, OpenBLAS, if it is the BLAS of this process, uses one
 // thread: its sums depend on the number of threads. The first object saves the user's number, the
 // last one restores it.

@@ -33,6 +33,9 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // Contracts edges of a 2-manifold, with or without boundary, to one of their ends.
+//
+// CGAL's edge_collapse() takes 12 to 17 times the processor time (from 28 000 and 46 000 to 5 000
+// vertices, by edge length), and does not express the vertices that are removed by those that remain.
 class Edge_contraction
 {
 public:
