@@ -31,6 +31,12 @@ inline CGAL::Canonical_pose_3::Point_matrix corner()
   return points;
 }
 
+inline CGAL::Canonical_pose_3::Point_matrix mirrored(CGAL::Canonical_pose_3::Point_matrix points)
+{
+  points.col(1) *= -1;
+  return points;
+}
+
 inline Eigen::MatrixXd random_points(const Eigen::Index n, const Eigen::Index dimension,
                                      const unsigned int seed = 7)
 {

@@ -33,15 +33,10 @@
 
 namespace CP = CGAL::Canonical_pose_3;
 using Canonical_pose_test::corner;
+using Canonical_pose_test::mirrored;
 using CP::Point_matrix;
 
 namespace {
-
-Point_matrix mirrored(Point_matrix points)
-{
-  points.col(1) *= -1;
-  return points;
-}
 
 // Moved, turned and scaled, differently for each i.
 Point_matrix moved(const Point_matrix& points, const int i)

@@ -22,17 +22,8 @@
 
 namespace CP = CGAL::Canonical_pose_3;
 using Canonical_pose_test::corner;
+using Canonical_pose_test::mirrored;
 using CP::Point_matrix;
-
-namespace {
-
-Point_matrix mirrored(Point_matrix points)
-{
-  points.col(1) *= -1;
-  return points;
-}
-
-} // namespace
 
 // Position, orientation and scale do not count, in any unit; only rounding errors remain.
 TEST(Pose_difference, congruent_poses)

@@ -33,24 +33,52 @@ using Canonical_pose_examples::Articulated_figure;
 
 namespace {
 
-template <class Shape>
-CP::Prepared_surface_3 prepared_shape(const std::size_t pose)
+// The steps before the registration of a figure in one of its poses.
+class Steps
 {
-  static const Shape shape(2000);
-  std::vector<std::vector<std::size_t>> faces;
-  for(const auto& t : shape.triangles())
-    faces.emplace_back(t.begin(), t.end());
-  return CP::prepare_surface(
-    Canonical_pose_test::to_matrix(shape.points(Shape::named_poses()[pose].angles)), faces);
-}
+public:
+  template <class Shape>
+  static Steps of(const std::size_t pose)
+  {
+    static const Shape shape(2000);
+    std::vector<std::vector<std::size_t>> faces;
+    for(const auto& t : shape.triangles())
+      faces.emplace_back(t.begin(), t.end());
+    return Steps(CP::prepare_surface(
+      Canonical_pose_test::to_matrix(shape.points(Shape::named_poses()[pose].angles)), faces));
+  }
 
-CP::Target_3 mirror_image(CP::Target_3 target, const CP::Surface_component_3& surface)
-{
-  target.points = CP::align_target(target.points, surface.points,
-                                   CP::vertex_area_shares(surface.points, surface.triangles), true);
-  target.summary.reflected = !target.summary.reflected;
-  return target;
-}
+  const CP::Target_3& target() const { return m_target; }
+
+  CP::Target_3 mirrored_target() const
+  {
+    CP::Target_3 result = m_target;
+    result.points
+      = CP::align_target(result.points, m_surface.points,
+                         CP::vertex_area_shares(m_surface.points, m_surface.triangles), true);
+    result.summary.reflected = !result.summary.reflected;
+    return result;
+  }
+
+  CP::Result registered_pose(const CP::Target_3& target, const CP::Options& options) const
+  {
+    return CP::registered_pose(m_surface, m_coarse, target, m_body, options);
+  }
+
+private:
+  explicit Steps(const CP::Prepared_surface_3& prepared)
+    : m_surface(prepared.components.front().surface), m_coarse(CP::coarse_surface(m_surface)),
+      m_fields(CP::landmark_fields(m_coarse)),
+      m_target(CP::mds_target(m_surface, m_coarse, m_fields)),
+      m_body(CP::surface_body(m_surface, m_coarse, m_fields))
+  {}
+
+  CP::Surface_component_3 m_surface;
+  CP::Coarse_surface_3 m_coarse;
+  CP::Landmark_fields_3 m_fields;
+  CP::Target_3 m_target;
+  CP::Surface_body_3 m_body;
+};
 
 template <class Shape>
 class Rounds : public testing::Test
@@ -61,17 +89,10 @@ TYPED_TEST_SUITE(Rounds, Shapes);
 
 TYPED_TEST(Rounds, choose_the_image)
 {
-  const auto prepared = prepared_shape<TypeParam>(1);
-  const auto& surface = prepared.components.front().surface;
-  CP::Options options = prepared.components.front().options;
-  const auto coarse = CP::coarse_surface(surface, options);
-  const auto fields = CP::landmark_fields(coarse, options);
-  const auto target = CP::mds_target(surface, coarse, fields, options);
-  const auto body = CP::surface_body(surface, coarse, fields, options);
-  const auto pose_of = [&](const CP::Target_3& first) {
-    return CP::registered_pose(surface, coarse, first, body, options);
-  };
-  const CP::Result expected = pose_of(target), result = pose_of(mirror_image(target, surface));
+  const auto steps = Steps::of<TypeParam>(1);
+  CP::Options options;
+  const CP::Result expected = steps.registered_pose(steps.target(), options),
+                   result = steps.registered_pose(steps.mirrored_target(), options);
   EXPECT_TRUE(expected.summary.target.is_handedness_certain);
   EXPECT_TRUE(result.summary.target.is_handedness_certain);
   EXPECT_EQ(result.summary.target.reflected, expected.summary.target.reflected);
@@ -80,7 +101,7 @@ TYPED_TEST(Rounds, choose_the_image)
             expected.summary.iterations); // includes those of both images
 
   options.takes_mirror_image = true; // the first target is expected to be the mirror image
-  const CP::Result opposite = pose_of(mirror_image(target, surface));
+  const CP::Result opposite = steps.registered_pose(steps.mirrored_target(), options);
   EXPECT_NE(opposite.summary.target.reflected, expected.summary.target.reflected);
   EXPECT_GT(CP::pose_difference(expected.pose, opposite.pose), 0.1);
 }
@@ -90,14 +111,10 @@ TYPED_TEST(Rounds, choose_the_image)
 // The mirror image of the target of an animal is inside out.
 TEST(Collapsed_body, is_registered_with_a_larger_detail_length)
 {
-  const auto prepared = prepared_shape<Articulated_animal>(0);
-  const auto& surface = prepared.components.front().surface;
-  CP::Options options = prepared.components.front().options;
-  const auto coarse = CP::coarse_surface(surface, options);
-  const auto fields = CP::landmark_fields(coarse, options);
-  CP::Target_3 target = mirror_image(CP::mds_target(surface, coarse, fields, options), surface);
+  const auto steps = Steps::of<Articulated_animal>(0);
+  CP::Target_3 target = steps.mirrored_target();
   target.is_given = true; // there is no choice
-  const auto body = CP::surface_body(surface, coarse, fields, options);
+  CP::Options options;
   options.number_of_rounds = 0;
   const auto is_collapsed = [](const CP::Registration_summary& summary) {
     return std::any_of(summary.warnings.begin(), summary.warnings.end(), [](const std::string& w) {
@@ -111,7 +128,7 @@ TEST(Collapsed_body, is_registered_with_a_larger_detail_length)
     changed.registration.energy_tolerance = 1e-3;
     changed.registration.move_tolerance = 5e-3;
     changed.volume_ratio_limit = 1.15;
-    return CP::registered_pose(surface, coarse, target, body, changed);
+    return steps.registered_pose(target, changed);
   };
   const CP::Result soft = result_for(0.5), stiff = result_for(3);
   EXPECT_LT(soft.summary.volume_ratio, 0.5);
@@ -120,7 +137,7 @@ TEST(Collapsed_body, is_registered_with_a_larger_detail_length)
   EXPECT_FALSE(is_collapsed(stiff.summary));
   options.number_of_rounds = 1;
   options.volume_ratio_limit = 1.15;
-  const CP::Result result = CP::registered_pose(surface, coarse, target, body, options);
+  const CP::Result result = steps.registered_pose(target, options);
   ASSERT_EQ(result.summary.rounds.size(), 1u);
   EXPECT_EQ(result.summary.rounds[0].energy, stiff.summary.energy);
   EXPECT_GT(result.summary.iterations, soft.summary.iterations + stiff.summary.iterations);

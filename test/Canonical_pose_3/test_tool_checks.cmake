@@ -75,6 +75,14 @@ function(expect_json file value)
   endif()
 endfunction()
 
+function(expect_rounds file expected)
+  file(READ ${WORK}/${file} json)
+  string(JSON number LENGTH "${json}" rounds)
+  if(NOT number EQUAL expected)
+    fail("${file} should have ${expected} rounds, not ${number}.")
+  endif()
+endfunction()
+
 # All fields are present, and all numbers are numbers.
 function(expect_complete_report file)
   file(READ ${WORK}/${file} json)

@@ -47,9 +47,9 @@ CHOLMOD of SuiteSparse, simplicial or supernodal, whichever is faster for the ma
 It is available if the CMake target of the package has found CHOLMOD and defines the macro
 `CGAL_CANONICAL_POSE_3_USE_CHOLMOD`. It prints nothing. Copies share one factorization.
 
-Its results do not depend on the number of threads: inside its functions, OpenBLAS is temporarily
-limited to one thread, and the columns of a block are solved independently, three at a time
-(in parallel, if `CGAL_LINKED_WITH_TBB` is defined). It may be used from several threads at once.
+Its results do not depend on the number of threads: inside its functions, OpenBLAS and OpenMP are
+temporarily limited to one thread, and the columns of a block are solved independently, three at a
+time (in parallel, if `CGAL_LINKED_WITH_TBB` is defined). It may be used from several threads at once.
 
 \cgalModels `SparseLinearAlgebraWithBlockFactorTraits_d`
 
@@ -132,9 +132,8 @@ public:
         const Index columns = (std::min)(width, solutions.cols() - k);
         const auto group = right_hand_sides.middleCols(k, columns);
         auto result = solutions.middleCols(k, columns);
-        if(m_solver)
-          m_solver->solve(group, result);
-        else if(!workspace.solve(m_factor.get(), group, result))
+        if(!(m_solver ? m_solver->solve(group, result)
+                      : workspace.solve(m_factor.get(), group, result)))
           solved = false;
       }
     };
@@ -146,7 +145,7 @@ public:
 #else
     solve_groups(0, number_of_groups);
 #endif
-    return solved && solutions.allFinite();
+    return solved;
   }
 
   /// returns "CHOLMOD".

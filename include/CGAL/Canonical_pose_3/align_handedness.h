@@ -41,7 +41,8 @@ is changed for one pose after the other, until no change increases the sum of th
 
 \param poses at least one matrix, all with the same number of rows.
 
-\returns for each pose, whether it has the other handedness than most of the poses; among equally many, than the first one.
+\returns for each pose, whether it has the other handedness than most of the poses; among equally
+         many, than the first one.
 
 \throws std::invalid_argument as `pose_difference()`, and if there is no pose.
 

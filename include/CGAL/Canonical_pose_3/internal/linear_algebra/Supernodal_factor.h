@@ -11,6 +11,7 @@
 #define CGAL_CANONICAL_POSE_3_INTERNAL_LINEAR_ALGEBRA_SUPERNODAL_FACTOR_H
 
 #include <CGAL/Canonical_pose_3/internal/linear_algebra/Cholmod_factor.h>
+#include <CGAL/Canonical_pose_3/internal/linear_algebra/Cholmod_supernodes.h>
 #include <CGAL/Canonical_pose_3/internal/linear_algebra/Supernodal_routines.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/support/state_of_the_process.h>
@@ -58,11 +59,12 @@ public:
     Cholmod_common common;
     common.get()->supernodal = CHOLMOD_SUPERNODAL;
     cholmod_sparse view = lower_triangle(matrix);
-    m_factor = own_cholmod_factor(cholmod_copy_factor(m_analysis.get(), common.get()));
-    if(m_factor == nullptr || !cholmod_factorize(&view, m_factor.get(), common.get())
-       || m_factor->minor < m_factor->n || !has_positive_pivots(*m_factor, matrix.diagonal()))
+    const Cholmod_factor_pointer result
+      = own_cholmod_factor(cholmod_copy_factor(m_analysis.get(), common.get()));
+    if(result == nullptr || !cholmod_factorize(&view, result.get(), common.get())
+       || result->minor < result->n || !has_positive_pivots(*result, matrix.diagonal()))
       return false;
-    set_inverse_diagonal();
+    m_supernodes = Cholmod_supernodes(result);
     return true;
   }
 
@@ -80,7 +82,7 @@ public:
   // cost.
   void solve(Lane_rows& rows, std::size_t) const
   {
-    const Supernodal_matrix matrix = view();
+    const Supernodal_matrix matrix = m_supernodes.matrix();
     run_routine<Forward_substitution>(&matrix, rows.data());
     run_routine<Backward_substitution>(&matrix, rows.data());
   }
@@ -88,31 +90,8 @@ public:
   static const char* name() { return "CHOLMOD"; }
 
 private:
-  Supernodal_matrix view() const
-  {
-    return {m_factor->nsuper,
-            static_cast<const int*>(m_factor->super),
-            static_cast<const int*>(m_factor->pi),
-            static_cast<const int*>(m_factor->px),
-            static_cast<const int*>(m_factor->s),
-            static_cast<const double*>(m_factor->x),
-            m_inverse_diagonal.data()};
-  }
-
-  void set_inverse_diagonal()
-  {
-    m_inverse_diagonal.resize(m_factor->n);
-    const Supernodal_matrix matrix = view();
-    for(std::size_t s = 0; s < matrix.number_of_blocks; ++s)
-    {
-      const Supernode node(matrix, s);
-      for(std::size_t j = 0; j < node.columns; ++j)
-        m_inverse_diagonal[node.first + j] = 1 / node.values[j * (node.stride + 1)];
-    }
-  }
-
-  Cholmod_factor_pointer m_analysis, m_factor;
-  std::vector<double> m_inverse_diagonal;
+  Cholmod_factor_pointer m_analysis;
+  Cholmod_supernodes m_supernodes;
 };
 
 } // namespace internal

@@ -58,10 +58,11 @@ public:
       Registered_body measured = m_registration.measured(current);
       if(!Surface_registration::is_complete(measured))
         return measured;
+      const Point_matrix pose = m_registration.pose(measured);
       Target_3 target;
       try
       {
-        target = m_refined(m_registration.surface_pose(measured), measured.summary);
+        target = m_refined(m_registration.surface_pose(pose), measured.summary);
       }
       catch(const std::invalid_argument& error) // the pose may have faces without area
       {
@@ -77,7 +78,7 @@ public:
       // after a collapse, the target moves to another place
       last_change = current.is_stiff ? (std::numeric_limits<double>::infinity)() : change;
       current.summary.rounds.push_back({target.summary.stress, current.summary.energy,
-                                        m_registration.median_strain(current), timer.time()});
+                                        m_registration.median_strain(pose), timer.time()});
       current.target.points = std::move(target.points);
       current.target.summary = first.summary;
       if(ends_inside_out && m_registration.handedness(current.target).volume_ratio < 0)

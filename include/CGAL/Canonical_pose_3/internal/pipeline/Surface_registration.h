@@ -222,9 +222,10 @@ public:
            && registered.summary.termination != Registration_summary::CANCELED;
   }
 
-  double median_strain(const Registered_body& registered) const
+  // `pose`: of the surface vertices of the body.
+  double median_strain(const Point_matrix& pose) const
   {
-    return median_edge_strain(m_rest, pose(registered), m_triangles);
+    return median_edge_strain(m_rest, pose, m_triangles);
   }
 
   // How far two targets are apart after alignment: the root mean square distance by the length
@@ -244,9 +245,9 @@ public:
   }
 
   // The pose of the vertices of the surface.
-  Point_matrix surface_pose(const Registered_body& registered) const
+  Point_matrix surface_pose(const Point_matrix& pose) const
   {
-    return rows_at(pose(registered), m_body.surface_vertices);
+    return rows_at(pose, m_body.surface_vertices);
   }
 
   Target_handedness_3 handedness(const Target_3& target) const
@@ -271,7 +272,7 @@ public:
       return result;
     result.pose = pose(registered);
     summary.median_edge_strain
-      = timed(summary, "diagnosis", [&] { return median_strain(registered); });
+      = timed(summary, "diagnosis", [&] { return median_strain(result.pose); });
     summary.flipped_faces = timed(summary, "diagnosis", [&] {
       return flipped_faces(m_view, m_triangles, m_rest, result.pose, registered.points);
     });
