@@ -16,10 +16,11 @@
 #include <cctype>
 #include <cerrno>
 #include <cmath>
+#include <cstddef>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
+#include <ios>
 #include <map>
 #include <stdexcept>
 #include <string>
@@ -38,7 +39,10 @@ std::string bytes_of_file(const std::string& path)
   std::ifstream in(path, std::ios::binary);
   if(!in)
     throw std::invalid_argument("it cannot be opened: " + std::string(std::strerror(errno)));
-  std::string bytes((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
+  std::string bytes;
+  std::vector<char> part(1 << 20); // pipes have no size
+  while(in.read(part.data(), static_cast<std::streamsize>(part.size())), in.gcount() > 0)
+    bytes.append(part.data(), static_cast<std::size_t>(in.gcount()));
   if(in.bad())
     throw std::invalid_argument("it cannot be read: " + std::string(std::strerror(errno)));
   if(bytes.find_first_not_of(" \t\r\n") == std::string::npos)

@@ -11,11 +11,13 @@
 #define CGAL_CANONICAL_POSE_3_TOOL_TEXT_CURSOR_H
 
 #include <cerrno>
+#include <charconv>
 #include <cstddef>
 #include <cstdlib>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <system_error>
 
 namespace Canonical_pose_tool {
 
@@ -84,8 +86,12 @@ public:
   // Converts a word that is part of `element`.
   double number(const std::string_view word, const Element& element) const
   {
+    double result;
+    if(is_converted(word, result))
+      return result;
+    // hexadecimal, with a plus sign, too large or too small
     char* end;
-    const double result = std::strtod(checked(word, element).data(), &end);
+    result = std::strtod(checked(word, element).data(), &end);
     if(end != word.data() + word.size())
       throw wrong(word, element, "is not a number");
     return result;
@@ -93,9 +99,12 @@ public:
 
   long long integer(const std::string_view word, const Element& element) const
   {
+    long long result;
+    if(is_converted(word, result))
+      return result;
     char* end;
     errno = 0;
-    const long long result = std::strtoll(checked(word, element).data(), &end, 10);
+    result = std::strtoll(checked(word, element).data(), &end, 10);
     if(end != word.data() + word.size())
       throw wrong(word, element, "is not an integer");
     if(errno == ERANGE)
@@ -137,6 +146,15 @@ public:
   }
 
 private:
+  // Takes a third of the time of std::strtod().
+  template <class Number>
+  static bool is_converted(const std::string_view word, Number& number)
+  {
+    const char* const end = word.data() + word.size();
+    const std::from_chars_result result = std::from_chars(word.data(), end, number);
+    return result.ec == std::errc() && result.ptr == end;
+  }
+
   static bool is_blank(const char c)
   {
     return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';

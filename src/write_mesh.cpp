@@ -15,8 +15,12 @@
 #include <CGAL/IO/STL.h>
 #include <CGAL/Simple_cartesian.h>
 
+#include <algorithm>
 #include <array>
+#include <charconv>
 #include <cstddef>
+#include <ios>
+#include <locale>
 #include <ostream>
 #include <stdexcept>
 #include <string>
@@ -26,9 +30,19 @@ namespace Canonical_pose_tool {
 
 namespace {
 
+// Writes numbers with the fewest digits from which the same numbers are read.
+class Shortest_numbers : public std::num_put<char>
+{
+  iter_type do_put(iter_type out, std::ios_base&, char_type, const double x) const override
+  {
+    std::array<char, 32> text;
+    return std::copy(text.data(), std::to_chars(text.data(), text.data() + text.size(), x).ptr,
+                     out);
+  }
+};
+
 void write_medit(std::ostream& out, const Mesh_file& mesh)
 {
-  out.precision(17);
   out << "MeshVersionFormatted 2\nDimension 3\nVertices\n" << mesh.points.size() << '\n';
   for(std::size_t v = 0; v < mesh.points.size(); ++v)
   {
@@ -67,25 +81,25 @@ void check_format_holds(const Format format, const Mesh_file& mesh)
 void write_mesh(std::ostream& out, const Format format, const Mesh_file& mesh)
 {
   using Point = CGAL::Simple_cartesian<double>::Point_3;
+  out.imbue(std::locale(out.getloc(), new Shortest_numbers));
   if(format == Format::MEDIT)
     return write_medit(out, mesh);
   std::vector<Point> points;
   for(const std::array<double, 3>& p : mesh.points)
     points.emplace_back(p[0], p[1], p[2]);
-  const auto precision = CGAL::parameters::stream_precision(17);
   switch(format)
   {
   case Format::OBJ:
-    CGAL::IO::write_OBJ(out, points, mesh.faces, precision);
+    CGAL::IO::write_OBJ(out, points, mesh.faces);
     break;
   case Format::PLY:
-    CGAL::IO::write_PLY(out, points, mesh.faces, precision);
+    CGAL::IO::write_PLY(out, points, mesh.faces);
     break;
   case Format::STL:
-    CGAL::IO::write_STL(out, points, mesh.faces, precision);
+    CGAL::IO::write_STL(out, points, mesh.faces);
     break;
   default:
-    CGAL::IO::write_OFF(out, points, mesh.faces, precision);
+    CGAL::IO::write_OFF(out, points, mesh.faces);
   }
 }
 

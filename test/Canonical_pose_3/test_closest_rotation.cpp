@@ -56,13 +56,13 @@ private:
 // Eight matrices at once.
 std::vector<Matrix3d> rotations_of_pack(const std::vector<Matrix3d>& matrices)
 {
-  CPI::Matrix_3<CPI::Pack> f, r;
-  for(int k = 0; k < 9 * CPI::pack_size; ++k)
-    f[k % 9 / 3][k % 3][k / 9] = matrices[k / 9](k % 9 / 3, k % 3);
+  CPI::Lane_matrix f, r;
+  for(std::size_t lane = 0; lane < CPI::NUMBER_OF_LANES; ++lane)
+    CPI::set_matrix_of_lane(f, lane, matrices[lane]);
   CPI::closest_rotations(f, r);
-  std::vector<Matrix3d> result(CPI::pack_size);
-  for(int k = 0; k < 9 * CPI::pack_size; ++k)
-    result[k / 9](k % 9 / 3, k % 3) = r[k % 9 / 3][k % 3][k / 9];
+  std::vector<Matrix3d> result;
+  for(std::size_t lane = 0; lane < CPI::NUMBER_OF_LANES; ++lane)
+    result.push_back(CPI::matrix_of_lane(r, lane));
   return result;
 }
 
@@ -92,7 +92,7 @@ TEST(Closest_rotation, is_that_of_the_singular_value_decomposition)
       1e30 * random.with_singular_values(Vector3d(3, 2, -1)),
     };
     const std::vector<Matrix3d> rotations = rotations_of_pack(matrices);
-    for(int lane = 0; lane < CPI::pack_size; ++lane)
+    for(std::size_t lane = 0; lane < CPI::NUMBER_OF_LANES; ++lane)
     {
       const Matrix3d expected = reference(matrices[lane]);
       EXPECT_LT((rotations[lane] - expected).norm(), 1e-12) << run << ' ' << lane;
@@ -120,7 +120,7 @@ TEST(Closest_rotation, is_a_closest_one_where_it_is_not_unique)
     for(const Vector3d& s : values)
       matrices.push_back(random.with_singular_values(s));
     const std::vector<Matrix3d> rotations = rotations_of_pack(matrices);
-    for(int lane = 0; lane < CPI::pack_size; ++lane)
+    for(std::size_t lane = 0; lane < CPI::NUMBER_OF_LANES; ++lane)
       for(const Matrix3d& r : {rotations[lane], CPI::closest_rotation(matrices[lane])})
       {
         EXPECT_TRUE(is_rotation(r)) << lane;
@@ -150,12 +150,12 @@ TEST(Closest_rotation, of_what_is_not_finite_is_a_rotation)
 {
   Random_matrices random;
   std::vector<Matrix3d> matrices;
-  for(int lane = 0; lane < CPI::pack_size; ++lane)
+  for(std::size_t lane = 0; lane < CPI::NUMBER_OF_LANES; ++lane)
     matrices.push_back(random.with_singular_values(Vector3d(3, 2, 1)));
   matrices[1](0, 2) = std::numeric_limits<double>::quiet_NaN();
   matrices[4](1, 1) = std::numeric_limits<double>::infinity();
   const std::vector<Matrix3d> rotations = rotations_of_pack(matrices);
-  for(int lane = 0; lane < CPI::pack_size; ++lane)
+  for(std::size_t lane = 0; lane < CPI::NUMBER_OF_LANES; ++lane)
   {
     EXPECT_TRUE(is_rotation(rotations[lane])) << lane;
     if(matrices[lane].allFinite())

@@ -34,10 +34,72 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
+// The gradients of deformations, from the edges from vertex 3 of eight cells (matrix entry (k, c):
+// coordinate c of the edge to vertex k).
+struct Deformation_gradients
+{
+  template <class Vector>
+  CGAL_CANONICAL_POSE_3_ROUTINE static void run(const double* edges, const double* gradients,
+                                                double* f)
+  {
+    for(std::size_t p = 0; p < NUMBER_OF_PARTS<Vector>; ++p)
+    {
+      Matrix_3<typename Vector::Numbers> e, g;
+      load_matrices<Vector>(edges, p, e);
+      load_matrices<Vector>(gradients, p, g);
+      for(std::size_t i = 0; i < 3; ++i)
+        for(std::size_t j = 0; j < 3; ++j)
+          part<Vector>(f, 3 * i + j, p).numbers
+            = e[0][i] * g[0][j] + e[1][i] * g[1][j] + e[2][i] * g[2][j];
+    }
+  }
+};
+
+// Of eight cells: |F - R|^2, det F (one row each), and w G^t R (twelve rows: three coordinates of
+// each vertex).
+struct Rotation_terms
+{
+  template <class Vector>
+  CGAL_CANONICAL_POSE_3_ROUTINE static void
+  run(const double* deformations, const double* rotations, const double* gradients,
+      const double* weights, double* differences, double* determinants, double* terms)
+  {
+    using Numbers = typename Vector::Numbers;
+    for(std::size_t p = 0; p < NUMBER_OF_PARTS<Vector>; ++p)
+    {
+      Matrix_3<Numbers> f, r, g;
+      load_matrices<Vector>(deformations, p, f);
+      load_matrices<Vector>(rotations, p, r);
+      load_matrices<Vector>(gradients, p, g);
+      Numbers difference = {};
+      for(std::size_t i = 0; i < 3; ++i)
+        for(std::size_t j = 0; j < 3; ++j)
+          difference += (f[i][j] - r[i][j]) * (f[i][j] - r[i][j]);
+      part<Vector>(differences, 0, p).numbers = difference;
+      part<Vector>(determinants, 0, p).numbers
+        = f[0][0] * (f[1][1] * f[2][2] - f[1][2] * f[2][1])
+          + f[0][1] * (f[1][2] * f[2][0] - f[1][0] * f[2][2])
+          + f[0][2] * (f[1][0] * f[2][1] - f[1][1] * f[2][0]);
+      const Numbers weight = part<Vector>(weights, 0, p).numbers;
+      for(std::size_t c = 0; c < 3; ++c)
+      {
+        Numbers sum = {};
+        for(std::size_t k = 0; k < 3; ++k)
+        {
+          const Numbers term = weight * (r[c][0] * g[k][0] + r[c][1] * g[k][1] + r[c][2] * g[k][2]);
+          part<Vector>(terms, 3 * k + c, p).numbers = term;
+          sum += term;
+        }
+        part<Vector>(terms, 9 + c, p).numbers = -sum;
+      }
+    }
+  }
+};
+
 // The as-rigid-as-possible energy of the cells, sum_t w_t |F_t - R_t|^2 (w_t with stiffness), and
-// the data of its local and global steps. Cells are processed in packs. Each block of cells sums
-// its part of sum_t w_t G_t^t R_t in its own slots, one per vertex of its cells; then the parts are
-// summed per vertex. The order of all sums is thus fixed.
+// the data of its local and global steps. Cells are processed in packs of eight, one per lane. Each
+// block of cells sums its part of sum_t w_t G_t^t R_t in its own slots, one per vertex of its cells;
+// then the parts are summed per vertex. The order of all sums is thus fixed.
 class Arap_energy
 {
 public:
@@ -54,21 +116,20 @@ public:
               const Eigen::VectorXd& weights, const Eigen::VectorXd& stiffness,
               const Rotation_routines& rotations = default_rotation_routines())
     : m_rotations(rotations), m_number_of_cells(cells.size()),
-      m_packs((cells.size() + pack_size - 1) / pack_size)
+      m_packs((cells.size() + NUMBER_OF_LANES - 1) / NUMBER_OF_LANES)
   {
-    for(std::size_t i = 0; i < pack_size * m_packs.size(); ++i)
+    for(std::size_t i = 0; i < NUMBER_OF_LANES * m_packs.size(); ++i)
     {
       const std::size_t t = (std::min)(i, cells.size() - 1); // copies of weight 0 pad the last pack
-      Cell_pack& pack = m_packs[i / pack_size];
-      const int lane = static_cast<int>(i % pack_size);
+      Cell_pack& pack = m_packs[i / NUMBER_OF_LANES];
+      const std::size_t lane = i % NUMBER_OF_LANES;
       Eigen::Matrix3d edges; // columns: the edges from vertex 3
       for(int k = 0; k < 3; ++k)
         edges.col(k) = rest.row(cells[t][k]) - rest.row(cells[t][3]);
       const Eigen::Matrix3d gradients = edges.inverse();
       if(!gradients.allFinite())
         throw std::invalid_argument("cell " + std::to_string(t) + " has no volume");
-      for(int k = 0; k < 9; ++k)
-        pack.gradients[k / 3][k % 3][lane] = gradients(k / 3, k % 3);
+      set_matrix_of_lane(pack.gradients, lane, gradients);
       pack.volumes[lane] = i == t ? weights[static_cast<Eigen::Index>(t)] : 0;
       pack.weights[lane]
         = pack.volumes[lane] * (stiffness.size() > 0 ? stiffness[static_cast<Eigen::Index>(t)] : 1);
@@ -84,8 +145,8 @@ public:
 
   Elastic_cell cell(const std::size_t t) const
   {
-    const Cell_pack& pack = m_packs[t / pack_size];
-    const int lane = static_cast<int>(t % pack_size);
+    const Cell_pack& pack = m_packs[t / NUMBER_OF_LANES];
+    const std::size_t lane = t % NUMBER_OF_LANES;
     return {gradients(pack, lane),
             pack.weights[lane],
             {pack.vertices[0][lane], pack.vertices[1][lane], pack.vertices[2][lane],
@@ -99,7 +160,8 @@ public:
     // corner k of cell t has index 4 t + k
     const Buckets<std::size_t> corners_of_vertices(n, [&](const auto& put) {
       for(std::size_t c = 0; c < 4 * m_number_of_cells; ++c)
-        put(static_cast<std::size_t>(m_packs[c / 4 / pack_size].vertices[c % 4][c / 4 % pack_size]),
+        put(static_cast<std::size_t>(
+              m_packs[c / 4 / NUMBER_OF_LANES].vertices[c % 4][c / 4 % NUMBER_OF_LANES]),
             c);
     });
     std::vector<std::vector<Eigen::Triplet<double>>> blocks(number_of_blocks(n));
@@ -142,9 +204,9 @@ public:
                                           const std::size_t end) {
       std::fill(m_slots.begin() + m_first_slot_of_block[block],
                 m_slots.begin() + m_first_slot_of_block[block + 1], std::array<double, 3>{0, 0, 0});
-      for(std::size_t t = begin; t < end; t += pack_size)
-        fit_rotations(points, m_packs[t / pack_size],
-                      static_cast<int>((std::min)(end - t, std::size_t(pack_size))), blocks[block]);
+      for(std::size_t t = begin; t < end; t += NUMBER_OF_LANES)
+        fit_rotations(points, m_packs[t / NUMBER_OF_LANES], (std::min)(end - t, NUMBER_OF_LANES),
+                      blocks[block]);
     });
     Evaluation sum;
     for(const Evaluation& e : blocks)
@@ -157,23 +219,22 @@ public:
   }
 
 private:
-  static_assert(block_size % pack_size == 0, "a pack of cells lies in one block");
+  static_assert(block_size % NUMBER_OF_LANES == 0, "a pack of cells lies in one block");
 
   struct Cell_pack
   {
-    Matrix_3<Pack> gradients; // row k: gradient of the barycentric coordinate of vertex k
-    Pack volumes;             // shares of the rest volume
-    Pack weights;             // volumes times stiffness
-    std::array<std::array<int, pack_size>, 4> vertices;
-    std::array<std::array<int, pack_size>, 4> slots;
+    Lane_matrix gradients; // row k: gradient of the barycentric coordinate of vertex k
+    std::array<double, NUMBER_OF_LANES> volumes; // shares of the rest volume
+    std::array<double, NUMBER_OF_LANES> weights; // volumes times stiffness
+    std::array<std::array<int, NUMBER_OF_LANES>, 4> vertices;
+    std::array<std::array<int, NUMBER_OF_LANES>, 4> slots;
   };
 
   // Row k: gradient of the barycentric coordinate of vertex k.
-  static Eigen::Matrix<double, 4, 3> gradients(const Cell_pack& pack, const int lane)
+  static Eigen::Matrix<double, 4, 3> gradients(const Cell_pack& pack, const std::size_t lane)
   {
     Eigen::Matrix<double, 4, 3> result;
-    for(int k = 0; k < 9; ++k)
-      result(k / 3, k % 3) = pack.gradients[k / 3][k % 3][lane];
+    result.topRows<3>() = matrix_of_lane(pack.gradients, lane);
     result.row(3) = -result.topRows<3>().colwise().sum();
     return result;
   }
@@ -185,8 +246,8 @@ private:
     column.start(4 * corners.size());
     for(const std::size_t corner : corners)
     {
-      const Cell_pack& pack = m_packs[corner / 4 / pack_size];
-      const int lane = static_cast<int>(corner / 4 % pack_size);
+      const Cell_pack& pack = m_packs[corner / 4 / NUMBER_OF_LANES];
+      const std::size_t lane = corner / 4 % NUMBER_OF_LANES;
       const Eigen::Matrix<double, 4, 3> g = gradients(pack, lane);
       const Eigen::Vector4d entries
         = factor * pack.weights[lane] * (g * g.row(corner % 4).transpose());
@@ -221,10 +282,10 @@ private:
     std::vector<int> slot(number_of_vertices, -1);
     for(std::size_t p = 0; p < m_packs.size(); ++p)
     {
-      if(p % (block_size / pack_size) == 0)
+      if(p % (block_size / NUMBER_OF_LANES) == 0)
         m_first_slot_of_block.push_back(vertices.size());
       for(int k = 0; k < 4; ++k)
-        for(int lane = 0; lane < pack_size; ++lane)
+        for(std::size_t lane = 0; lane < NUMBER_OF_LANES; ++lane)
         {
           const int v = m_packs[p].vertices[k][lane];
           if(slot[v] < static_cast<int>(m_first_slot_of_block.back()))
@@ -243,44 +304,35 @@ private:
     });
   }
 
-  void fit_rotations(const Point_matrix& points, const Cell_pack& cells, const int number_of_cells,
-                     Evaluation& sum)
+  void fit_rotations(const Point_matrix& points, const Cell_pack& cells,
+                     const std::size_t number_of_cells, Evaluation& sum)
   {
-    Matrix_3<Pack> edges, f, r;
-    for(int c = 0; c < 3; ++c)
-      for(int k = 0; k < 3; ++k)
-        for(int lane = 0; lane < pack_size; ++lane)
-          edges[k][c][lane]
-            = points(cells.vertices[k][lane], c) - points(cells.vertices[3][lane], c);
-    for(int i = 0; i < 3; ++i)
-      for(int j = 0; j < 3; ++j)
-        f[i][j] = edges[0][i] * cells.gradients[0][j] + edges[1][i] * cells.gradients[1][j]
-                  + edges[2][i] * cells.gradients[2][j];
-    m_rotations.eight(f, r);
-
-    Pack difference = Pack::Zero();
-    for(int i = 0; i < 3; ++i)
-      for(int j = 0; j < 3; ++j)
-        difference += (f[i][j] - r[i][j]).square();
-    const Pack determinants = f[0][0] * (f[1][1] * f[2][2] - f[1][2] * f[2][1])
-                              + f[0][1] * (f[1][2] * f[2][0] - f[1][0] * f[2][2])
-                              + f[0][2] * (f[1][0] * f[2][1] - f[1][1] * f[2][0]);
-    sum.energy += (cells.weights * difference).sum();
-    sum.volume_ratio += (cells.volumes * determinants).sum();
-    for(int lane = 0; lane < number_of_cells; ++lane)
-      sum.inverted += determinants[lane] > 0 ? 0 : 1;
-
-    for(int c = 0; c < 3; ++c)
+    Lane_matrix edges, f, r;
+    for(std::size_t lane = 0; lane < NUMBER_OF_LANES; ++lane)
     {
-      std::array<Pack, 4> terms;
-      for(int k = 0; k < 3; ++k)
-        terms[k] = cells.weights
-                   * (r[c][0] * cells.gradients[k][0] + r[c][1] * cells.gradients[k][1]
-                      + r[c][2] * cells.gradients[k][2]);
-      terms[3] = -(terms[0] + terms[1] + terms[2]);
-      for(int k = 0; k < 4; ++k)
-        for(int lane = 0; lane < pack_size; ++lane)
-          m_slots[cells.slots[k][lane]][c] += terms[k][lane];
+      const Eigen::RowVector3d origin = points.row(cells.vertices[3][lane]);
+      for(std::size_t k = 0; k < 3; ++k)
+      {
+        const Eigen::RowVector3d edge = points.row(cells.vertices[k][lane]) - origin;
+        for(std::size_t c = 0; c < 3; ++c)
+          edges[NUMBER_OF_LANES * (3 * k + c) + lane] = edge[static_cast<Eigen::Index>(c)];
+      }
+    }
+    run_routine<Deformation_gradients>(edges.data(), cells.gradients.data(), f.data());
+    m_rotations.eight(f, r);
+    std::array<double, NUMBER_OF_LANES> differences, determinants;
+    std::array<double, 12 * NUMBER_OF_LANES> terms;
+    run_routine<Rotation_terms>(f.data(), r.data(), cells.gradients.data(), cells.weights.data(),
+                                differences.data(), determinants.data(), terms.data());
+    for(std::size_t lane = 0; lane < NUMBER_OF_LANES; ++lane)
+    {
+      sum.energy += cells.weights[lane] * differences[lane];
+      sum.volume_ratio += cells.volumes[lane] * determinants[lane];
+      sum.inverted += lane < number_of_cells && !(determinants[lane] > 0) ? 1 : 0;
+      for(std::size_t k = 0; k < 4; ++k)
+        for(std::size_t c = 0; c < 3; ++c)
+          m_slots[static_cast<std::size_t>(cells.slots[k][lane])][c]
+            += terms[NUMBER_OF_LANES * (3 * k + c) + lane];
     }
   }
 

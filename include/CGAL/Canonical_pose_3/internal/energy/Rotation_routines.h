@@ -10,50 +10,61 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_ENERGY_ROTATION_ROUTINES_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_ENERGY_ROTATION_ROUTINES_H
 
+#include <CGAL/Canonical_pose_3/internal/linear_algebra/Lanes.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/support/rotation_by_traits.h>
 
 #include <Eigen/Core>
 
 #include <array>
+#include <cstddef>
 
 namespace CGAL {
 namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// Eight numbers that are processed at once.
-using Pack = Eigen::Array<double, 8, 1>;
-constexpr int pack_size = 8;
+// `m[row][column]`, possibly with a vector of numbers per entry.
+template <class Number>
+using Matrix_3 = std::array<std::array<Number, 3>, 3>;
 
-// `m[row][column]`; with packs, eight matrices.
-template <class Real>
-using Matrix_3 = std::array<std::array<Real, 3>, 3>;
+// Eight matrices, one per lane; row 3 i + j of the lanes are their entries (i, j).
+using Lane_matrix = std::array<double, 9 * NUMBER_OF_LANES>;
 
-// Applies a function of a matrix to one of eight matrices.
-template <class Function>
-void for_lane(const Matrix_3<Pack>& f, Matrix_3<Pack>& r, const int lane, const Function& function)
+// Reads part `p` of eight matrices.
+template <class Vector>
+CGAL_CANONICAL_POSE_3_ROUTINE inline void load_matrices(const double* matrices, const std::size_t p,
+                                                        Matrix_3<typename Vector::Numbers>& m)
 {
-  Eigen::Matrix3d m;
-  for(int k = 0; k < 9; ++k)
-    m(k / 3, k % 3) = f[k / 3][k % 3][lane];
-  m = function(m);
-  for(int k = 0; k < 9; ++k)
-    r[k / 3][k % 3][lane] = m(k / 3, k % 3);
+  for(std::size_t k = 0; k < 9; ++k)
+    m[k / 3][k % 3] = part<Vector>(matrices, k, p).numbers;
+}
+
+inline Eigen::Matrix3d matrix_of_lane(const Lane_matrix& matrices, const std::size_t lane)
+{
+  using Strides = Eigen::Stride<NUMBER_OF_LANES, 3 * NUMBER_OF_LANES>;
+  return Eigen::Map<const Eigen::Matrix3d, 0, Strides>(matrices.data() + lane);
+}
+
+inline void set_matrix_of_lane(Lane_matrix& matrices, const std::size_t lane,
+                               const Eigen::Matrix3d& m)
+{
+  for(int i = 0; i < 3; ++i)
+    for(int j = 0; j < 3; ++j)
+      matrices[NUMBER_OF_LANES * static_cast<std::size_t>(3 * i + j) + lane] = m(i, j);
 }
 
 template <class ClosestRotationTraits>
-void rotations_by_traits(const Matrix_3<Pack>& f, Matrix_3<Pack>& r)
+void rotations_by_traits(const Lane_matrix& f, Lane_matrix& r)
 {
-  for(int lane = 0; lane < pack_size; ++lane)
-    for_lane(f, r, lane, rotation_by_traits<ClosestRotationTraits>);
+  for(std::size_t lane = 0; lane < NUMBER_OF_LANES; ++lane)
+    set_matrix_of_lane(r, lane, rotation_by_traits<ClosestRotationTraits>(matrix_of_lane(f, lane)));
 }
 
-// The routines that compute the closest rotations, chosen at run time.
 struct Rotation_routines
 {
   Eigen::Matrix3d (*one)(const Eigen::Matrix3d&);
-  void (*eight)(const Matrix_3<Pack>&, Matrix_3<Pack>&);
+  void (*eight)(const Lane_matrix&, Lane_matrix&);
 };
 
 } // namespace internal

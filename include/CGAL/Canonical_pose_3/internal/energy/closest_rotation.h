@@ -11,15 +11,16 @@
 #define CGAL_CANONICAL_POSE_3_INTERNAL_ENERGY_CLOSEST_ROTATION_H
 
 #include <CGAL/Canonical_pose_3/internal/energy/Rotation_routines.h>
+#include <CGAL/Canonical_pose_3/internal/linear_algebra/Lanes.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 
 #include <CGAL/Deformation_Eigen_closest_rotation_traits_3.h>
 
 #include <Eigen/Core>
 
-#include <algorithm>
+#include <array>
 #include <cmath>
-#include <type_traits>
+#include <cstddef>
 
 namespace CGAL {
 namespace Canonical_pose_3 {
@@ -27,12 +28,12 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // The results of the closed form below, except for the rotation.
-template <class Real>
+template <class Numbers>
 struct Rotation_root
 {
-  Real root;      // the largest trace(R^t F) over the rotations R
-  Real last_step; // of Newton's method
-  Real slope;     // a fourth of the product of the distances to the other roots
+  Numbers root;      // the largest trace(R^t F) over the rotations R
+  Numbers last_step; // of Newton's method
+  Numbers slope;     // a fourth of the product of the distances to the other roots
 };
 
 // The rotation R closest to F, in closed form but for one root of a quartic. Let s be the singular
@@ -42,11 +43,13 @@ struct Rotation_root
 //        = x^4 - 2 |F|^2 x^2 - 8 det(F) x + |F|^4 - 4 |cof F|^2,
 // and R is its derivative with respect to F. Newton's method approaches the root from above, where
 // p is convex.
-template <class Real>
-Rotation_root<Real> rotation_by_root(const Matrix_3<Real>& f, Matrix_3<Real>& r)
+template <class Vector>
+CGAL_CANONICAL_POSE_3_ROUTINE inline void
+rotation_by_root(const Matrix_3<typename Vector::Numbers>& f, Matrix_3<typename Vector::Numbers>& r,
+                 Rotation_root<typename Vector::Numbers>& result)
 {
-  using std::sqrt;
-  Matrix_3<Real> cofactors, square; // square: F^t F, from the diagonal on
+  using Numbers = typename Vector::Numbers;
+  Matrix_3<Numbers> cofactors, square; // square: F^t F, from the diagonal on
   for(int i = 0; i < 3; ++i)
     for(int j = 0; j < 3; ++j)
     {
@@ -55,45 +58,63 @@ Rotation_root<Real> rotation_by_root(const Matrix_3<Real>& f, Matrix_3<Real>& r)
       if(i <= j)
         square[i][j] = f[0][i] * f[0][j] + f[1][i] * f[1][j] + f[2][i] * f[2][j];
     }
-  const Real norm = square[0][0] + square[1][1] + square[2][2];
-  const Real determinant
+  const Numbers norm = square[0][0] + square[1][1] + square[2][2];
+  const Numbers determinant
     = f[0][0] * cofactors[0][0] + f[0][1] * cofactors[0][1] + f[0][2] * cofactors[0][2];
-  Real cofactor_norm = cofactors[0][0] * cofactors[0][0];
+  Numbers cofactor_norm = cofactors[0][0] * cofactors[0][0];
   for(int k = 1; k < 9; ++k)
-    cofactor_norm = cofactor_norm + cofactors[k / 3][k % 3] * cofactors[k / 3][k % 3];
-  const Real constant = norm * norm - 4 * cofactor_norm;
+    cofactor_norm += cofactors[k / 3][k % 3] * cofactors[k / 3][k % 3];
+  const Numbers constant = norm * norm - 4 * cofactor_norm;
 
-  Rotation_root<Real> result;
-  Real& x = result.root;
-  x = sqrt(norm + 3.4641016151377546 * sqrt(cofactor_norm)); // 2 sqrt(3): not below the root
-  const auto is_moving = [&] {
-    if constexpr(std::is_arithmetic<Real>::value)
-      return result.last_step > 1e-8 * x;
-    else
-      return (result.last_step - 1e-8 * x).maxCoeff() > 0;
-  };
+  Numbers x = cofactor_norm;
+  take_square_roots<Vector>(x);
+  x = norm + 3.4641016151377546 * x; // 2 sqrt(3)
+  take_square_roots<Vector>(x);      // not below the root
+  Numbers step, excess;
   int iterations = 0;
   do
   {
-    const Real a = x * x - norm;
-    result.last_step
-      = (((a - norm) * x - 8 * determinant) * x + constant) / (4 * (a * x - 2 * determinant));
-    x = x - result.last_step;
-  } while(is_moving() && ++iterations < 16);
+    const Numbers a = x * x - norm;
+    step = (((a - norm) * x - 8 * determinant) * x + constant) / (4 * (a * x - 2 * determinant));
+    x -= step;
+    excess = step - 1e-8 * x;
+  } while(is_any_positive<Vector>(excess) && ++iterations < 16);
+  result.root = x;
+  result.last_step = step;
   result.slope = (x * x - norm) * x - 2 * determinant;
 
-  const Real scale = 1 / result.slope;
-  const Real first = (x * x + norm) * scale, second = 2 * x * scale, third = 2 * scale;
+  const Numbers scale = 1 / result.slope;
+  const Numbers first = (x * x + norm) * scale, second = 2 * x * scale, third = 2 * scale;
   for(int i = 0; i < 3; ++i)
     for(int j = 0; j < 3; ++j)
     {
-      const Real cube = f[i][0] * square[0][j]
-                        + f[i][1] * square[(std::min)(1, j)][(std::max)(1, j)]
-                        + f[i][2] * square[j][2];
+      const Numbers cube = f[i][0] * square[0][j] + f[i][1] * square[j < 1 ? j : 1][j < 1 ? 1 : j]
+                           + f[i][2] * square[j][2];
       r[i][j] = first * f[i][j] + second * cofactors[i][j] - third * cube;
     }
-  return result;
 }
+
+// The same for eight matrices. `roots`: three rows.
+struct Rotations_by_roots
+{
+  template <class Vector>
+  CGAL_CANONICAL_POSE_3_ROUTINE static void run(const double* f, double* r, double* roots)
+  {
+    using Numbers = typename Vector::Numbers;
+    for(std::size_t p = 0; p < NUMBER_OF_PARTS<Vector>; ++p)
+    {
+      Matrix_3<Numbers> matrices, rotations;
+      load_matrices<Vector>(f, p, matrices);
+      Rotation_root<Numbers> result;
+      rotation_by_root<Vector>(matrices, rotations, result);
+      for(std::size_t k = 0; k < 9; ++k)
+        part<Vector>(r, k, p).numbers = rotations[k / 3][k % 3];
+      part<Vector>(roots, 0, p).numbers = result.root;
+      part<Vector>(roots, 1, p).numbers = result.last_step;
+      part<Vector>(roots, 2, p).numbers = result.slope;
+    }
+  }
+};
 
 // Whether the rotation is accurate to 1e-12. It is not if the root is nearly a double root (s2 + s3
 // is small), or if powers of it underflow or overflow. In these cases, a step may even increase x,
@@ -113,7 +134,8 @@ inline Eigen::Matrix3d closest_rotation(const Eigen::Matrix3d& m)
   Matrix_3<double> f, r;
   for(int k = 0; k < 9; ++k)
     f[k / 3][k % 3] = m(k / 3, k % 3);
-  const Rotation_root<double> q = rotation_by_root(f, r);
+  Rotation_root<double> q;
+  rotation_by_root<Vector_of_1>(f, r, q);
   if(!is_reliable(q.root, q.last_step, q.slope))
     return rotation_by_traits<Deformation_Eigen_closest_rotation_traits_3>(m);
   Eigen::Matrix3d result;
@@ -123,12 +145,13 @@ inline Eigen::Matrix3d closest_rotation(const Eigen::Matrix3d& m)
 }
 
 // The same for eight matrices.
-inline void closest_rotations(const Matrix_3<Pack>& f, Matrix_3<Pack>& r)
+inline void closest_rotations(const Lane_matrix& f, Lane_matrix& r)
 {
-  const Rotation_root<Pack> q = rotation_by_root(f, r);
-  for(int lane = 0; lane < pack_size; ++lane)
-    if(!is_reliable(q.root[lane], q.last_step[lane], q.slope[lane]))
-      for_lane(f, r, lane, closest_rotation);
+  std::array<double, 3 * NUMBER_OF_LANES> roots;
+  run_routine<Rotations_by_roots>(f.data(), r.data(), roots.data());
+  for(std::size_t lane = 0; lane < NUMBER_OF_LANES; ++lane)
+    if(!is_reliable(roots[lane], roots[NUMBER_OF_LANES + lane], roots[2 * NUMBER_OF_LANES + lane]))
+      set_matrix_of_lane(r, lane, closest_rotation(matrix_of_lane(f, lane)));
 }
 
 } // namespace internal

@@ -12,7 +12,10 @@
 
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 
+#include <array>
+#include <cmath>
 #include <cstddef>
+#include <cstring>
 #include <vector>
 
 // Eight right-hand sides or fields are processed at the same time. They are stored row by row, so
@@ -113,6 +116,27 @@ CGAL_CANONICAL_POSE_3_ROUTINE inline const typename Vector::Part& part(const dou
                                                                        std::size_t i, std::size_t p)
 {
   return reinterpret_cast<const typename Vector::Part*>(rows + NUMBER_OF_LANES * i)[p];
+}
+
+template <class Vector>
+CGAL_CANONICAL_POSE_3_ROUTINE inline void take_square_roots(typename Vector::Numbers& x)
+{
+  std::array<double, Vector::SIZE> numbers;
+  std::memcpy(numbers.data(), &x, sizeof(x));
+  for(double& number : numbers)
+    number = std::sqrt(number);
+  std::memcpy(&x, numbers.data(), sizeof(x));
+}
+
+template <class Vector>
+CGAL_CANONICAL_POSE_3_ROUTINE inline bool is_any_positive(const typename Vector::Numbers& x)
+{
+  std::array<double, Vector::SIZE> numbers;
+  std::memcpy(numbers.data(), &x, sizeof(x));
+  bool result = false;
+  for(const double number : numbers)
+    result |= number > 0;
+  return result;
 }
 
 // Part of a dense matrix: entry (k, m) is entries[k * down + m * across]. It is multiplied by the rows

@@ -20,6 +20,8 @@
 #include <Eigen/Dense>
 #include <Eigen/SparseCore>
 
+#include <boost/container/small_vector.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -47,27 +49,24 @@ public:
 
   std::size_t operator()(const Index_triangle& triangle) const
   {
-    const auto has = [&](const std::size_t t, const Eigen::Index v) {
-      return std::find(m_cells[t].begin(), m_cells[t].end(), static_cast<int>(v))
-             != m_cells[t].end();
-    };
     Entry main(m_embedding, static_cast<Eigen::Index>(triangle[0]));
     for(Entry entry = main; entry; ++entry)
       if(std::abs(entry.value()) > std::abs(main.value()))
         main = entry;
-    int most = 0; // all of them
+    boost::container::small_vector<int, 12> vertices; // up to four of each corner
     for(const std::size_t v : triangle)
       for(Entry entry(m_embedding, static_cast<Eigen::Index>(v)); entry; ++entry)
-        most += entry.value() != 0 ? 1 : 0;
+        if(entry.value() != 0)
+          vertices.push_back(static_cast<int>(entry.col()));
     std::size_t best = 0;
-    int best_count = -1;
+    std::ptrdiff_t best_count = -1;
+    const auto most = static_cast<std::ptrdiff_t>(vertices.size());
     const auto cells = m_cells_of_vertex[static_cast<std::size_t>(main.col())];
     for(auto t = cells.begin(); t != cells.end() && best_count < most; ++t)
     {
-      int count = 0;
-      for(const std::size_t v : triangle)
-        for(Entry entry(m_embedding, static_cast<Eigen::Index>(v)); entry; ++entry)
-          count += entry.value() != 0 && has(*t, entry.col()) ? 1 : 0;
+      std::ptrdiff_t count = 0;
+      for(const int v : m_cells[*t])
+        count += std::count(vertices.begin(), vertices.end(), v);
       if(count > best_count)
       {
         best = *t;
