@@ -218,6 +218,23 @@ Mesh torus(std::size_t around, std::size_t across, double large, double small)
   return to_mesh<Mesh>(torus_soup(around, across, large, small));
 }
 
+/// Trefoil knot: a tube that winds twice around the z axis, and three times around a circle.
+template <class Mesh>
+Mesh trefoil(std::size_t around, std::size_t across, double radius)
+{
+  Triangle_soup soup = torus_soup(around, across, 1., radius);
+  for(std::size_t i = 0; i < around; ++i)
+    for(std::size_t j = 0; j < across; ++j)
+    {
+      const double u = 2 * pi * double(i) / double(around);
+      const double v = 2 * pi * double(j) / double(across);
+      const double distance = 2 + std::cos(3 * u) + radius * std::cos(v);
+      soup.points[i * across + j] = {{distance * std::cos(2 * u), distance * std::sin(2 * u),
+                                      std::sin(3 * u) + radius * std::sin(v)}};
+    }
+  return to_mesh<Mesh>(soup);
+}
+
 /// Closed straight tube along x: `rings` circles of `sides` vertices over [0,length], and the
 /// center of each flat end.
 inline Triangle_soup tube_soup(std::size_t rings, std::size_t sides, double length, double radius)

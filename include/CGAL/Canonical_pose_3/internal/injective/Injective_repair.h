@@ -35,9 +35,9 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // Untangles inverted and flat cells of a registered body locally, in patches of rings around them,
-// see `Injective_patch`; remaining ones are tried again in larger patches. As a last resort, entire
-// components start from the rest pose, where no cell is inverted. Finally, the energy of all
-// patches is decreased.
+// see `Injective_patch`; remaining ones are tried again in larger patches, as long as these are a
+// minor part of the body. As a last resort, entire components start from the rest pose, where no
+// cell is inverted. Finally, the energy of all patches is decreased.
 class Injective_repair
 {
 public:
@@ -75,6 +75,9 @@ public:
         break;
       for(int ring = 0; ring < rings && is_growing; ++ring)
         is_growing = grow(is_free);
+      if(rings > 1 && 2 * std::count(is_free.begin(), is_free.end(), true) > points.rows())
+        while(is_growing) // a patch of this size takes as long as the last resort
+          is_growing = grow(is_free);
       std::transform(is_free.begin(), is_free.end(), was_free.begin(), was_free.begin(),
                      std::logical_or<bool>());
       if(is_growing)

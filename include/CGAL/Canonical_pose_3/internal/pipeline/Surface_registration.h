@@ -302,12 +302,16 @@ private:
     result.summary.warnings = m_body.warnings;
     result.summary.warnings.insert(result.summary.warnings.end(), result.target.warnings.begin(),
                                    result.target.warnings.end());
-    m_registration->set_options(options);
+    Registration_options tangled = options; // cells are untangled once, at last
+    tangled.injective = false;
+    m_registration->set_options(tangled);
     run(result);
     const double limit = volume_ratio_limit(m_options, previous.target);
     if(options.number_of_iterations > 0 && is_complete(result)
        && result.summary.volume_ratio > limit)
       shrink(previous.target, limit, result);
+    if(options.is_injective() && result.summary.is_usable())
+      m_registration->untangle(result.points, result.summary);
     return result;
   }
 
@@ -323,7 +327,8 @@ private:
   }
 
   // Scales the target down, until the volume is near the limit. It grows approximately as the 1.5th
-  // power of the scale for most shapes, but as the third power for a ball.
+  // power of the scale for most shapes, but as the third power for a ball; the second scale follows
+  // from the power that the first one reveals.
   void shrink(const Target_3& target, const double limit, Registered_body& registered) const
   {
     const double ratio = registered.summary.volume_ratio;
@@ -331,9 +336,12 @@ private:
     registered.target = shrunk(target, scale, m_shares);
     run(registered);
     const double shrunk_ratio = registered.summary.volume_ratio;
-    if(!is_complete(registered) || !(shrunk_ratio > 0) || shrunk_ratio > limit / 1.1)
+    if(!is_complete(registered) || !(shrunk_ratio > 0) || !(shrunk_ratio < ratio)
+       || (shrunk_ratio > limit / 1.1 && shrunk_ratio < limit * 1.08))
       return;
-    scale = std::pow(scale, std::log(limit / ratio) / std::log(shrunk_ratio / ratio));
+    constexpr double most = 3;
+    scale
+      = std::pow(scale, (std::min)(std::log(limit / ratio) / std::log(shrunk_ratio / ratio), most));
     registered.target = shrunk(target, scale, m_shares);
     run(registered);
   }

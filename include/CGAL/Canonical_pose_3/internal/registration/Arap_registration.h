@@ -45,6 +45,8 @@ public:
   virtual Registration_summary register_to_target(Point_matrix& body_points,
                                                   const Registration_visitor& visitor)
     = 0;
+  // Untangles inverted cells of the body that was registered last, and updates the summary.
+  virtual void untangle(Point_matrix& body_points, Registration_summary& summary) = 0;
   virtual Point_matrix surface_points(const Point_matrix& body_points) const = 0;
 };
 

@@ -159,6 +159,17 @@ public:
     return summary;
   }
 
+  void untangle(Point_matrix& body_points, Registration_summary& summary) override
+  {
+    Point_matrix v = body_points / m_length_scale;
+    timed(summary, "local_steps", [&] { evaluate(v, summary); });
+    if(summary.inverted == 0)
+      return;
+    repair(v, summary);
+    if(summary.is_usable())
+      body_points = v * m_length_scale;
+  }
+
   Point_matrix surface_points(const Point_matrix& body_points) const override
   {
     CGAL_precondition(body_points.rows() == m_body.points().rows());
