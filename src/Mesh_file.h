@@ -45,7 +45,7 @@ std::vector<double> read_numbers(const std::string& path);
 // Throws std::invalid_argument if the format cannot represent the mesh.
 void check_format_holds(Format format, const Mesh_file& mesh);
 
-// Writes a mesh. Numbers in text have the fewest digits from which the same numbers are read.
+// Writes a mesh. Numbers in text have enough digits for the same numbers to be read.
 void write_mesh(std::ostream& out, Format format, const Mesh_file& mesh);
 
 } // namespace Canonical_pose_tool

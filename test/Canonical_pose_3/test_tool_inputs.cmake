@@ -72,6 +72,11 @@ write_off(ball.off "${vertices}" "${faces}")
 write_ply(ball.ply "${vertices}" "${faces}")
 write_ball_in_other_formats()
 configure_file(${WORK}/ball.off ${WORK}/ball.txt COPYONLY)
+# The same numbers, written differently.
+set(other_vertices "${vertices}")
+list(REMOVE_AT other_vertices 0 1)
+list(PREPEND other_vertices "1e-999 +1. 17E-1" "0 -0x1p0 1.70000000000000000000000000000")
+write_off(notations.off "${other_vertices}" "${faces}")
 file(MAKE_DIRECTORY ${WORK}/folder.off)
 
 # ---- bad files ------------------------------------------------------------------------------------------

@@ -44,13 +44,14 @@ struct Deformation_gradients
   {
     for(std::size_t p = 0; p < NUMBER_OF_PARTS<Vector>; ++p)
     {
-      Matrix_3<typename Vector::Numbers> e, g;
+      Matrix_3<Vector> e, g;
       load_matrices<Vector>(edges, p, e);
       load_matrices<Vector>(gradients, p, g);
       for(std::size_t i = 0; i < 3; ++i)
         for(std::size_t j = 0; j < 3; ++j)
-          part<Vector>(f, 3 * i + j, p).numbers
-            = e[0][i] * g[0][j] + e[1][i] * g[1][j] + e[2][i] * g[2][j];
+          part<Vector>(f, 3 * i + j, p).numbers = e.entries[0][i] * g.entries[0][j]
+                                                  + e.entries[1][i] * g.entries[1][j]
+                                                  + e.entries[2][i] * g.entries[2][j];
     }
   }
 };
@@ -67,26 +68,31 @@ struct Rotation_terms
     using Numbers = typename Vector::Numbers;
     for(std::size_t p = 0; p < NUMBER_OF_PARTS<Vector>; ++p)
     {
-      Matrix_3<Numbers> f, r, g;
+      Matrix_3<Vector> f, r, g;
       load_matrices<Vector>(deformations, p, f);
       load_matrices<Vector>(rotations, p, r);
       load_matrices<Vector>(gradients, p, g);
       Numbers difference = {};
       for(std::size_t i = 0; i < 3; ++i)
         for(std::size_t j = 0; j < 3; ++j)
-          difference += (f[i][j] - r[i][j]) * (f[i][j] - r[i][j]);
+          difference += (f.entries[i][j] - r.entries[i][j]) * (f.entries[i][j] - r.entries[i][j]);
       part<Vector>(differences, 0, p).numbers = difference;
       part<Vector>(determinants, 0, p).numbers
-        = f[0][0] * (f[1][1] * f[2][2] - f[1][2] * f[2][1])
-          + f[0][1] * (f[1][2] * f[2][0] - f[1][0] * f[2][2])
-          + f[0][2] * (f[1][0] * f[2][1] - f[1][1] * f[2][0]);
+        = f.entries[0][0] * (f.entries[1][1] * f.entries[2][2] - f.entries[1][2] * f.entries[2][1])
+          + f.entries[0][1]
+              * (f.entries[1][2] * f.entries[2][0] - f.entries[1][0] * f.entries[2][2])
+          + f.entries[0][2]
+              * (f.entries[1][0] * f.entries[2][1] - f.entries[1][1] * f.entries[2][0]);
       const Numbers weight = part<Vector>(weights, 0, p).numbers;
       for(std::size_t c = 0; c < 3; ++c)
       {
         Numbers sum = {};
         for(std::size_t k = 0; k < 3; ++k)
         {
-          const Numbers term = weight * (r[c][0] * g[k][0] + r[c][1] * g[k][1] + r[c][2] * g[k][2]);
+          const Numbers term
+            = weight
+              * (r.entries[c][0] * g.entries[k][0] + r.entries[c][1] * g.entries[k][1]
+                 + r.entries[c][2] * g.entries[k][2]);
           part<Vector>(terms, 3 * k + c, p).numbers = term;
           sum += term;
         }

@@ -24,9 +24,13 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// `m[row][column]`, possibly with a vector of numbers per entry.
-template <class Number>
-using Matrix_3 = std::array<std::array<Number, 3>, 3>;
+// `m.entries[row][column]`, with a vector of numbers per entry. Aligned, since compilers expect this
+// of a reference to `Numbers`.
+template <class Vector>
+struct alignas(sizeof(typename Vector::Numbers)) Matrix_3
+{
+  typename Vector::Numbers entries[3][3];
+};
 
 // Eight matrices, one per lane; row 3 i + j of the lanes are their entries (i, j).
 using Lane_matrix = std::array<double, 9 * NUMBER_OF_LANES>;
@@ -34,10 +38,10 @@ using Lane_matrix = std::array<double, 9 * NUMBER_OF_LANES>;
 // Reads part `p` of eight matrices.
 template <class Vector>
 CGAL_CANONICAL_POSE_3_ROUTINE inline void load_matrices(const double* matrices, const std::size_t p,
-                                                        Matrix_3<typename Vector::Numbers>& m)
+                                                        Matrix_3<Vector>& m)
 {
   for(std::size_t k = 0; k < 9; ++k)
-    m[k / 3][k % 3] = part<Vector>(matrices, k, p).numbers;
+    m.entries[k / 3][k % 3] = part<Vector>(matrices, k, p).numbers;
 }
 
 inline Eigen::Matrix3d matrix_of_lane(const Lane_matrix& matrices, const std::size_t lane)

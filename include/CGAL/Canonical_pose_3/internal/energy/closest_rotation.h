@@ -28,9 +28,11 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // The results of the closed form below, except for the rotation.
-template <class Numbers>
-struct Rotation_root
+template <class Vector>
+struct alignas(sizeof(typename Vector::Numbers)) Rotation_root
 {
+  using Numbers = typename Vector::Numbers;
+
   Numbers root;      // the largest trace(R^t F) over the rotations R
   Numbers last_step; // of Newton's method
   Numbers slope;     // a fourth of the product of the distances to the other roots
@@ -45,42 +47,42 @@ struct Rotation_root
 // p is convex.
 template <class Vector>
 CGAL_CANONICAL_POSE_3_ROUTINE inline void
-rotation_by_root(const Matrix_3<typename Vector::Numbers>& f, Matrix_3<typename Vector::Numbers>& r,
-                 Rotation_root<typename Vector::Numbers>& result)
+rotation_by_root(const Matrix_3<Vector>& f, Matrix_3<Vector>& r, Rotation_root<Vector>& result)
 {
   using Numbers = typename Vector::Numbers;
-  Matrix_3<Numbers> cofactors, square; // square: F^t F, from the diagonal on
+  Matrix_3<Vector> cofactors, square; // square: F^t F, from the diagonal on
   for(int i = 0; i < 3; ++i)
     for(int j = 0; j < 3; ++j)
     {
       const int i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
-      cofactors[i][j] = f[i1][j1] * f[i2][j2] - f[i1][j2] * f[i2][j1];
+      cofactors.entries[i][j]
+        = f.entries[i1][j1] * f.entries[i2][j2] - f.entries[i1][j2] * f.entries[i2][j1];
       if(i <= j)
-        square[i][j] = f[0][i] * f[0][j] + f[1][i] * f[1][j] + f[2][i] * f[2][j];
+        square.entries[i][j] = f.entries[0][i] * f.entries[0][j] + f.entries[1][i] * f.entries[1][j]
+                               + f.entries[2][i] * f.entries[2][j];
     }
-  const Numbers norm = square[0][0] + square[1][1] + square[2][2];
-  const Numbers determinant
-    = f[0][0] * cofactors[0][0] + f[0][1] * cofactors[0][1] + f[0][2] * cofactors[0][2];
-  Numbers cofactor_norm = cofactors[0][0] * cofactors[0][0];
+  const Numbers norm = square.entries[0][0] + square.entries[1][1] + square.entries[2][2];
+  const Numbers determinant = f.entries[0][0] * cofactors.entries[0][0]
+                              + f.entries[0][1] * cofactors.entries[0][1]
+                              + f.entries[0][2] * cofactors.entries[0][2];
+  Numbers cofactor_norm = cofactors.entries[0][0] * cofactors.entries[0][0];
   for(int k = 1; k < 9; ++k)
-    cofactor_norm += cofactors[k / 3][k % 3] * cofactors[k / 3][k % 3];
+    cofactor_norm += cofactors.entries[k / 3][k % 3] * cofactors.entries[k / 3][k % 3];
   const Numbers constant = norm * norm - 4 * cofactor_norm;
 
-  Numbers x = cofactor_norm;
+  Numbers& x = result.root;
+  x = cofactor_norm;
   take_square_roots<Vector>(x);
   x = norm + 3.4641016151377546 * x; // 2 sqrt(3)
   take_square_roots<Vector>(x);      // not below the root
-  Numbers step, excess;
   int iterations = 0;
   do
   {
     const Numbers a = x * x - norm;
-    step = (((a - norm) * x - 8 * determinant) * x + constant) / (4 * (a * x - 2 * determinant));
-    x -= step;
-    excess = step - 1e-8 * x;
-  } while(is_any_positive<Vector>(excess) && ++iterations < 16);
-  result.root = x;
-  result.last_step = step;
+    result.last_step
+      = (((a - norm) * x - 8 * determinant) * x + constant) / (4 * (a * x - 2 * determinant));
+    x -= result.last_step;
+  } while(is_any_above<Vector>(result.last_step, 1e-8, x) && ++iterations < 16);
   result.slope = (x * x - norm) * x - 2 * determinant;
 
   const Numbers scale = 1 / result.slope;
@@ -88,9 +90,10 @@ rotation_by_root(const Matrix_3<typename Vector::Numbers>& f, Matrix_3<typename 
   for(int i = 0; i < 3; ++i)
     for(int j = 0; j < 3; ++j)
     {
-      const Numbers cube = f[i][0] * square[0][j] + f[i][1] * square[j < 1 ? j : 1][j < 1 ? 1 : j]
-                           + f[i][2] * square[j][2];
-      r[i][j] = first * f[i][j] + second * cofactors[i][j] - third * cube;
+      const Numbers cube = f.entries[i][0] * square.entries[0][j]
+                           + f.entries[i][1] * square.entries[j < 1 ? j : 1][j < 1 ? 1 : j]
+                           + f.entries[i][2] * square.entries[j][2];
+      r.entries[i][j] = first * f.entries[i][j] + second * cofactors.entries[i][j] - third * cube;
     }
 }
 
@@ -100,15 +103,14 @@ struct Rotations_by_roots
   template <class Vector>
   CGAL_CANONICAL_POSE_3_ROUTINE static void run(const double* f, double* r, double* roots)
   {
-    using Numbers = typename Vector::Numbers;
     for(std::size_t p = 0; p < NUMBER_OF_PARTS<Vector>; ++p)
     {
-      Matrix_3<Numbers> matrices, rotations;
+      Matrix_3<Vector> matrices, rotations;
       load_matrices<Vector>(f, p, matrices);
-      Rotation_root<Numbers> result;
+      Rotation_root<Vector> result;
       rotation_by_root<Vector>(matrices, rotations, result);
       for(std::size_t k = 0; k < 9; ++k)
-        part<Vector>(r, k, p).numbers = rotations[k / 3][k % 3];
+        part<Vector>(r, k, p).numbers = rotations.entries[k / 3][k % 3];
       part<Vector>(roots, 0, p).numbers = result.root;
       part<Vector>(roots, 1, p).numbers = result.last_step;
       part<Vector>(roots, 2, p).numbers = result.slope;
@@ -131,16 +133,16 @@ inline Eigen::Matrix3d closest_rotation(const Eigen::Matrix3d& m)
 {
   if(!m.allFinite())
     return Eigen::Matrix3d::Identity();
-  Matrix_3<double> f, r;
+  Matrix_3<Vector_of_1> f, r;
   for(int k = 0; k < 9; ++k)
-    f[k / 3][k % 3] = m(k / 3, k % 3);
-  Rotation_root<double> q;
+    f.entries[k / 3][k % 3] = m(k / 3, k % 3);
+  Rotation_root<Vector_of_1> q;
   rotation_by_root<Vector_of_1>(f, r, q);
   if(!is_reliable(q.root, q.last_step, q.slope))
     return rotation_by_traits<Deformation_Eigen_closest_rotation_traits_3>(m);
   Eigen::Matrix3d result;
   for(int k = 0; k < 9; ++k)
-    result(k / 3, k % 3) = r[k / 3][k % 3];
+    result(k / 3, k % 3) = r.entries[k / 3][k % 3];
   return result;
 }
 

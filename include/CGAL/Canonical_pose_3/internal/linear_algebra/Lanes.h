@@ -128,14 +128,18 @@ CGAL_CANONICAL_POSE_3_ROUTINE inline void take_square_roots(typename Vector::Num
   std::memcpy(&x, numbers.data(), sizeof(x));
 }
 
+// Whether x > factor * y in any lane.
 template <class Vector>
-CGAL_CANONICAL_POSE_3_ROUTINE inline bool is_any_positive(const typename Vector::Numbers& x)
+CGAL_CANONICAL_POSE_3_ROUTINE inline bool is_any_above(const typename Vector::Numbers& x,
+                                                       const double factor,
+                                                       const typename Vector::Numbers& y)
 {
-  std::array<double, Vector::SIZE> numbers;
-  std::memcpy(numbers.data(), &x, sizeof(x));
+  std::array<double, Vector::SIZE> left, right;
+  std::memcpy(left.data(), &x, sizeof(x));
+  std::memcpy(right.data(), &y, sizeof(y));
   bool result = false;
-  for(const double number : numbers)
-    result |= number > 0;
+  for(std::size_t k = 0; k < Vector::SIZE; ++k)
+    result |= left[k] > factor * right[k];
   return result;
 }
 

@@ -161,10 +161,10 @@ public:
 
   void untangle(Point_matrix& body_points, Registration_summary& summary) override
   {
-    Point_matrix v = body_points / m_length_scale;
-    timed(summary, "local_steps", [&] { evaluate(v, summary); });
     if(summary.inverted == 0)
       return;
+    Point_matrix v = body_points / m_length_scale;
+    timed(summary, "local_steps", [&] { evaluate(v, summary); });
     repair(v, summary);
     if(summary.is_usable())
       body_points = v * m_length_scale;
