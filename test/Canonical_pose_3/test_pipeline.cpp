@@ -124,7 +124,7 @@ TEST(Pipeline, ball_keeps_its_volume)
 }
 
 // The body of a knot yields less to a smaller target than that of other shapes, so the target has to
-// be scaled down twice; one time leaves 1.3 times the volume.
+// be scaled down twice; scaling it once leaves 1.3 times the volume.
 TEST(Pipeline, knot_keeps_its_volume)
 {
   const CP::Result outcome = canonical_pose(Canonical_pose_test::trefoil<Mesh>(120, 10, 0.5));

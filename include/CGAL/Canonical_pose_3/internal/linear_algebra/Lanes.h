@@ -118,6 +118,7 @@ CGAL_CANONICAL_POSE_3_ROUTINE inline const typename Vector::Part& part(const dou
   return reinterpret_cast<const typename Vector::Part*>(rows + NUMBER_OF_LANES * i)[p];
 }
 
+// Vectors that are passed by reference must be aligned to their size.
 template <class Vector>
 CGAL_CANONICAL_POSE_3_ROUTINE inline void take_square_roots(typename Vector::Numbers& x)
 {

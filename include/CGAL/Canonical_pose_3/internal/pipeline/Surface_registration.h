@@ -302,9 +302,9 @@ private:
     result.summary.warnings = m_body.warnings;
     result.summary.warnings.insert(result.summary.warnings.end(), result.target.warnings.begin(),
                                    result.target.warnings.end());
-    Registration_options tangled = options; // cells are untangled once, at last
-    tangled.injective = false;
-    m_registration->set_options(tangled);
+    Registration_options without_untangling = options; // which is done once, at the end
+    without_untangling.injective = false;
+    m_registration->set_options(without_untangling);
     run(result);
     const double limit = volume_ratio_limit(m_options, previous.target);
     if(options.number_of_iterations > 0 && is_complete(result)
