@@ -29,7 +29,8 @@ using Options = CGAL::Canonical_pose_3::Options;
 // Arguments that are converted to options of the library.
 struct Raw_arguments
 {
-  std::string kernel = "classical", components = "refuse", solver = "auto", paper_weights;
+  std::string kernel = "classical", components = "refuse", solver = "auto", paper_weights,
+              parts = "auto";
   std::vector<std::string> springs, directions, handles, symmetric_pairs;
 };
 
@@ -176,16 +177,10 @@ void add_constraints(CLI::App& command, Raw_arguments& raw)
     ->allow_extra_args(false);
 }
 
-void add_pose(CLI::App& command, Arguments& arguments, Raw_arguments& raw)
+// The options of `pose` that `segment` has as well.
+void add_pose_options(CLI::App& command, Arguments& arguments, Raw_arguments& raw)
 {
   Options& options = arguments.options;
-  add_input(command, arguments);
-  command
-    .add_option("-o,--output", arguments.output, "the pose: INPUT's vertices and faces or cells")
-    ->required()
-    ->check(path());
-  command.add_option("--target", arguments.target, "write the target of the registration, too")
-    ->check(path());
   add_report(command, arguments);
   command
     .add_option("--body", arguments.body,
@@ -221,23 +216,6 @@ void add_pose(CLI::App& command, Arguments& arguments, Raw_arguments& raw)
     ->capture_default_str();
   command.add_option("--paper-weights", raw.paper_weights,
                      "ALPHA,BETA: the weights as the paper prints them");
-  command
-    .add_option("--matching-weights", arguments.matching_weights,
-                "file of factors of the matching weights, one per vertex")
-    ->check(path());
-  command
-    .add_option("--stiffness", arguments.stiffness,
-                "file of factors of the stiffness, one per vertex of a surface, or per tetrahedron")
-    ->check(path());
-  command
-    .add_option("--given-target", arguments.given_target,
-                "take this target, as --target writes it, instead of computing one")
-    ->check(path());
-  command
-    .add_option("--given-distances", arguments.given_distances,
-                "take these distances, as geodesics writes them, instead of computing any")
-    ->check(path());
-  add_constraints(command, raw);
   command.add_flag_callback(
     "--injective", [&options] { options.registration.injective = true; },
     "no inverted cells in the elastic body; the default, except with --paper-weights");
@@ -263,6 +241,54 @@ void add_pose(CLI::App& command, Arguments& arguments, Raw_arguments& raw)
     ->check(number(false))
     ->capture_default_str();
   add_common(command, arguments);
+}
+
+void add_pose(CLI::App& command, Arguments& arguments, Raw_arguments& raw)
+{
+  add_input(command, arguments);
+  command
+    .add_option("-o,--output", arguments.output, "the pose: INPUT's vertices and faces or cells")
+    ->required()
+    ->check(path());
+  command.add_option("--target", arguments.target, "write the target of the registration, too")
+    ->check(path());
+  command
+    .add_option("--matching-weights", arguments.matching_weights,
+                "file of factors of the matching weights, one per vertex")
+    ->check(path());
+  command
+    .add_option("--stiffness", arguments.stiffness,
+                "file of factors of the stiffness, one per vertex of a surface, or per tetrahedron")
+    ->check(path());
+  command
+    .add_option("--given-target", arguments.given_target,
+                "take this target, as --target writes it, instead of computing one")
+    ->check(path());
+  command
+    .add_option("--given-distances", arguments.given_distances,
+                "take these distances, as geodesics writes them, instead of computing any")
+    ->check(path());
+  add_constraints(command, raw);
+  add_pose_options(command, arguments, raw);
+}
+
+void add_segment(CLI::App& command, Arguments& arguments, Raw_arguments& raw)
+{
+  add_input(command, arguments);
+  command
+    .add_option("-o,--output", arguments.output,
+                "the parts: numbers of the faces (.txt), colors (.ply), or a file each (folder/)")
+    ->required()
+    ->check(path());
+  command.add_option("--parts", raw.parts, "number of parts: a positive number, or auto")
+    ->capture_default_str();
+  command
+    .add_option("--method", arguments.method, "consensus, sweep (fast), kmeans (of the paper)")
+    ->check(CLI::IsMember({"consensus", "sweep", "kmeans"}))
+    ->capture_default_str();
+  command.add_option("--pose", arguments.pose, "take this pose instead of computing one")
+    ->check(path());
+  add_pose_options(command, arguments, raw);
 }
 
 void add_check(CLI::App& command, Arguments& arguments)
@@ -328,6 +354,14 @@ void take(const Raw_arguments& raw, Arguments& arguments)
     options.paper_weights = CGAL::Canonical_pose_3::Paper_weights{weights[0], weights[1]};
   }
   take_constraints(raw, options);
+  if(raw.parts != "auto")
+  {
+    const double parts = numbers("--parts", raw.parts, 1, 1)[0];
+    if(!(parts >= 1) || parts > 1e9 || parts != std::floor(parts))
+      throw CLI::ValidationError("--parts",
+                                 "'" + raw.parts + "' is neither auto nor a positive number");
+    arguments.number_of_parts = static_cast<std::size_t>(parts);
+  }
 }
 
 } // namespace
@@ -342,15 +376,19 @@ std::optional<int> parse_command_line(const int argc, char* argv[], Arguments& a
   CLI::App* const check
     = app.add_subcommand("check", "tells what is wrong with a surface, if anything");
   CLI::App* const geodesics = app.add_subcommand("geodesics", "measures distances on a surface");
+  CLI::App* const segment = app.add_subcommand("segment", "divides a surface into parts");
   CLI::App* const compare = app.add_subcommand(
     "compare", "tells how much poses differ, whatever their position and scale");
   add_compare(*compare, arguments);
   add_pose(*pose, arguments, raw);
+  add_segment(*segment, arguments, raw);
   add_check(*check, arguments);
   add_geodesics(*geodesics, arguments);
   try
   {
     app.parse(argc, argv);
+    if(*segment && segment->count("--components") == 0)
+      raw.components = "each";
     take(raw, arguments);
   }
   catch(const CLI::ParseError& error)
@@ -360,6 +398,7 @@ std::optional<int> parse_command_line(const int argc, char* argv[], Arguments& a
   arguments.command = *check       ? Arguments::Command::CHECK
                       : *geodesics ? Arguments::Command::GEODESICS
                       : *compare   ? Arguments::Command::COMPARE
+                      : *segment   ? Arguments::Command::SEGMENT
                                    : Arguments::Command::POSE;
   return std::nullopt;
 }

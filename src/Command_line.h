@@ -22,11 +22,11 @@ namespace Canonical_pose_tool {
 // The parsed command line.
 struct Arguments
 {
-  enum class Command { POSE, CHECK, GEODESICS, COMPARE };
+  enum class Command { POSE, CHECK, GEODESICS, COMPARE, SEGMENT };
 
   Command command = Command::POSE;
   std::string input;
-  std::string output; // POSE or DISTANCES
+  std::string output; // POSE, DISTANCES, or OUT of SEGMENT
   std::string target; // this and the next five: empty if not requested
   std::string report;
   std::string matching_weights; // this and the next: files of numbers
@@ -37,6 +37,9 @@ struct Arguments
   std::string geodesics = "heat";
   std::vector<std::size_t> sources;
   std::vector<std::string> poses; // of COMPARE
+  std::string pose;               // this and the next two: of SEGMENT
+  std::string method = "consensus";
+  std::size_t number_of_parts = 0; // 0: automatic
   CGAL::Canonical_pose_3::Options options;
   bool quiet = false;
 };

@@ -48,6 +48,10 @@ void check_format_holds(Format format, const Mesh_file& mesh);
 // Writes a mesh. Numbers in text have enough digits for the same numbers to be read.
 void write_mesh(std::ostream& out, Format format, const Mesh_file& mesh);
 
+// Writes a surface as PLY, with a color for each face that shows its part.
+void write_colored_ply(std::ostream& out, const Mesh_file& mesh,
+                       const std::vector<std::size_t>& part_of_face);
+
 } // namespace Canonical_pose_tool
 
 #endif // CGAL_CANONICAL_POSE_3_TOOL_MESH_FILE_H

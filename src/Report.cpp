@@ -169,6 +169,42 @@ void write_report(std::ostream& out, const Diagnosis_3& diagnosis,
         stages, total_seconds);
 }
 
+void write_report(std::ostream& out, const Segmentation_report& segmentation,
+                  const double seconds_to_write, const double total_seconds)
+{
+  Json parts = Json::array();
+  for(const auto& part : segmentation.parts)
+  {
+    Json neighbors = Json::array();
+    for(const auto& neighbor : part.neighbors)
+      neighbors.push_back({{"part", neighbor.part},
+                           {"boundary_length", neighbor.boundary_length},
+                           {"boundary_centroid",
+                            {neighbor.boundary_centroid[0], neighbor.boundary_centroid[1],
+                             neighbor.boundary_centroid[2]}}});
+    parts.push_back(
+      {{"area", part.area}, {"faces", part.number_of_faces}, {"neighbors", neighbors}});
+  }
+  Json tree;
+  if(segmentation.tree)
+  {
+    Json merges = Json::array();
+    for(const auto& merge : segmentation.tree->merges)
+      merges.push_back({{"nodes", merge.nodes}, {"cost", merge.cost}});
+    tree = {{"leaves", segmentation.tree->number_of_leaves},
+            {"leaf_of_face", segmentation.tree->leaf_of_face},
+            {"merges", merges}};
+  }
+  auto stages = segmentation.stages;
+  stages.emplace_back("write", seconds_to_write);
+  write(out,
+        {{"method", segmentation.method},
+         {"parts", parts},
+         {"tree", tree},
+         {"warnings", segmentation.warnings}},
+        stages, total_seconds);
+}
+
 void write_outcome(std::ostream& out, const Registration_summary& summary)
 {
   out << summary << '\n';

@@ -11,9 +11,13 @@
 #define CGAL_CANONICAL_POSE_3_TOOL_REPORT_H
 
 #include <CGAL/Canonical_pose_3/Registration_summary.h>
+#include <CGAL/Canonical_pose_3/Segmentation_tree_3.h>
+#include <CGAL/Canonical_pose_3/segmentation_parts.h>
 
 #include <chrono>
 #include <iosfwd>
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace Canonical_pose_tool {
@@ -53,6 +57,20 @@ void write_report(std::ostream& out, const CGAL::Canonical_pose_3::Registration_
 void write_report(std::ostream& out, const CGAL::Canonical_pose_3::Diagnosis_3& diagnosis,
                   const std::vector<CGAL::Canonical_pose_3::Registration_summary::Stage>& stages,
                   double total_seconds);
+
+// What is reported of a segmentation.
+struct Segmentation_report
+{
+  std::string method;
+  std::vector<CGAL::Canonical_pose_3::Segmentation_part_3> parts;
+  std::optional<CGAL::Canonical_pose_3::Segmentation_tree_3> tree; // not of k-means
+  std::vector<std::string> warnings;
+  std::vector<CGAL::Canonical_pose_3::Registration_summary::Stage> stages;
+};
+
+// Writes the report (JSON) of a segmentation.
+void write_report(std::ostream& out, const Segmentation_report& segmentation,
+                  double seconds_to_write, double total_seconds);
 
 // Writes the outcome in one line, and one line per warning.
 void write_outcome(std::ostream& out, const CGAL::Canonical_pose_3::Registration_summary& summary);

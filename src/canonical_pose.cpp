@@ -59,6 +59,8 @@ int main(int argc, char* argv[])
       run_check(arguments);
     else if(arguments.command == Arguments::Command::COMPARE)
       run_compare(arguments);
+    else if(arguments.command == Arguments::Command::SEGMENT)
+      run_segment(arguments);
     else
       run_geodesics(arguments);
     if(!std::cout.flush())

@@ -20,6 +20,7 @@ void run_pose(Arguments& arguments);
 void run_check(const Arguments& arguments);
 void run_geodesics(const Arguments& arguments);
 void run_compare(const Arguments& arguments);
+void run_segment(const Arguments& arguments);
 
 } // namespace Canonical_pose_tool
 

@@ -44,6 +44,35 @@ class Shortest_numbers : public std::num_put<char>
 };
 #endif
 
+void use_shortest_numbers(std::ostream& out)
+{
+  out.precision(17);
+#ifdef __cpp_lib_to_chars
+  out.imbue(std::locale(out.getloc(), new Shortest_numbers));
+#endif
+}
+
+// Hues by the golden ratio, so that successive parts differ clearly; brighter and darker by turns.
+std::array<int, 3> color_of_part(const std::size_t part)
+{
+  const double hue = std::fmod(static_cast<double>(part) * 0.618033988749895, 1.);
+  const double value = part % 2 == 0 ? 230 : 170;
+  std::array<int, 3> color;
+  for(std::size_t k = 0; k < 3; ++k)
+  {
+    const double distance = std::abs(std::fmod(6 * hue
+                                                 + (k == 0   ? 0.
+                                                    : k == 1 ? 4.
+                                                             : 2.),
+                                               6.)
+                                     - 3)
+                            - 1;
+    const double saturated = (std::min)((std::max)(distance, 0.), 1.);
+    color[k] = static_cast<int>(value * (.25 + .75 * saturated));
+  }
+  return color;
+}
+
 void write_medit(std::ostream& out, const Mesh_file& mesh)
 {
   out << "MeshVersionFormatted 2\nDimension 3\nVertices\n" << mesh.points.size() << '\n';
@@ -81,13 +110,33 @@ void check_format_holds(const Format format, const Mesh_file& mesh)
   }
 }
 
+void write_colored_ply(std::ostream& out, const Mesh_file& mesh,
+                       const std::vector<std::size_t>& part_of_face)
+{
+  check_format_holds(Format::PLY, mesh);
+  use_shortest_numbers(out);
+  out << "ply\nformat ascii 1.0\nelement vertex " << mesh.points.size()
+      << "\nproperty double x\nproperty double y\nproperty double z\nelement face "
+      << mesh.faces.size()
+      << "\nproperty list uchar int vertex_indices\nproperty uchar red\nproperty uchar green"
+         "\nproperty uchar blue\nproperty int part\nend_header\n";
+  for(const std::array<double, 3>& p : mesh.points)
+    out << p[0] << ' ' << p[1] << ' ' << p[2] << '\n';
+  for(std::size_t f = 0; f < mesh.faces.size(); ++f)
+  {
+    out << mesh.faces[f].size();
+    for(const std::size_t v : mesh.faces[f])
+      out << ' ' << v;
+    for(const int c : color_of_part(part_of_face[f]))
+      out << ' ' << c;
+    out << ' ' << part_of_face[f] << '\n';
+  }
+}
+
 void write_mesh(std::ostream& out, const Format format, const Mesh_file& mesh)
 {
   using Point = CGAL::Simple_cartesian<double>::Point_3;
-  out.precision(17);
-#ifdef __cpp_lib_to_chars
-  out.imbue(std::locale(out.getloc(), new Shortest_numbers));
-#endif
+  use_shortest_numbers(out);
   if(format == Format::MEDIT)
     return write_medit(out, mesh);
   std::vector<Point> points;

@@ -47,5 +47,6 @@ if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
   mark_as_advanced(CANONICAL_POSE_3_OTHER_COMPILER)
   if(CANONICAL_POSE_3_OTHER_COMPILER)
     add_canonical_pose_header_test(all.${other} ${CANONICAL_POSE_3_OTHER_COMPILER} ${public_headers})
+    set_tests_properties(header.all.${other} PROPERTIES TIMEOUT 900 COST 900) # one of the longest: early
   endif()
 endif()

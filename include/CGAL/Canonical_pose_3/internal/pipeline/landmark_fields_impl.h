@@ -16,7 +16,7 @@
 #include <CGAL/Canonical_pose_3/Surface_component_3.h>
 #include <CGAL/Canonical_pose_3/farthest_point_landmarks.h>
 #include <CGAL/Canonical_pose_3/front_landmarks.h>
-#include <CGAL/Canonical_pose_3/internal/pipeline/Thread_limit.h>
+#include <CGAL/Canonical_pose_3/internal/support/Thread_limit.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/fields_of_function.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/solver_of_options.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/with_geodesics.h>
@@ -105,7 +105,7 @@ CGAL_CANONICAL_POSE_3_INLINE Landmark_fields_3 landmark_fields(const Coarse_surf
 CGAL_CANONICAL_POSE_3_INLINE Landmark_fields_3 landmark_fields(const Surface_component_3& surface,
                                                                const Options& options)
 {
-  const internal::Thread_limit limit(options);
+  const internal::Thread_limit limit(options.number_of_threads);
   internal::check_number_of_landmarks(options.number_of_landmarks,
                                       static_cast<std::size_t>(surface.points.rows()));
   if(options.landmark_fields_function)

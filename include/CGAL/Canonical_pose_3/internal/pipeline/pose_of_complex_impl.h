@@ -19,7 +19,7 @@
 #include <CGAL/Canonical_pose_3/Surface_component_3.h>
 #include <CGAL/Canonical_pose_3/diagnose.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/Complex_parts.h>
-#include <CGAL/Canonical_pose_3/internal/pipeline/Thread_limit.h>
+#include <CGAL/Canonical_pose_3/internal/support/Thread_limit.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/component_options.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/pose_of_components.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/poses.h>
@@ -86,7 +86,7 @@ CGAL_CANONICAL_POSE_3_INLINE Result pose_of_complex(const Point_matrix& points,
                                                     const std::vector<std::array<int, 4>>& cells,
                                                     const Options& options)
 {
-  const Thread_limit limit(options);
+  const Thread_limit limit(options.number_of_threads);
   check_options(options, static_cast<std::size_t>(points.rows()));
   checked_stiffness(options.stiffness, cells.size());
   Real_timer timer;

@@ -15,7 +15,7 @@
 #include <CGAL/Canonical_pose_3/Prepared_surface_3.h>
 #include <CGAL/Canonical_pose_3/Result.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/Body_makers.h>
-#include <CGAL/Canonical_pose_3/internal/pipeline/Thread_limit.h>
+#include <CGAL/Canonical_pose_3/internal/support/Thread_limit.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/body_of_surface.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/pose_of_components.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/poses.h>
@@ -36,7 +36,7 @@ CGAL_CANONICAL_POSE_3_INLINE Result
 pose_of_surface(const Point_matrix& points, const std::vector<std::vector<std::size_t>>& polygons,
                 const Options& options, const Body_makers& bodies)
 {
-  const Thread_limit limit(options);
+  const Thread_limit limit(options.number_of_threads);
   Real_timer timer;
   timer.start();
   const Prepared_surface_3 prepared = prepare_surface(points, polygons, options);

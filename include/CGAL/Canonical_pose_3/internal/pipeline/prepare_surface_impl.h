@@ -13,7 +13,7 @@
 #include <CGAL/Canonical_pose_3/Options.h>
 #include <CGAL/Canonical_pose_3/Prepared_surface_3.h>
 #include <CGAL/Canonical_pose_3/Surface_component_3.h>
-#include <CGAL/Canonical_pose_3/internal/pipeline/Thread_limit.h>
+#include <CGAL/Canonical_pose_3/internal/support/Thread_limit.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/component_options.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/fragments.h>
 #include <CGAL/Canonical_pose_3/internal/registration/check_registration.h>
@@ -143,7 +143,7 @@ CGAL_CANONICAL_POSE_3_INLINE Prepared_surface_3
 prepare_surface(const Point_matrix& points, const std::vector<std::vector<std::size_t>>& polygons,
                 const Options& options)
 {
-  const internal::Thread_limit limit(options);
+  const internal::Thread_limit limit(options.number_of_threads);
   internal::check_options(options, static_cast<std::size_t>(points.rows()));
   internal::check_factors(options.stiffness, points.rows(), "stiffness", "vertex", false);
   const internal::Examined_surface examined = internal::examine_surface(points, polygons);

@@ -13,6 +13,7 @@
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 
 #include <boost/pending/disjoint_sets.hpp>
+#include <boost/property_map/property_map.hpp>
 
 #include <cstddef>
 #include <numeric>
@@ -30,7 +31,7 @@ public:
   static constexpr std::size_t NONE = std::size_t(-1);
 
   explicit Disjoint_sets(const std::size_t n)
-    : m_rank(n, 0), m_parent(n), m_sets(m_rank.data(), m_parent.data())
+    : m_rank(n, 0), m_parent(n), m_sets(Map(m_rank.data()), Map(m_parent.data()))
   {
     std::iota(m_parent.begin(), m_parent.end(), std::size_t(0));
   }
@@ -42,8 +43,12 @@ public:
   std::size_t representative(const std::size_t a) { return m_sets.find_set(a); }
 
 private:
+  // Not pointers: for them, get() of other headers of Boost would hide the right one.
+  using Map
+    = boost::iterator_property_map<std::size_t*, boost::typed_identity_property_map<std::size_t>>;
+
   std::vector<std::size_t> m_rank, m_parent;
-  boost::disjoint_sets<std::size_t*, std::size_t*> m_sets;
+  boost::disjoint_sets<Map, Map> m_sets;
 };
 
 // The sets to which items belong.

@@ -7,10 +7,9 @@
 //
 // Author(s) : The Canonical_pose_3 authors
 
-#ifndef CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_THREAD_LIMIT_H
-#define CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_THREAD_LIMIT_H
+#ifndef CGAL_CANONICAL_POSE_3_INTERNAL_SUPPORT_THREAD_LIMIT_H
+#define CGAL_CANONICAL_POSE_3_INTERNAL_SUPPORT_THREAD_LIMIT_H
 
-#include <CGAL/Canonical_pose_3/Options.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
@@ -27,20 +26,19 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// Limits the number of threads to that of the options during its lifetime.
+// Limits the number of threads during its lifetime; 0: no limit.
 class Thread_limit
 {
 public:
-  explicit Thread_limit(const Options& options)
+  explicit Thread_limit(const int number_of_threads)
   {
-    if(options.number_of_threads < 0)
-      throw std::invalid_argument("option number_of_threads is "
-                                  + std::to_string(options.number_of_threads)
+    if(number_of_threads < 0)
+      throw std::invalid_argument("option number_of_threads is " + std::to_string(number_of_threads)
                                   + ", but must be >= 0");
 #ifdef CGAL_LINKED_WITH_TBB
-    if(options.number_of_threads > 0)
+    if(number_of_threads > 0)
       m_limit.emplace(tbb::global_control::max_allowed_parallelism,
-                      static_cast<std::size_t>(options.number_of_threads));
+                      static_cast<std::size_t>(number_of_threads));
 #endif
   }
 
@@ -55,4 +53,4 @@ private:
 } // namespace Canonical_pose_3
 } // namespace CGAL
 
-#endif // CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_THREAD_LIMIT_H
+#endif // CGAL_CANONICAL_POSE_3_INTERNAL_SUPPORT_THREAD_LIMIT_H

@@ -1,0 +1,64 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+// Divides a surface into parts, colors them, and lists the joints: where parts meet.
+// Usage: segmentation input.off [output.ply]
+
+#include <CGAL/Canonical_pose_3/consensus_segmentation.h>
+#include <CGAL/Canonical_pose_3/segmentation_parts.h>
+#include <CGAL/canonical_pose_3.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <cstddef>
+#include <cstdlib>
+#include <exception>
+#include <iostream>
+
+namespace CF = CGAL::Canonical_pose_3;
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+
+int main(int argc, char* argv[])
+try
+{
+  Mesh mesh;
+  if(argc < 2 || !CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(argv[1], mesh))
+    return EXIT_FAILURE;
+  auto pose = mesh.add_property_map<Mesh::Vertex_index, Kernel::Point_3>("v:pose").first;
+  if(!CGAL::canonical_pose_3(mesh, pose).is_usable())
+    return EXIT_FAILURE;
+
+  auto parts = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:part").first;
+  std::cout << CF::consensus_segmentation(mesh, pose, parts) << " parts\n";
+
+  auto colors = mesh.add_property_map<Mesh::Face_index, CGAL::IO::Color>("f:color").first;
+  for(const Mesh::Face_index f : mesh.faces())
+  {
+    const auto hue = static_cast<unsigned char>(parts[f] * 97 % 256);
+    colors[f] = CGAL::IO::Color(hue, static_cast<unsigned char>(255 - hue), 128);
+  }
+  if(argc > 2 && !CGAL::IO::write_polygon_mesh(argv[2], mesh))
+    return EXIT_FAILURE;
+
+  const auto measured = CF::segmentation_parts(mesh, parts);
+  for(std::size_t part = 0; part < measured.size(); ++part)
+    for(const auto& neighbor : measured[part].neighbors)
+      if(part < neighbor.part)
+        std::cout << "joint of " << part << " and " << neighbor.part << " at "
+                  << neighbor.boundary_centroid << '\n';
+  return EXIT_SUCCESS;
+}
+catch(const std::exception& e)
+{
+  std::cerr << e.what() << '\n';
+  return EXIT_FAILURE;
+}

@@ -1,0 +1,46 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_SEGMENTATION_OPTIONS_H
+#define CGAL_CANONICAL_POSE_3_SEGMENTATION_OPTIONS_H
+
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+
+#include <cstddef>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
+
+/*!
+\ingroup PkgCanonicalPose3Ref
+
+\brief holds the options of segmentations.
+
+\sa `consensus_segmentation()`, `sweep_segmentation()`, `k_means_segmentation()`
+*/
+struct Segmentation_options
+{
+  /// the number of parts. Each connected component has at least one; there are at most as many as
+  /// faces, and fewer if they would be specks. 0: determined automatically.
+  std::size_t number_of_parts = 0;
+
+  /// the seed of the votes of `consensus_segmentation()` and of the centers of
+  /// `k_means_segmentation()`.
+  unsigned int random_seed = 0;
+
+  /// at most so many threads; 0: as many as there are. The result does not depend on it.
+  int number_of_threads = 0;
+};
+
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_SEGMENTATION_OPTIONS_H

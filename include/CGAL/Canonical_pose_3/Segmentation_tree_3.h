@@ -1,0 +1,97 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_SEGMENTATION_TREE_3_H
+#define CGAL_CANONICAL_POSE_3_SEGMENTATION_TREE_3_H
+
+#include <CGAL/Canonical_pose_3/internal/support/Disjoint_sets.h>
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
+
+/*!
+\ingroup PkgCanonicalPose3Ref
+
+\brief is a hierarchy of the parts of a surface: parts of parts.
+
+Segmentations of the same tree are nested: one part more divides a part of the segmentation before.
+So the number of parts can be changed without another computation.
+
+\sa `consensus_segmentation_tree()`, `sweep_segmentation_tree()`
+*/
+struct Segmentation_tree_3
+{
+  /// two nodes become one. The leaves have the numbers from 0 to `number_of_leaves - 1`; merge `i`
+  /// creates node `number_of_leaves + i`.
+  struct Merge
+  {
+    std::array<std::size_t, 2>
+      nodes;     ///< the nodes, each of them a leaf or created by an earlier merge.
+    double cost; ///< between 0 and 1; merges are sorted by increasing cost.
+  };
+
+  /// the leaf of each face, in the order of `faces(tmesh)` or of the polygons.
+  std::vector<std::size_t> leaf_of_face;
+
+  /// number of leaves, the smallest parts.
+  std::size_t number_of_leaves = 0;
+
+  /// the merges.
+  std::vector<Merge> merges;
+
+  /// the number of parts that was requested, or determined automatically.
+  std::size_t number_of_parts = 0;
+
+  /// returns the least number of parts, which is the number of connected components.
+  std::size_t least_number_of_parts() const { return number_of_leaves - merges.size(); }
+
+  /*!
+  returns the part of each face, numbered from 0 in the order of the first faces.
+
+  \param requested_number_of_parts the number of parts; if there are not as many leaves, or more
+         connected components, the nearest possible number.
+
+  <em>Complexity:</em> linear in the number of faces.
+  */
+  std::vector<std::size_t> parts(const std::size_t requested_number_of_parts) const
+  {
+    const std::size_t number_of_merges
+      = number_of_leaves
+        - (std::min)((std::max)(requested_number_of_parts, least_number_of_parts()),
+                     number_of_leaves);
+    internal::Disjoint_sets nodes(number_of_leaves + number_of_merges);
+    for(std::size_t i = 0; i < number_of_merges; ++i)
+      for(const std::size_t node : merges[i].nodes)
+      {
+        CGAL_precondition(node < number_of_leaves + i);
+        nodes.unite(node, number_of_leaves + i);
+      }
+    return internal::label_components(nodes, leaf_of_face.size(),
+                                      [this](const std::size_t f) { return leaf_of_face[f]; })
+      .of_items;
+  }
+
+  /// returns the part of each face for `number_of_parts`.
+  std::vector<std::size_t> parts() const { return parts(number_of_parts); }
+};
+
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_SEGMENTATION_TREE_3_H

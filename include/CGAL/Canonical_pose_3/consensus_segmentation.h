@@ -1,0 +1,131 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_CONSENSUS_SEGMENTATION_H
+#define CGAL_CANONICAL_POSE_3_CONSENSUS_SEGMENTATION_H
+
+#include <CGAL/Canonical_pose_3/Segmentation_options.h>
+#include <CGAL/Canonical_pose_3/Segmentation_tree_3.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/options_of_parameters.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/put_parts.h>
+#include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+#include <CGAL/Canonical_pose_3/point_matrix.h>
+
+#include <CGAL/Named_function_parameters.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
+
+/*!
+\ingroup PkgCanonicalPose3Ref
+
+\brief divides a surface into a hierarchy of parts, by the votes of several segmentations.
+
+\param points \f$ n \times 3 \f$, positions.
+\param polygons sequences of rows of `points`.
+\param pose the canonical pose of the points, or any other pose, or an empty matrix if there is none.
+\param options the options.
+
+\returns the hierarchy of the parts, with one leaf per polygon of the input in their order.
+
+\throws std::invalid_argument if a coordinate is not finite, a polygon has an invalid row, no face has
+        an area, the pose has another number of rows, or an option is out of range.
+
+<em>Complexity:</em> \f$ O(n \log n) \f$; surfaces of more than 25 000 faces are simplified to 20 000
+first.
+
+\sa `consensus_segmentation()`
+*/
+Segmentation_tree_3
+consensus_segmentation_tree(const Point_matrix& points,
+                            const std::vector<std::vector<std::size_t>>& polygons,
+                            const Point_matrix& pose = Point_matrix(0, 3),
+                            const Segmentation_options& options = Segmentation_options());
+
+/*!
+\ingroup PkgCanonicalPose3Ref
+
+\brief divides a surface into the parts that people would name.
+
+Twenty segmentations, of the surface and of its pose by turns, vote on which faces belong to the same
+part: sweep cuts with different preferences (see `sweep_segmentation()`), and clusters of faces that
+see each other through the inside. Faces are merged by the share of common votes, and boundaries are
+moved such that they are short and run along concave edges. A pose that is squeezed flat or turned
+inside out does not vote.
+
+\tparam TriangleMesh a model of `FaceListGraph`
+\tparam PoseVertexPointMap a model of `ReadablePropertyMap` with vertex descriptors of `TriangleMesh`
+       as keys and points of the traits as values
+\tparam SegmentPropertyMap a model of `WritablePropertyMap` with face descriptors of `TriangleMesh` as
+       keys and an integer type as values
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param tmesh a polygon mesh. It may have several components, holes, self-intersections, and defects of
+       any kind (see `repair_surface()`); each face gets a part.
+\param pose_vertex_point_map the pose of each vertex, for example from `CGAL::canonical_pose_3()`.
+\param segment_ids receives the part of each face, numbered from 0 in the order of the first faces.
+\param options the options of the method.
+\param np `vertex_point_map` and `geom_traits`, as for `CGAL::canonical_pose_3()`
+
+\returns the number of parts.
+
+\throws std::invalid_argument if a coordinate is not finite, no face has an area, or an option is out
+        of range.
+
+\sa `consensus_segmentation_tree()`
+*/
+template <class TriangleMesh, class PoseVertexPointMap, class SegmentPropertyMap,
+          class NamedParameters = parameters::Default_named_parameters,
+          internal::Is_no_segmentation_options<SegmentPropertyMap> = 0>
+std::size_t consensus_segmentation(const TriangleMesh& tmesh,
+                                   PoseVertexPointMap pose_vertex_point_map,
+                                   SegmentPropertyMap segment_ids,
+                                   const Segmentation_options& options = Segmentation_options(),
+                                   const NamedParameters& np = parameters::default_values())
+{
+  const Point_matrix points = internal::points_of_parameters(tmesh, np);
+  const Point_matrix pose
+    = internal::points_of_parameters(tmesh, np.vertex_point_map(pose_vertex_point_map));
+  return internal::put_parts(
+    consensus_segmentation_tree(points, internal::index_polygons(tmesh), pose, options).parts(),
+    tmesh, segment_ids);
+}
+
+/*!
+\ingroup PkgCanonicalPose3Ref
+
+\brief does the same without a pose.
+*/
+template <class TriangleMesh, class SegmentPropertyMap,
+          class NamedParameters = parameters::Default_named_parameters>
+std::size_t consensus_segmentation(const TriangleMesh& tmesh, SegmentPropertyMap segment_ids,
+                                   const Segmentation_options& options = Segmentation_options(),
+                                   const NamedParameters& np = parameters::default_values())
+{
+  return internal::put_parts(consensus_segmentation_tree(internal::points_of_parameters(tmesh, np),
+                                                         internal::index_polygons(tmesh),
+                                                         Point_matrix(0, 3), options)
+                               .parts(),
+                             tmesh, segment_ids);
+}
+
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#ifndef CGAL_CANONICAL_POSE_3_COMPILED
+#include <CGAL/Canonical_pose_3/internal/segmentation/consensus_segmentation_impl.h>
+#endif
+
+#endif // CGAL_CANONICAL_POSE_3_CONSENSUS_SEGMENTATION_H

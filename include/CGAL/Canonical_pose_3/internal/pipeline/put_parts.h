@@ -1,0 +1,53 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_PUT_PARTS_H
+#define CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_PUT_PARTS_H
+
+#include <CGAL/Canonical_pose_3/Segmentation_options.h>
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
+namespace internal {
+
+// Writes the part of each face to a property map, and returns the number of parts.
+template <class FaceListGraph, class SegmentPropertyMap>
+std::size_t put_parts(const std::vector<std::size_t>& parts, const FaceListGraph& mesh,
+                      SegmentPropertyMap segment_ids)
+{
+  using Id = typename boost::property_traits<SegmentPropertyMap>::value_type;
+  std::size_t number = 0, index = 0;
+  for(const auto f : faces(mesh))
+  {
+    number = (std::max)(number, parts[index] + 1);
+    put(segment_ids, f, static_cast<Id>(parts[index++]));
+  }
+  return number;
+}
+
+template <class T>
+using Is_no_segmentation_options
+  = std::enable_if_t<!std::is_same<std::decay_t<T>, Segmentation_options>::value, int>;
+
+} // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_PUT_PARTS_H

@@ -1,0 +1,112 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_INTERNAL_SEGMENTATION_AVERAGE_LINKAGE_H
+#define CGAL_CANONICAL_POSE_3_INTERNAL_SEGMENTATION_AVERAGE_LINKAGE_H
+
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
+namespace internal {
+
+// Clusters items bottom-up: the two most similar clusters are merged next, where the similarity of
+// clusters is the mean over their items, weighted.
+class Average_linkage
+{
+public:
+  // `similarities`: symmetric. Only pairs for which `may_merge` is not 0 are merged; a merged cluster
+  // may be merged with whatever one of its members may be merged with.
+  Average_linkage(Eigen::MatrixXd similarities, Eigen::VectorXd weights, Eigen::MatrixXd may_merge)
+    : m_similarities(std::move(similarities)), m_weights(std::move(weights)),
+      m_may_merge(std::move(may_merge)), m_parent(static_cast<std::size_t>(m_weights.size())),
+      m_number_of_clusters(m_parent.size())
+  {
+    std::iota(m_parent.begin(), m_parent.end(), std::size_t(0));
+  }
+
+  struct Merge
+  {
+    std::size_t first, second; // the items that represent the clusters; first represents both
+    double similarity;
+  };
+
+  // Merges two clusters, or returns false if no two may be merged.
+  bool merge_two()
+  {
+    const Eigen::Index n = m_weights.size();
+    Eigen::Index first = n, second = n;
+    for(Eigen::Index j = 0; j < n; ++j)
+      if(is_cluster(j))
+        for(Eigen::Index i = 0; i < j; ++i)
+          if(is_cluster(i) && m_may_merge(i, j) != 0
+             && (first == n || m_similarities(i, j) > m_similarities(first, second)))
+          {
+            first = i;
+            second = j;
+          }
+    if(first == n)
+      return false;
+    m_merges.push_back({static_cast<std::size_t>(first), static_cast<std::size_t>(second),
+                        m_similarities(first, second)});
+    const double a = m_weights[first], b = m_weights[second];
+    m_similarities.col(first)
+      = (a * m_similarities.col(first) + b * m_similarities.col(second)) / (a + b);
+    m_similarities.row(first) = m_similarities.col(first).transpose();
+    m_may_merge.col(first) += m_may_merge.col(second);
+    m_may_merge.row(first) = m_may_merge.col(first).transpose();
+    m_weights[first] += b;
+    m_parent[static_cast<std::size_t>(second)] = static_cast<std::size_t>(first);
+    --m_number_of_clusters;
+    return true;
+  }
+
+  std::size_t number_of_clusters() const { return m_number_of_clusters; }
+  const std::vector<Merge>& merges() const { return m_merges; }
+
+  // The sum of the weights of each cluster, at the item that represents it.
+  const Eigen::VectorXd& weights() const { return m_weights; }
+
+  // The item that represents the cluster of each item.
+  std::vector<std::size_t> clusters() const
+  {
+    std::vector<std::size_t> result(m_parent.size());
+    for(std::size_t i = 0; i < result.size(); ++i) // a parent has a smaller number
+      result[i] = m_parent[i] == i ? i : result[m_parent[i]];
+    return result;
+  }
+
+  bool is_cluster(const Eigen::Index i) const
+  {
+    return m_parent[static_cast<std::size_t>(i)] == static_cast<std::size_t>(i);
+  }
+
+private:
+  Eigen::MatrixXd m_similarities;
+  Eigen::VectorXd m_weights;
+  Eigen::MatrixXd m_may_merge;
+  std::vector<std::size_t> m_parent;
+  std::size_t m_number_of_clusters;
+  std::vector<Merge> m_merges;
+};
+
+} // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_INTERNAL_SEGMENTATION_AVERAGE_LINKAGE_H

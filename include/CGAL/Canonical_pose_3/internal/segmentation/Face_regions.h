@@ -1,0 +1,218 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_INTERNAL_SEGMENTATION_FACE_REGIONS_H
+#define CGAL_CANONICAL_POSE_3_INTERNAL_SEGMENTATION_FACE_REGIONS_H
+
+#include <CGAL/Canonical_pose_3/internal/segmentation/Face_graph.h>
+#include <CGAL/Canonical_pose_3/internal/support/Disjoint_sets.h>
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+
+#include <CGAL/boost/graph/Alpha_expansion_MaxFlow_tag.h>
+#include <CGAL/boost/graph/alpha_expansion_graphcut.h>
+
+#include <Eigen/Core>
+
+#include <boost/graph/adjacency_list.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <iterator>
+#include <map>
+#include <queue>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
+namespace internal {
+
+// The faces within a distance of the boundaries of regions.
+inline std::vector<std::size_t>
+faces_near_boundaries(const Face_graph& graph, const std::vector<std::size_t>& region_of_face,
+                      const double distance)
+{
+  using Entry = std::pair<double, std::size_t>;
+  std::vector<double> distances(graph.number_of_faces(), distance);
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
+  const auto reach = [&](const std::size_t face, const double d) {
+    if(d < distances[face])
+    {
+      distances[face] = d;
+      queue.emplace(d, face);
+    }
+  };
+  for(const Face_graph::Edge& edge : graph.edges)
+    if(region_of_face[edge.faces[0]] != region_of_face[edge.faces[1]])
+      for(const std::size_t face : edge.faces)
+        reach(face, 0);
+  while(!queue.empty())
+  {
+    const auto [d, face] = queue.top();
+    queue.pop();
+    if(d == distances[face])
+      for(const Face_graph::Neighbor& neighbor : graph.neighbors[face])
+        reach(neighbor.face, d + graph.edges[neighbor.edge].distance);
+  }
+  std::vector<std::size_t> result;
+  for(std::size_t f = 0; f < distances.size(); ++f)
+    if(distances[f] < distance)
+      result.push_back(f);
+  return result;
+}
+
+// Moves the boundaries of regions such that they are short and run along concave edges, by alpha
+// expansion (Boykov et al. 2001). `region_of_face`: numbers from 0 to k - 1. Only `faces` change
+// their region; they are in one group, and boundaries of the group cost nothing. `costs(face)`: what
+// it costs to assign a face to each region.
+template <class Costs>
+void refine_regions(const Face_graph& graph, const std::vector<std::size_t>& faces,
+                    const std::vector<std::size_t>& group_of_face,
+                    std::vector<std::size_t>& region_of_face, const double concavity_scale,
+                    const Costs& costs)
+{
+  using Graph
+    = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, boost::no_property,
+                            boost::property<boost::edge_weight_t, double>>;
+  const std::size_t fixed = faces.size();
+  std::vector<std::size_t> index(graph.number_of_faces(), fixed), regions;
+  std::vector<std::vector<double>> costs_of_faces;
+  for(const std::size_t f : faces)
+  {
+    index[f] = regions.size();
+    regions.push_back(region_of_face[f]);
+    costs_of_faces.push_back(costs(f));
+  }
+  Graph subgraph(faces.size());
+  for(const Face_graph::Edge& edge : graph.edges)
+  {
+    if(group_of_face[edge.faces[0]] != group_of_face[edge.faces[1]])
+      continue;
+    const double weight = edge.length * concavity_factor(edge.concave_angle, concavity_scale);
+    const std::size_t a = index[edge.faces[0]], b = index[edge.faces[1]];
+    if(a != fixed && b != fixed)
+      boost::add_edge(a, b, weight, subgraph);
+    else if(a != fixed || b != fixed)
+    {
+      std::vector<double>& of_face = costs_of_faces[(std::min)(a, b)];
+      const std::size_t own = region_of_face[edge.faces[a == fixed ? 0 : 1]];
+      for(std::size_t region = 0; region < of_face.size(); ++region)
+        of_face[region] += region == own ? 0 : weight;
+    }
+  }
+  const auto vertex_index = get(boost::vertex_index, subgraph);
+  alpha_expansion_graphcut(
+    subgraph, get(boost::edge_weight, subgraph),
+    boost::make_iterator_property_map(costs_of_faces.begin(), vertex_index),
+    boost::make_iterator_property_map(regions.begin(), vertex_index),
+    parameters::vertex_index_map(vertex_index).implementation_tag(Alpha_expansion_MaxFlow_tag()));
+  for(std::size_t i = 0; i < faces.size(); ++i)
+    region_of_face[faces[i]] = regions[i];
+}
+
+// Regions of faces.
+struct Face_regions
+{
+  std::size_t size() const { return areas.size(); }
+
+  std::vector<std::size_t> region_of_face;
+  std::vector<double> areas;
+  std::vector<std::map<std::size_t, double>> boundaries; // lengths, for each neighbor
+};
+
+// The connected pieces of regions.
+inline Face_regions connected_pieces(const Face_graph& graph,
+                                     const std::vector<std::size_t>& region_of_face)
+{
+  Disjoint_sets sets(graph.number_of_faces());
+  for(const Face_graph::Edge& edge : graph.edges)
+    if(region_of_face[edge.faces[0]] == region_of_face[edge.faces[1]])
+      sets.unite(edge.faces[0], edge.faces[1]);
+  Face_regions result;
+  Component_labels labels = label_components(sets);
+  result.region_of_face = std::move(labels.of_items);
+  result.areas.assign(labels.first_items.size(), 0.);
+  result.boundaries.resize(result.size());
+  for(std::size_t f = 0; f < graph.number_of_faces(); ++f)
+    result.areas[result.region_of_face[f]] += graph.areas[static_cast<Eigen::Index>(f)];
+  for(const Face_graph::Edge& edge : graph.edges)
+  {
+    const std::size_t a = result.region_of_face[edge.faces[0]];
+    const std::size_t b = result.region_of_face[edge.faces[1]];
+    if(a != b)
+    {
+      result.boundaries[a][b] += edge.length;
+      result.boundaries[b][a] += edge.length;
+    }
+  }
+  return result;
+}
+
+// Adds regions smaller than `least_area` to the neighbor in the same group with the longest common
+// boundary, the smallest ones first; returns the new region of each face, not numbered
+// consecutively. Regions without such a neighbor remain.
+inline std::vector<std::size_t> without_specks(Face_regions regions,
+                                               const std::vector<std::size_t>& group_of_face,
+                                               const double least_area)
+{
+  std::vector<std::size_t> group(regions.size());
+  for(std::size_t f = 0; f < group_of_face.size(); ++f)
+    group[regions.region_of_face[f]] = group_of_face[f];
+  for(std::size_t r = 0; r < regions.size(); ++r)
+    for(auto it = regions.boundaries[r].begin(); it != regions.boundaries[r].end();)
+      it = group[it->first] == group[r] ? std::next(it) : regions.boundaries[r].erase(it);
+
+  const auto smaller = [&](const std::size_t a, const std::size_t b) {
+    return std::make_pair(regions.areas[a], a) < std::make_pair(regions.areas[b], b);
+  };
+  std::vector<std::size_t> specks, parent(regions.size());
+  for(std::size_t r = 0; r < regions.size(); ++r)
+  {
+    parent[r] = r;
+    if(regions.areas[r] < least_area)
+      specks.push_back(r);
+  }
+  std::sort(specks.begin(), specks.end(), smaller);
+  for(const std::size_t speck : specks)
+  {
+    // It may have grown.
+    if(regions.areas[speck] >= least_area || regions.boundaries[speck].empty())
+      continue;
+    const std::map<std::size_t, double> boundary = std::move(regions.boundaries[speck]);
+    const std::size_t owner
+      = std::max_element(boundary.begin(), boundary.end(), [](const auto& a, const auto& b) {
+          return a.second < b.second;
+        })->first;
+    parent[speck] = owner;
+    regions.areas[owner] += regions.areas[speck];
+    for(const auto& [neighbor, length] : boundary)
+    {
+      regions.boundaries[neighbor].erase(speck);
+      if(neighbor != owner)
+      {
+        regions.boundaries[owner][neighbor] += length;
+        regions.boundaries[neighbor][owner] += length;
+      }
+    }
+  }
+  for(std::size_t& region : regions.region_of_face)
+    while(parent[region] != region)
+      region = parent[region];
+  return std::move(regions.region_of_face);
+}
+
+} // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_INTERNAL_SEGMENTATION_FACE_REGIONS_H

@@ -1,0 +1,296 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_INTERNAL_SEGMENTATION_PART_HIERARCHY_H
+#define CGAL_CANONICAL_POSE_3_INTERNAL_SEGMENTATION_PART_HIERARCHY_H
+
+#include <CGAL/Canonical_pose_3/Segmentation_tree_3.h>
+#include <CGAL/Canonical_pose_3/internal/segmentation/Average_linkage.h>
+#include <CGAL/Canonical_pose_3/internal/segmentation/Face_graph.h>
+#include <CGAL/Canonical_pose_3/internal/segmentation/Face_regions.h>
+#include <CGAL/Canonical_pose_3/internal/segmentation/Patches.h>
+#include <CGAL/Canonical_pose_3/internal/support/Disjoint_sets.h>
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
+namespace internal {
+
+// Builds the hierarchy of parts from the similarities of patches: the share of the votes in which
+// two patches belong to the same part.
+class Part_hierarchy
+{
+public:
+  static constexpr double least_area = .001; // of a part, by that of the surface
+
+  Part_hierarchy(const Face_graph& graph, const Patches& patches,
+                 const Eigen::MatrixXd& similarities)
+    : m_graph(graph), m_patches(patches), m_similarities(similarities),
+      m_areas(patch_areas(graph, patches))
+  {}
+
+  // The segmentation with `number_of_parts` is computed first. Its parts are divided into leaves, and
+  // merged until there is one part per component.
+  Segmentation_tree_3 tree(const std::size_t number_of_parts) const
+  {
+    const std::size_t number_of_leaves = (std::max)(4 * number_of_parts, std::size_t(32));
+    const std::vector<std::size_t> part_of_face = merged_pieces(
+      pieces(clusters(number_of_parts), std::vector<std::size_t>(m_graph.number_of_faces(), 0)),
+      number_of_parts);
+    Segmentation_tree_3 result;
+    result.number_of_parts = number_of_parts;
+    result.leaf_of_face = pieces(clusters(number_of_leaves), part_of_face);
+    merge_leaves(part_of_face, result);
+    return result;
+  }
+
+private:
+  static constexpr std::size_t NONE = Disjoint_sets::NONE;
+  static constexpr double BAND = .08; // width in which a boundary moves, by the root of the area
+  static constexpr double CONCAVITY = .3;       // scale of angles at boundaries
+  static constexpr double DATA_WEIGHT = 40;     // of similarities, by the cost of boundaries
+  static constexpr double LEAST_CLUSTER = .003; // area of a cluster that counts as a part
+
+  // The clusters of patches, numbered from 0, such that `number` of them are large.
+  std::vector<std::size_t> clusters(const std::size_t number) const
+  {
+    const auto n = m_areas.size();
+    Average_linkage linkage(m_similarities, m_areas, Eigen::MatrixXd::Ones(n, n));
+    while(linkage.merge_two())
+    {}
+    std::vector<double> areas(m_areas.data(), m_areas.data() + n);
+    const auto& merges = linkage.merges();
+    // Undo merges, from the last one, until there are enough large clusters.
+    std::vector<double> area_after = areas;
+    std::vector<std::pair<double, double>> joined;
+    for(const auto& merge : merges)
+    {
+      joined.emplace_back(area_after[merge.first], area_after[merge.second]);
+      area_after[merge.first] += area_after[merge.second];
+    }
+    std::size_t kept = merges.size(), large = 1;
+    while(kept + 3 * number + 20 > merges.size() && kept > 0 && large < number)
+    {
+      --kept;
+      const auto [a, b] = joined[kept];
+      large += std::size_t(a > LEAST_CLUSTER && b > LEAST_CLUSTER);
+    }
+    std::vector<std::size_t> parent(areas.size());
+    std::iota(parent.begin(), parent.end(), std::size_t(0));
+    for(std::size_t i = 0; i < kept; ++i)
+    {
+      parent[merges[i].second] = merges[i].first;
+      areas[merges[i].first] += areas[merges[i].second];
+    }
+    return number_large_clusters(parent, areas);
+  }
+
+  // Numbers the large clusters; patches of the others are assigned to NONE.
+  static std::vector<std::size_t> number_large_clusters(std::vector<std::size_t> parent,
+                                                        const std::vector<double>& areas)
+  {
+    for(std::size_t i = 0; i < parent.size(); ++i) // a parent has a smaller number
+      parent[i] = parent[parent[i]];
+    std::vector<std::size_t> number(parent.size(), NONE);
+    const double largest = *std::max_element(areas.begin(), areas.end());
+    std::size_t next = 0;
+    for(std::size_t i = 0; i < parent.size(); ++i)
+      if(parent[i] == i && areas[i] > (std::min)(LEAST_CLUSTER, largest / 2))
+        number[i] = next++;
+    for(std::size_t i = 0; i < parent.size(); ++i)
+      parent[i] = number[parent[i]];
+    return parent;
+  }
+
+  // The connected pieces of clusters of patches after their boundaries were refined. Boundaries
+  // between parts do not move.
+  std::vector<std::size_t> pieces(const std::vector<std::size_t>& cluster_of_patch,
+                                  const std::vector<std::size_t>& part_of_face) const
+  {
+    std::size_t k = 0;
+    for(const std::size_t cluster : cluster_of_patch)
+      if(cluster != NONE)
+        k = (std::max)(k, cluster + 1);
+    const Eigen::MatrixXd means = mean_similarities(cluster_of_patch, k);
+    std::vector<std::size_t> region_of_face(m_graph.number_of_faces());
+    for(std::size_t f = 0; f < region_of_face.size(); ++f)
+      region_of_face[f] = k * part_of_face[f] + nearest_cluster(f, cluster_of_patch, means);
+    refine_parts(part_of_face, k, means, region_of_face);
+    return connected_pieces(m_graph, without_specks(connected_pieces(m_graph, region_of_face),
+                                                    part_of_face, least_area))
+      .region_of_face;
+  }
+
+  std::size_t nearest_cluster(const std::size_t face,
+                              const std::vector<std::size_t>& cluster_of_patch,
+                              const Eigen::MatrixXd& means) const
+  {
+    const std::size_t patch = m_patches.patch_of_face[face];
+    if(cluster_of_patch[patch] != NONE)
+      return cluster_of_patch[patch];
+    Eigen::Index nearest;
+    means.row(static_cast<Eigen::Index>(patch)).maxCoeff(&nearest);
+    return static_cast<std::size_t>(nearest);
+  }
+
+  // Refines the boundaries within each part. `region_of_face`: `k` times the part, plus the cluster.
+  // The costs of faces are clearly positive: CGAL iterates until their sum decreases by less than a
+  // factor, so with a sum of about 0 rounding errors might keep it going.
+  void refine_parts(const std::vector<std::size_t>& part_of_face, const std::size_t k,
+                    const Eigen::MatrixXd& means, std::vector<std::size_t>& region_of_face) const
+  {
+    const std::size_t number_of_parts
+      = *std::max_element(part_of_face.begin(), part_of_face.end()) + 1;
+    std::vector<std::vector<std::size_t>> faces_of_part(number_of_parts);
+    for(const std::size_t f : faces_near_boundaries(m_graph, region_of_face, BAND))
+      faces_of_part[part_of_face[f]].push_back(f);
+    // The regions of each part, and their numbers within it.
+    std::vector<std::vector<std::size_t>> regions_of_part(number_of_parts);
+    std::vector<std::size_t> number(k * number_of_parts, NONE), numbers(region_of_face.size());
+    for(std::size_t f = 0; f < region_of_face.size(); ++f)
+    {
+      std::vector<std::size_t>& regions = regions_of_part[part_of_face[f]];
+      std::size_t& own = number[region_of_face[f]];
+      if(own == NONE)
+      {
+        own = regions.size();
+        regions.push_back(region_of_face[f]);
+      }
+      numbers[f] = own;
+    }
+    for(std::size_t part = 0; part < number_of_parts; ++part)
+    {
+      const std::vector<std::size_t>& regions = regions_of_part[part];
+      if(regions.size() < 2)
+        continue;
+      refine_regions(
+        m_graph, faces_of_part[part], part_of_face, numbers, CONCAVITY, [&](const std::size_t f) {
+          const double weight = DATA_WEIGHT * m_graph.areas[static_cast<Eigen::Index>(f)];
+          const auto row = means.row(static_cast<Eigen::Index>(m_patches.patch_of_face[f]));
+          std::vector<double> costs;
+          for(const std::size_t region : regions)
+            costs.push_back(weight * (2 - row[static_cast<Eigen::Index>(region % k)]));
+          return costs;
+        });
+      for(const std::size_t f : faces_of_part[part])
+        region_of_face[f] = regions[numbers[f]];
+    }
+  }
+
+  // For each patch, its mean similarity to the patches of each cluster.
+  Eigen::MatrixXd mean_similarities(const std::vector<std::size_t>& cluster_of_patch,
+                                    const std::size_t k) const
+  {
+    Eigen::MatrixXd members = Eigen::MatrixXd::Zero(m_areas.size(), static_cast<Eigen::Index>(k));
+    for(std::size_t p = 0; p < cluster_of_patch.size(); ++p)
+      if(cluster_of_patch[p] != NONE)
+        members(static_cast<Eigen::Index>(p), static_cast<Eigen::Index>(cluster_of_patch[p]))
+          = m_areas[static_cast<Eigen::Index>(p)];
+    const Eigen::VectorXd weights = members.colwise().sum().cwiseInverse();
+    return m_similarities * members * weights.asDiagonal();
+  }
+
+  // Similarities of regions, as means over pairs of their patches.
+  Average_linkage linkage_of(const Face_regions& regions, const std::vector<std::size_t>& group,
+                             const bool within_groups) const
+  {
+    const auto n = static_cast<Eigen::Index>(regions.size());
+    Eigen::MatrixXd shares = Eigen::MatrixXd::Zero(m_areas.size(), n);
+    for(std::size_t f = 0; f < m_graph.number_of_faces(); ++f)
+      shares(static_cast<Eigen::Index>(m_patches.patch_of_face[f]),
+             static_cast<Eigen::Index>(regions.region_of_face[f]))
+        += m_graph.areas[static_cast<Eigen::Index>(f)];
+    const Eigen::VectorXd areas = shares.colwise().sum().transpose().cwiseMax(1e-12);
+    const Eigen::VectorXd scale = areas.cwiseInverse();
+    Eigen::MatrixXd similarities
+      = scale.asDiagonal() * (shares.transpose() * m_similarities * shares) * scale.asDiagonal();
+    Eigen::MatrixXd are_neighbors = Eigen::MatrixXd::Zero(n, n);
+    for(std::size_t a = 0; a < regions.size(); ++a)
+      for(const auto& [b, length] : regions.boundaries[a])
+        if(!within_groups || group[a] == group[b])
+          are_neighbors(static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(b)) = 1;
+    return Average_linkage(std::move(similarities), areas, std::move(are_neighbors));
+  }
+
+  // Merges neighbors until there are at most `number` of them.
+  std::vector<std::size_t> merged_pieces(const std::vector<std::size_t>& piece_of_face,
+                                         const std::size_t number) const
+  {
+    const Face_regions regions = connected_pieces(m_graph, piece_of_face);
+    Average_linkage linkage = linkage_of(regions, {}, false);
+    while(linkage.number_of_clusters() > number && linkage.merge_two())
+    {}
+    const std::vector<std::size_t> clusters = linkage.clusters();
+    std::vector<std::size_t> result = regions.region_of_face;
+    for(std::size_t& region : result)
+      region = clusters[region];
+    return connected_pieces(m_graph, result).region_of_face; // numbered consecutively
+  }
+
+  // First the leaves of each part, then the parts.
+  void merge_leaves(const std::vector<std::size_t>& part_of_face, Segmentation_tree_3& tree) const
+  {
+    const Face_regions leaves = connected_pieces(m_graph, tree.leaf_of_face);
+    tree.leaf_of_face = leaves.region_of_face;
+    tree.number_of_leaves = leaves.size();
+    std::vector<std::size_t> part_of_leaf(leaves.size());
+    for(std::size_t f = 0; f < part_of_face.size(); ++f)
+      part_of_leaf[tree.leaf_of_face[f]] = part_of_face[f];
+    std::vector<std::size_t> node(leaves.size());
+    std::iota(node.begin(), node.end(), std::size_t(0));
+    const auto record
+      = [&](const std::size_t first, const std::size_t second, const double similarity) {
+          const double before = tree.merges.empty() ? 0 : tree.merges.back().cost;
+          const double cost = (std::min)((std::max)(1 - similarity, before), 1.);
+          const std::size_t created = tree.number_of_leaves + tree.merges.size();
+          tree.merges.push_back({{node[first], node[second]}, cost});
+          node[first] = created;
+        };
+
+    Average_linkage within = linkage_of(leaves, part_of_leaf, true);
+    while(within.merge_two())
+    {}
+    for(const auto& merge : within.merges())
+      record(merge.first, merge.second, merge.similarity);
+
+    const Face_regions parts = connected_pieces(m_graph, part_of_face);
+    std::vector<std::size_t> node_of_part(parts.size());
+    const std::vector<std::size_t> representatives = within.clusters();
+    for(std::size_t f = 0; f < part_of_face.size(); ++f)
+      node_of_part[parts.region_of_face[f]] = node[representatives[tree.leaf_of_face[f]]];
+    node = std::move(node_of_part);
+    Average_linkage between = linkage_of(parts, {}, false);
+    while(between.merge_two())
+    {}
+    for(const auto& merge : between.merges())
+      record(merge.first, merge.second, merge.similarity);
+  }
+
+  const Face_graph& m_graph;
+  const Patches& m_patches;
+  const Eigen::MatrixXd& m_similarities;
+  const Eigen::VectorXd m_areas;
+};
+
+} // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_INTERNAL_SEGMENTATION_PART_HIERARCHY_H

@@ -1,0 +1,101 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_INTERNAL_SEGMENTATION_PATCH_GRAPH_H
+#define CGAL_CANONICAL_POSE_3_INTERNAL_SEGMENTATION_PATCH_GRAPH_H
+
+#include <CGAL/Canonical_pose_3/internal/segmentation/Face_graph.h>
+#include <CGAL/Canonical_pose_3/internal/segmentation/Patches.h>
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
+namespace internal {
+
+// Patches and the costs of boundaries between neighbors.
+struct Patch_graph
+{
+  struct Edge
+  {
+    std::size_t a, b;
+    double cost;        // of a boundary between the two
+    double conductance; // the cost by the distance of the centroids
+  };
+
+  Eigen::VectorXd areas;
+  std::vector<Edge> edges;
+};
+
+// What boundaries avoid or prefer.
+struct Boundary_preferences
+{
+  double edge_concavity;  // scale of the angles between faces
+  double patch_concavity; // scale of the angles between the mean normals of patches; 0: ignored
+  double thickness_ratio; // scale of the differences of the logarithm of the thickness; 0: ignored
+};
+
+// Costs of the boundaries between patches: lengths, times a factor for each preference.
+// `log_thickness`: one value per face.
+inline Patch_graph patch_graph(const Face_graph& graph, const Patches& patches,
+                               const Boundary_preferences& preferences,
+                               const Eigen::VectorXd& log_thickness)
+{
+  constexpr double least_of_thickness = .2, shortest_distance = 1e-9;
+  Patch_graph result;
+  result.areas = patch_areas(graph, patches);
+  const Row_vectors centroids = patch_means(graph, patches, graph.centroids, result.areas);
+  const Row_vectors normals = patch_means(graph, patches, graph.normals, result.areas);
+  const Eigen::VectorXd thickness = patch_means(graph, patches, log_thickness, result.areas);
+
+  std::unordered_map<std::size_t, std::size_t> edge_of_pair;
+  for(const Face_graph::Edge& edge : graph.edges)
+  {
+    const auto [a, b]
+      = std::minmax(patches.patch_of_face[edge.faces[0]], patches.patch_of_face[edge.faces[1]]);
+    if(a == b)
+      continue;
+    const auto [it, is_new] = edge_of_pair.emplace(a * patches.size() + b, result.edges.size());
+    if(is_new)
+      result.edges.push_back({a, b, 0, 0});
+    result.edges[it->second].cost
+      += edge.length * concavity_factor(edge.concave_angle, preferences.edge_concavity);
+  }
+  for(Patch_graph::Edge& edge : result.edges)
+  {
+    const auto a = static_cast<Eigen::Index>(edge.a), b = static_cast<Eigen::Index>(edge.b);
+    const Eigen::RowVector3d difference = centroids.row(b) - centroids.row(a);
+    const Eigen::RowVector3d na = normals.row(a), nb = normals.row(b);
+    if(preferences.patch_concavity > 0 && (na - nb).dot(difference) > 0)
+      edge.cost *= concavity_factor(angle_between(na, nb), preferences.patch_concavity);
+    if(preferences.thickness_ratio > 0)
+    {
+      const double ratio = (thickness[b] - thickness[a]) / preferences.thickness_ratio;
+      edge.cost *= (std::max)(least_of_thickness, std::exp(-ratio * ratio / 2));
+    }
+    edge.conductance = edge.cost / (std::max)(difference.norm(), shortest_distance);
+  }
+  return result;
+}
+
+} // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_INTERNAL_SEGMENTATION_PATCH_GRAPH_H

@@ -1,0 +1,156 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_INTERNAL_SEGMENTATION_PATCHES_H
+#define CGAL_CANONICAL_POSE_3_INTERNAL_SEGMENTATION_PATCHES_H
+
+#include <CGAL/Canonical_pose_3/internal/segmentation/Face_graph.h>
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
+namespace internal {
+
+// Small regions of about the same size, each the faces nearest to one of its centers.
+struct Patches
+{
+  std::size_t size() const { return centers.size(); }
+
+  std::vector<std::size_t> centers; // faces
+  std::vector<std::size_t> patch_of_face;
+};
+
+// Lengths of the edges of the graph, larger across concave edges, so that patches end there.
+inline std::vector<double> concave_lengths(const Face_graph& graph, const double concavity_scale)
+{
+  constexpr double most = 5; // times the distance
+  std::vector<double> result;
+  result.reserve(graph.edges.size());
+  for(const Face_graph::Edge& edge : graph.edges)
+  {
+    const double factor = concavity_factor(edge.concave_angle, concavity_scale);
+    result.push_back(edge.distance * (factor + most * (1 - factor)));
+  }
+  return result;
+}
+
+// The face farthest from the centroid of the surface.
+inline std::size_t farthest_face(const Face_graph& graph)
+{
+  const Eigen::RowVector3d centroid = graph.areas.transpose() * graph.centroids;
+  Eigen::Index result;
+  (graph.centroids.rowwise() - centroid).rowwise().squaredNorm().maxCoeff(&result);
+  return static_cast<std::size_t>(result);
+}
+
+// Chooses centers by farthest-point sampling with shortest paths on the graph. Each component has
+// at least one, even if there are more components than `number`.
+class Patch_builder
+{
+public:
+  Patch_builder(const Face_graph& graph, const std::vector<double>& lengths)
+    : m_graph(graph), m_lengths(lengths),
+      m_distances(graph.number_of_faces(), std::numeric_limits<double>::infinity())
+  {
+    m_patches.patch_of_face.resize(graph.number_of_faces());
+  }
+
+  Patches run(const std::size_t number, const std::size_t first)
+  {
+    for(std::size_t center = first;;)
+    {
+      insert(center);
+      const auto farthest = std::max_element(m_distances.begin(), m_distances.end());
+      if(*farthest <= 0 || (m_patches.size() >= number && std::isfinite(*farthest)))
+        return std::move(m_patches);
+      center = static_cast<std::size_t>(farthest - m_distances.begin());
+    }
+  }
+
+private:
+  using Entry = std::pair<double, std::size_t>; // distance and face
+
+  void insert(const std::size_t center)
+  {
+    const std::size_t patch = m_patches.size();
+    m_patches.centers.push_back(center);
+    assign(center, 0, patch);
+    while(!m_heap.empty())
+    {
+      std::pop_heap(m_heap.begin(), m_heap.end(), std::greater<Entry>());
+      const auto [distance, face] = m_heap.back();
+      m_heap.pop_back();
+      if(distance > m_distances[face])
+        continue;
+      for(const Face_graph::Neighbor& neighbor : m_graph.neighbors[face])
+        if(distance + m_lengths[neighbor.edge] < m_distances[neighbor.face])
+          assign(neighbor.face, distance + m_lengths[neighbor.edge], patch);
+    }
+  }
+
+  void assign(const std::size_t face, const double distance, const std::size_t patch)
+  {
+    m_distances[face] = distance;
+    m_patches.patch_of_face[face] = patch;
+    m_heap.emplace_back(distance, face);
+    std::push_heap(m_heap.begin(), m_heap.end(), std::greater<Entry>());
+  }
+
+  const Face_graph& m_graph;
+  const std::vector<double>& m_lengths;
+  std::vector<double> m_distances;
+  std::vector<Entry> m_heap;
+  Patches m_patches;
+};
+
+// Means over patches of values of faces, weighted by areas.
+template <class Matrix>
+Matrix patch_means(const Face_graph& graph, const Patches& patches, const Matrix& values,
+                   const Eigen::VectorXd& patch_areas)
+{
+  Matrix result = Matrix::Zero(patch_areas.size(), values.cols());
+  for(std::size_t f = 0; f < graph.number_of_faces(); ++f)
+  {
+    const auto row = static_cast<Eigen::Index>(f);
+    result.row(static_cast<Eigen::Index>(patches.patch_of_face[f]))
+      += graph.areas[row] * values.row(row);
+  }
+  return patch_areas.cwiseInverse().asDiagonal() * result;
+}
+
+// Areas of the patches; positive, even if no face of a patch has an area.
+inline Eigen::VectorXd patch_areas(const Face_graph& graph, const Patches& patches)
+{
+  constexpr double least = 1e-12; // of the surface
+  Eigen::VectorXd result
+    = Eigen::VectorXd::Constant(static_cast<Eigen::Index>(patches.size()), least);
+  for(std::size_t f = 0; f < graph.number_of_faces(); ++f)
+    result[static_cast<Eigen::Index>(patches.patch_of_face[f])]
+      += graph.areas[static_cast<Eigen::Index>(f)];
+  return result;
+}
+
+} // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_INTERNAL_SEGMENTATION_PATCHES_H

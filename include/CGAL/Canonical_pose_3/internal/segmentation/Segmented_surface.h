@@ -1,0 +1,216 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_INTERNAL_SEGMENTATION_SEGMENTED_SURFACE_H
+#define CGAL_CANONICAL_POSE_3_INTERNAL_SEGMENTATION_SEGMENTED_SURFACE_H
+
+#include <CGAL/Canonical_pose_3/Coarse_surface_3.h>
+#include <CGAL/Canonical_pose_3/Surface_component_3.h>
+#include <CGAL/Canonical_pose_3/internal/segmentation/Face_graph.h>
+#include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
+#include <CGAL/Canonical_pose_3/internal/support/Disjoint_sets.h>
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+#include <CGAL/Canonical_pose_3/internal/support/values_at.h>
+#include <CGAL/Canonical_pose_3/point_matrix.h>
+#include <CGAL/Canonical_pose_3/repair_surface.h>
+
+#include <Eigen/Core>
+
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <numeric>
+#include <queue>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
+namespace internal {
+
+// A surface prepared for segmentation: repaired, and simplified if it has many faces.
+class Segmented_surface
+{
+public:
+  // `polygons`: rows of `points`. `pose`: one row per point, or none.
+  Segmented_surface(const Point_matrix& points,
+                    const std::vector<std::vector<std::size_t>>& polygons, const Point_matrix& pose)
+    : m_number_of_faces(polygons.size()), m_polygons(polygons)
+  {
+    check_pose(points, pose);
+    const Repaired_surface_3 repaired = repair_surface(points, polygons);
+    m_face_of_triangle = repaired.face_of_triangle;
+    for(const std::size_t origin : repaired.origins)
+      m_vertices.push_back(repaired.representatives[origin]);
+    m_triangles = repaired.triangles;
+    m_caps = repaired.caps;
+    m_points = repaired.points;
+    if(pose.rows() > 0)
+      m_pose = rows_at(pose, repaired.origins);
+    m_given_graph = face_graph(m_points, m_triangles, m_vertices);
+    if(m_triangles.size() > MOST_FACES)
+      simplify();
+  }
+
+  bool has_pose() const { return m_pose.rows() > 0; }
+
+  // The triangles on which parts are computed.
+  const std::vector<Index_triangle>& triangles() const { return m_triangles; }
+  // These and the caps of holes, if there are any.
+  std::vector<Index_triangle> closed_triangles() const
+  {
+    std::vector<Index_triangle> result = m_triangles;
+    result.insert(result.end(), m_caps.begin(), m_caps.end());
+    return result;
+  }
+  const Point_matrix& pose() const { return m_pose; }
+
+  Face_graph graph() const
+  {
+    return is_simplified() ? face_graph(m_points, m_triangles, m_vertices) : m_given_graph;
+  }
+  Face_graph graph_of_pose() const { return face_graph(m_pose, m_triangles, m_vertices); }
+
+  // Labels of the triangles, transferred to the polygons of the input.
+  std::vector<std::size_t> labels_of_faces(const std::vector<std::size_t>& labels) const
+  {
+    const std::vector<std::size_t> of_given = is_simplified() ? nearest_labels(labels) : labels;
+    std::vector<std::size_t> result(m_number_of_faces, Disjoint_sets::NONE);
+    std::vector<double> largest(m_number_of_faces, -1.);
+    for(std::size_t t = 0; t < of_given.size(); ++t)
+    {
+      const std::size_t face = m_face_of_triangle[t];
+      const double area = m_given_graph.areas[static_cast<Eigen::Index>(t)];
+      if(area > largest[face])
+      {
+        largest[face] = area;
+        result[face] = of_given[t];
+      }
+    }
+    label_removed_faces(result);
+    return result;
+  }
+
+private:
+  static constexpr std::size_t MOST_FACES = 25000; // before the surface is simplified
+  static constexpr std::size_t COARSE_VERTICES = 10000;
+
+  bool is_simplified() const { return !m_given_triangle.empty(); }
+
+  static void check_pose(const Point_matrix& points, const Point_matrix& pose)
+  {
+    if(pose.rows() == 0)
+      return;
+    if(pose.rows() != points.rows())
+      throw std::invalid_argument("the pose has " + std::to_string(pose.rows())
+                                  + " vertices, but the surface has "
+                                  + std::to_string(points.rows()));
+    for(Eigen::Index i = 0; i < pose.rows(); ++i)
+      if(!pose.row(i).allFinite())
+        throw std::invalid_argument("vertex " + std::to_string(i) + " of the pose is not finite");
+  }
+
+  // Caps are not needed: only few rays leave through holes.
+  void simplify()
+  {
+    Surface_component_3 surface;
+    surface.points = m_points;
+    surface.triangles = m_triangles;
+    surface.face_of_triangle.resize(m_triangles.size());
+    std::iota(surface.face_of_triangle.begin(), surface.face_of_triangle.end(), std::size_t(0));
+    surface.origins = surface.body_origins = m_vertices;
+    const Coarse_surface_3 coarse = coarse_surface(surface, COARSE_VERTICES);
+    m_given_triangle = coarse.surface.face_of_triangle;
+    m_triangles = coarse.surface.triangles;
+    m_vertices = coarse.surface.origins;
+    m_points = coarse.surface.points;
+    m_caps.clear();
+    if(has_pose())
+      m_pose = rows_at(m_pose, coarse.vertices);
+  }
+
+  // Each remaining triangle has replaced one of the given ones, which has its label; the others have
+  // that of the nearest of these.
+  std::vector<std::size_t> nearest_labels(const std::vector<std::size_t>& labels) const
+  {
+    const std::size_t n = m_given_graph.number_of_faces();
+    std::vector<std::size_t> result(n, 0);
+    std::vector<double> distances(n, std::numeric_limits<double>::infinity());
+    using Entry = std::pair<double, std::size_t>;
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
+    for(std::size_t t = 0; t < m_given_triangle.size(); ++t)
+    {
+      result[m_given_triangle[t]] = labels[t];
+      distances[m_given_triangle[t]] = 0;
+      queue.emplace(0, m_given_triangle[t]);
+    }
+    while(!queue.empty())
+    {
+      const auto [distance, face] = queue.top();
+      queue.pop();
+      if(distance > distances[face])
+        continue;
+      for(const Face_graph::Neighbor& neighbor : m_given_graph.neighbors[face])
+      {
+        const double d = distance + m_given_graph.edges[neighbor.edge].distance;
+        if(d < distances[neighbor.face])
+        {
+          distances[neighbor.face] = d;
+          result[neighbor.face] = result[face];
+          queue.emplace(d, neighbor.face);
+        }
+      }
+    }
+    return result;
+  }
+
+  // Faces that the repair removed, since they are degenerate or there twice, get the label of a face
+  // with a common vertex.
+  void label_removed_faces(std::vector<std::size_t>& labels) const
+  {
+    std::vector<std::size_t> label_of_vertex;
+    for(std::size_t f = 0; f < labels.size(); ++f)
+      if(labels[f] != Disjoint_sets::NONE)
+        for(const std::size_t v : m_polygons[f])
+        {
+          if(v >= label_of_vertex.size())
+            label_of_vertex.resize(v + 1, Disjoint_sets::NONE);
+          label_of_vertex[v] = labels[f];
+        }
+    for(std::size_t f = 0; f < labels.size(); ++f)
+      if(labels[f] == Disjoint_sets::NONE)
+      {
+        for(const std::size_t v : m_polygons[f])
+          if(v < label_of_vertex.size() && label_of_vertex[v] != Disjoint_sets::NONE)
+            labels[f] = label_of_vertex[v];
+        if(labels[f] == Disjoint_sets::NONE)
+          labels[f] = 0;
+      }
+  }
+
+  std::size_t m_number_of_faces;
+  const std::vector<std::vector<std::size_t>>& m_polygons;
+  std::vector<std::size_t> m_face_of_triangle; // of the given triangles
+  Face_graph m_given_graph;
+  std::vector<std::size_t> m_given_triangle; // for each triangle, if simplified
+  std::vector<std::size_t> m_vertices;
+  std::vector<Index_triangle> m_triangles, m_caps;
+  Point_matrix m_points, m_pose;
+};
+
+} // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_INTERNAL_SEGMENTATION_SEGMENTED_SURFACE_H

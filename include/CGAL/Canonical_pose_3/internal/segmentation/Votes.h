@@ -1,0 +1,206 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_INTERNAL_SEGMENTATION_VOTES_H
+#define CGAL_CANONICAL_POSE_3_INTERNAL_SEGMENTATION_VOTES_H
+
+#include <CGAL/Canonical_pose_3/internal/segmentation/Face_graph.h>
+#include <CGAL/Canonical_pose_3/internal/segmentation/K_means.h>
+#include <CGAL/Canonical_pose_3/internal/segmentation/Lines_of_sight.h>
+#include <CGAL/Canonical_pose_3/internal/segmentation/Patch_graph.h>
+#include <CGAL/Canonical_pose_3/internal/segmentation/Patches.h>
+#include <CGAL/Canonical_pose_3/internal/segmentation/sweep_cuts.h>
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+#include <CGAL/Canonical_pose_3/internal/support/for_each_index.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
+namespace internal {
+
+// A geometry of the surface: the given one, or a pose.
+struct Viewed_surface
+{
+  Face_graph graph;
+  Eigen::MatrixXd visibility, distances; // of the centers of patches
+};
+
+// Segmentations with different methods and parameters, each of which is a vote on which patches
+// belong to the same part.
+class Votes
+{
+public:
+  // `geometries`: the given one, and the pose, if any. `log_thickness`: one value per patch.
+  Votes(const std::vector<Viewed_surface>& geometries, const Patches& patches,
+        const Eigen::VectorXd& log_thickness)
+    : m_geometries(geometries), m_patches(patches),
+      m_areas(patch_areas(geometries[0].graph, patches)),
+      m_thickness_of_face(static_cast<Eigen::Index>(patches.patch_of_face.size()))
+  {
+    for(std::size_t f = 0; f < patches.patch_of_face.size(); ++f)
+      m_thickness_of_face[static_cast<Eigen::Index>(f)]
+        = log_thickness[static_cast<Eigen::Index>(patches.patch_of_face[f])];
+  }
+
+  // The number of parts on which sweeps agree if none is given: their median.
+  std::size_t typical_number_of_parts(const unsigned int seed) const
+  {
+    std::vector<std::size_t> numbers;
+    for(const Vote& vote : sweeps(0, seed))
+      numbers.push_back(vote.number_of_parts);
+    const auto median = numbers.begin() + static_cast<std::ptrdiff_t>(numbers.size() / 2);
+    std::nth_element(numbers.begin(), median, numbers.end());
+    return *median;
+  }
+
+  // The share of the votes in which two patches belong to the same part.
+  Eigen::MatrixXd similarities(const std::size_t number_of_parts, const unsigned int seed) const
+  {
+    std::vector<Vote> votes = sweeps(number_of_parts, seed);
+    for(Vote& vote : sights(number_of_parts, seed))
+      votes.push_back(std::move(vote));
+    const auto n = m_areas.size();
+    Eigen::MatrixXd result = Eigen::MatrixXd::Zero(n, n);
+    for(const Vote& vote : votes)
+      for(Eigen::Index j = 0; j < n; ++j)
+        for(Eigen::Index i = 0; i < n; ++i)
+          result(i, j) += vote.part_of_patch[static_cast<std::size_t>(i)]
+                              == vote.part_of_patch[static_cast<std::size_t>(j)]
+                            ? 1
+                            : 0;
+    return result / static_cast<double>(votes.size());
+  }
+
+  static constexpr double COST_LIMIT = 2; // of cuts, if the number of parts is not given
+
+private:
+  static constexpr std::size_t NUMBER_OF_SWEEPS = 12, NUMBER_OF_SIGHTS = 8;
+  static constexpr std::size_t PATCHES_OF_SWEEPS = 200, MOST_PARTS = 64;
+
+  struct Vote
+  {
+    std::vector<std::size_t> part_of_patch;
+    std::size_t number_of_parts = 0;
+  };
+
+  // Number i of a sequence that fills the interval from 0 to 1 evenly, together with those for the
+  // other dimensions. (The generalized golden ratio; its solution of x^4 = x + 1.)
+  static double evenly_spread(const std::size_t i, const int dimension)
+  {
+    constexpr double steps[] = {.8191725134, .6710436067, .5497004779};
+    const double x = .5 + static_cast<double>(i) * steps[dimension];
+    return x - std::floor(x);
+  }
+
+  // Which geometry a vote is on.
+  const Viewed_surface& geometry(const std::size_t vote) const
+  {
+    return m_geometries[vote % m_geometries.size()];
+  }
+
+  std::vector<Vote> sweeps(const std::size_t number_of_parts, const unsigned int seed) const
+  {
+    constexpr double share_with_normals = .7;
+    std::vector<std::size_t> first_faces;
+    Random_numbers random(seed);
+    for(std::size_t i = 0; i < NUMBER_OF_SWEEPS; ++i)
+      first_faces.push_back(m_patches.centers[random.below(m_patches.size())]);
+    std::vector<Vote> result(NUMBER_OF_SWEEPS);
+    for_each_index(NUMBER_OF_SWEEPS, [&](const std::size_t i) {
+      Boundary_preferences preferences;
+      preferences.edge_concavity = .2 + .3 * evenly_spread(i, 0);
+      const double exponent = .6 + .2 * evenly_spread(i, 1);
+      const double w = evenly_spread(i, 2) / share_with_normals;
+      preferences.patch_concavity = w < 1 ? .3 + .7 * w : 0;
+      preferences.thickness_ratio = i / 2 % 2 == 0 ? .4 : 0;
+      result[i] = sweep(geometry(i).graph, preferences, exponent, number_of_parts, first_faces[i]);
+    });
+    return result;
+  }
+
+  Vote sweep(const Face_graph& graph, const Boundary_preferences& preferences,
+             const double exponent, const std::size_t number_of_parts,
+             const std::size_t first_face) const
+  {
+    const Patches own = Patch_builder(graph, concave_lengths(graph, preferences.edge_concavity))
+                          .run(PATCHES_OF_SWEEPS, first_face);
+    const bool is_given = number_of_parts > 0;
+    const Sweep_partition parts
+      = sweep_partition(patch_graph(graph, own, preferences, m_thickness_of_face), exponent,
+                        (std::max)(number_of_parts, std::size_t(1)),
+                        is_given ? number_of_parts : MOST_PARTS, is_given ? 0 : COST_LIMIT);
+    return {largest_parts(graph, own, parts), parts.number_of_parts};
+  }
+
+  // The part that has the largest share of each of our patches.
+  std::vector<std::size_t> largest_parts(const Face_graph& graph, const Patches& own,
+                                         const Sweep_partition& parts) const
+  {
+    Eigen::MatrixXd shares
+      = Eigen::MatrixXd::Zero(m_areas.size(), static_cast<Eigen::Index>(parts.number_of_parts));
+    for(std::size_t f = 0; f < graph.number_of_faces(); ++f)
+      shares(static_cast<Eigen::Index>(m_patches.patch_of_face[f]),
+             static_cast<Eigen::Index>(parts.part_of_patch[own.patch_of_face[f]]))
+        += graph.areas[static_cast<Eigen::Index>(f)];
+    std::vector<std::size_t> result(m_patches.size());
+    for(std::size_t p = 0; p < result.size(); ++p)
+    {
+      Eigen::Index largest;
+      shares.row(static_cast<Eigen::Index>(p)).maxCoeff(&largest);
+      result[p] = static_cast<std::size_t>(largest);
+    }
+    return result;
+  }
+
+  std::vector<Vote> sights(const std::size_t number_of_parts, const unsigned int seed) const
+  {
+    std::vector<Vote> result(NUMBER_OF_SIGHTS);
+    for_each_index(NUMBER_OF_SIGHTS, [&](const std::size_t i) {
+      const double step = static_cast<double>(i / 2) / (NUMBER_OF_SIGHTS / 2 - 1);
+      Random_numbers random(seed + 1 + static_cast<unsigned int>(i));
+      result[i] = {spectral_clusters(affinities(geometry(i), .2 + .3 * step), m_areas,
+                                     number_of_parts, random),
+                   number_of_parts};
+    });
+    return result;
+  }
+
+  // Large for patches that see each other, or are close to each other.
+  static Eigen::MatrixXd affinities(const Viewed_surface& surface, const double range)
+  {
+    constexpr double near = .06, weight_of_near = .2;
+    const auto gaussian = [&](const double scale) -> Eigen::ArrayXXd {
+      return (-surface.distances.array().square() / (2 * scale * scale)).exp();
+    };
+    Eigen::MatrixXd result
+      = surface.visibility.array() * gaussian(range) + weight_of_near * gaussian(near);
+    result.diagonal().setZero();
+    return result;
+  }
+
+  const std::vector<Viewed_surface>& m_geometries;
+  const Patches& m_patches;
+  const Eigen::VectorXd m_areas;
+  Eigen::VectorXd m_thickness_of_face;
+};
+
+} // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_INTERNAL_SEGMENTATION_VOTES_H

@@ -1,0 +1,109 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_INTERNAL_SEGMENTATION_CONSENSUS_SEGMENTATION_IMPL_H
+#define CGAL_CANONICAL_POSE_3_INTERNAL_SEGMENTATION_CONSENSUS_SEGMENTATION_IMPL_H
+
+#include <CGAL/Canonical_pose_3/Segmentation_options.h>
+#include <CGAL/Canonical_pose_3/Segmentation_tree_3.h>
+#include <CGAL/Canonical_pose_3/consensus_segmentation.h>
+#include <CGAL/Canonical_pose_3/internal/segmentation/Lines_of_sight.h>
+#include <CGAL/Canonical_pose_3/internal/segmentation/Part_hierarchy.h>
+#include <CGAL/Canonical_pose_3/internal/segmentation/Patch_graph.h>
+#include <CGAL/Canonical_pose_3/internal/segmentation/Patches.h>
+#include <CGAL/Canonical_pose_3/internal/segmentation/Segmented_surface.h>
+#include <CGAL/Canonical_pose_3/internal/segmentation/Votes.h>
+#include <CGAL/Canonical_pose_3/internal/support/Thread_limit.h>
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+#include <CGAL/Canonical_pose_3/point_matrix.h>
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
+
+namespace internal {
+
+// Replaces values of patches by means over their neighbors.
+inline Eigen::VectorXd smoothed(const Face_graph& graph, const Patches& patches,
+                                Eigen::VectorXd values)
+{
+  constexpr int number_of_passes = 2;
+  constexpr double weight_of_neighbors = .5;
+  const Patch_graph neighbors
+    = patch_graph(graph, patches, {1, 0, 0}, Eigen::VectorXd::Zero(graph.areas.size()));
+  const Eigen::VectorXd& areas = neighbors.areas;
+  for(int pass = 0; pass < number_of_passes; ++pass)
+  {
+    Eigen::VectorXd sums = areas.cwiseProduct(values), weights = areas;
+    for(const Patch_graph::Edge& edge : neighbors.edges)
+    {
+      const auto a = static_cast<Eigen::Index>(edge.a), b = static_cast<Eigen::Index>(edge.b);
+      sums[a] += weight_of_neighbors * areas[b] * values[b];
+      sums[b] += weight_of_neighbors * areas[a] * values[a];
+      weights[a] += weight_of_neighbors * areas[b];
+      weights[b] += weight_of_neighbors * areas[a];
+    }
+    values = sums.cwiseQuotient(weights);
+  }
+  return values;
+}
+
+inline Viewed_surface viewed_surface(Face_graph graph, const Lines_of_sight& lines)
+{
+  return {std::move(graph), lines.visibility(), lines.distances()};
+}
+
+} // namespace internal
+
+CGAL_CANONICAL_POSE_3_INLINE Segmentation_tree_3 consensus_segmentation_tree(
+  const Point_matrix& points, const std::vector<std::vector<std::size_t>>& polygons,
+  const Point_matrix& pose, const Segmentation_options& options)
+{
+  using namespace internal;
+  constexpr double concavity = .3;
+  constexpr std::size_t number_of_patches = 300;
+  const Thread_limit limit(options.number_of_threads);
+  const Segmented_surface surface(points, polygons, pose);
+  const std::vector<Index_triangle> triangles = surface.closed_triangles();
+
+  std::vector<Viewed_surface> geometries;
+  Face_graph graph = surface.graph();
+  const Patches patches = Patch_builder(graph, concave_lengths(graph, concavity))
+                            .run(number_of_patches, farthest_face(graph));
+  const Lines_of_sight lines(graph, triangles, patches.centers);
+  const Eigen::VectorXd log_thickness = smoothed(graph, patches, lines.log_thickness());
+  geometries.push_back(viewed_surface(graph, lines));
+  if(surface.has_pose())
+  {
+    Face_graph posed = surface.graph_of_pose();
+    const Lines_of_sight lines_of_pose(posed, triangles, patches.centers);
+    geometries.push_back(viewed_surface(posed, lines_of_pose));
+  }
+
+  const Votes votes(geometries, patches, log_thickness);
+  const std::size_t number_of_parts = options.number_of_parts > 0
+                                        ? options.number_of_parts
+                                        : votes.typical_number_of_parts(options.random_seed);
+  const Eigen::MatrixXd similarities = votes.similarities(number_of_parts, options.random_seed);
+  Segmentation_tree_3 tree = Part_hierarchy(graph, patches, similarities).tree(number_of_parts);
+  tree.leaf_of_face = surface.labels_of_faces(tree.leaf_of_face);
+  return tree;
+}
+
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_INTERNAL_SEGMENTATION_CONSENSUS_SEGMENTATION_IMPL_H

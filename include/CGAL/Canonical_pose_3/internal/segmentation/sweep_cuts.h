@@ -1,0 +1,239 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_INTERNAL_SEGMENTATION_SWEEP_CUTS_H
+#define CGAL_CANONICAL_POSE_3_INTERNAL_SEGMENTATION_SWEEP_CUTS_H
+
+#include <CGAL/Canonical_pose_3/internal/linear_algebra/leading_eigenvectors.h>
+#include <CGAL/Canonical_pose_3/internal/segmentation/Patch_graph.h>
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numeric>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
+namespace internal {
+
+// Splits a set of patches in two: the cheapest of the cuts along level sets of smooth functions,
+// which are eigenvectors of the Laplacian of the set and heat kernels of the patches. (Sweep cuts
+// are from F. Chung, "The heat kernel as the pagerank of a graph", PNAS 2007.)
+class Sweep_cut
+{
+public:
+  static constexpr double NONE = std::numeric_limits<double>::infinity();
+
+  // `exponent`: the cost of a cut is that of its boundary by this power of the smaller area. 0 is
+  // the cheapest boundary, 1 the one of smallest conductance.
+  Sweep_cut(const Patch_graph& graph, const std::vector<std::size_t>& patches,
+            const double exponent)
+    : m_size(static_cast<Eigen::Index>(patches.size())), m_exponent(exponent),
+      m_neighbors(patches.size()), m_areas(m_size), m_is_inside(patches.size())
+  {
+    if(m_size < 2)
+      return;
+    Eigen::MatrixXd laplacian = set_up(graph, patches);
+    if(separate_components())
+      return;
+    const Eigen::VectorXd scale = m_areas.cwiseSqrt().cwiseInverse();
+    const std::optional<Eigenpairs> pairs
+      = all_eigenpairs(scale.asDiagonal() * laplacian * scale.asDiagonal());
+    if(!pairs)
+      return;
+    sweep_functions(pairs->values, scale.asDiagonal() * pairs->vectors);
+  }
+
+  // NONE if there is a single patch, 0 if the set is not connected.
+  double cost() const { return m_cost; }
+
+  // Whether each patch of the set is on the first side.
+  const std::vector<bool>& is_on_first_side() const { return m_is_on_first_side; }
+
+private:
+  Eigen::MatrixXd set_up(const Patch_graph& graph, const std::vector<std::size_t>& patches)
+  {
+    const std::size_t outside = patches.size();
+    std::vector<std::size_t> index(static_cast<std::size_t>(graph.areas.size()), outside);
+    for(std::size_t i = 0; i < patches.size(); ++i)
+    {
+      index[patches[i]] = i;
+      m_areas[static_cast<Eigen::Index>(i)] = graph.areas[static_cast<Eigen::Index>(patches[i])];
+    }
+    Eigen::MatrixXd laplacian = Eigen::MatrixXd::Zero(m_size, m_size);
+    for(const Patch_graph::Edge& edge : graph.edges)
+    {
+      const std::size_t a = index[edge.a], b = index[edge.b];
+      if(a == outside || b == outside)
+        continue;
+      m_neighbors[a].emplace_back(b, edge.cost);
+      m_neighbors[b].emplace_back(a, edge.cost);
+      const auto i = static_cast<Eigen::Index>(a), j = static_cast<Eigen::Index>(b);
+      laplacian(i, i) += edge.conductance;
+      laplacian(j, j) += edge.conductance;
+      laplacian(i, j) -= edge.conductance;
+      laplacian(j, i) -= edge.conductance;
+    }
+    return laplacian;
+  }
+
+  // The component of the first patch, if it is not the whole set.
+  bool separate_components()
+  {
+    std::vector<bool> is_reached(m_neighbors.size(), false);
+    std::vector<std::size_t> reached(1, 0);
+    is_reached[0] = true;
+    for(std::size_t i = 0; i < reached.size(); ++i)
+      for(const auto& [j, cost] : m_neighbors[reached[i]])
+        if(!is_reached[j])
+        {
+          is_reached[j] = true;
+          reached.push_back(j);
+        }
+    if(reached.size() == m_neighbors.size())
+      return false;
+    m_cost = 0;
+    m_is_on_first_side = std::move(is_reached);
+    return true;
+  }
+
+  // `functions`: eigenvectors, orthonormal with respect to areas.
+  void sweep_functions(const Eigen::VectorXd& eigenvalues, const Eigen::MatrixXd& functions)
+  {
+    constexpr Eigen::Index number_of_eigenvectors = 6, number_of_sources = 80;
+    constexpr double times[] = {.3, 1, 3}; // by the inverse of the smallest positive eigenvalue
+    constexpr double least_eigenvalue = 1e-12;
+    for(Eigen::Index k = 1; k < (std::min)(m_size, number_of_eigenvectors + 1); ++k)
+      sweep(functions.col(k));
+    // Patches are sorted such that the first ones are spread over the set.
+    const auto sources = functions.topRows((std::min)(m_size, number_of_sources)).transpose();
+    for(const double time : times)
+    {
+      const double scale = time / (std::max)(eigenvalues[1], least_eigenvalue);
+      const Eigen::MatrixXd kernels
+        = functions * (-scale * eigenvalues.array()).exp().matrix().asDiagonal() * sources;
+      for(Eigen::Index k = 0; k < kernels.cols(); ++k)
+        sweep(kernels.col(k));
+    }
+  }
+
+  void sweep(const Eigen::Ref<const Eigen::VectorXd>& function)
+  {
+    constexpr double improvement = 1e-9; // that is no rounding error
+    m_order.resize(m_is_inside.size());
+    std::iota(m_order.begin(), m_order.end(), std::size_t(0));
+    std::sort(m_order.begin(), m_order.end(), [&](const std::size_t a, const std::size_t b) {
+      const double x = function[static_cast<Eigen::Index>(a)];
+      const double y = function[static_cast<Eigen::Index>(b)];
+      return x != y ? x < y : a < b;
+    });
+    std::fill(m_is_inside.begin(), m_is_inside.end(), false);
+    const double total = m_areas.sum();
+    double boundary = 0, area = 0, cost = NONE;
+    std::size_t best = 0;
+    for(std::size_t i = 0; i + 1 < m_order.size(); ++i)
+    {
+      const std::size_t patch = m_order[i];
+      m_is_inside[patch] = true;
+      area += m_areas[static_cast<Eigen::Index>(patch)];
+      for(const auto& [neighbor, edge_cost] : m_neighbors[patch])
+        boundary += m_is_inside[neighbor] ? -edge_cost : edge_cost;
+      const double c = (std::max)(boundary, 0.)
+                       / std::pow((std::min)(area, (std::max)(total - area, 1e-15)), m_exponent);
+      if(c < cost)
+      {
+        cost = c;
+        best = i;
+      }
+    }
+    if(!(cost < (1 - improvement) * m_cost))
+      return;
+    m_cost = cost;
+    m_is_on_first_side.assign(m_order.size(), false);
+    for(std::size_t i = 0; i <= best; ++i)
+      m_is_on_first_side[m_order[i]] = true;
+  }
+
+  Eigen::Index m_size;
+  double m_exponent;
+  std::vector<std::vector<std::pair<std::size_t, double>>> m_neighbors;
+  Eigen::VectorXd m_areas;
+  double m_cost = NONE;
+  std::vector<bool> m_is_on_first_side;
+  std::vector<bool> m_is_inside; // of the current sweep, as the next one
+  std::vector<std::size_t> m_order;
+};
+
+// The splits of a set of patches.
+struct Sweep_partition
+{
+  std::size_t number_of_parts = 1;
+  std::vector<std::size_t> part_of_patch;
+  // Split i divides part `parent[i]`; its second side becomes part i + 1.
+  std::vector<std::size_t> parents;
+  std::vector<double> costs;
+};
+
+// Splits the part with the cheapest cut until there are `number_of_parts`, and further as long as
+// the cost is at most `cost_limit`.
+inline Sweep_partition sweep_partition(const Patch_graph& graph, const double exponent,
+                                       const std::size_t least_number_of_parts,
+                                       const std::size_t most_number_of_parts,
+                                       const double cost_limit)
+{
+  const auto n = static_cast<std::size_t>(graph.areas.size());
+  Sweep_partition result;
+  result.part_of_patch.assign(n, 0);
+  std::vector<std::vector<std::size_t>> parts(1, std::vector<std::size_t>(n));
+  std::iota(parts[0].begin(), parts[0].end(), std::size_t(0));
+  std::vector<Sweep_cut> cuts;
+  cuts.emplace_back(graph, parts[0], exponent);
+  while(parts.size() < most_number_of_parts)
+  {
+    const auto cheapest
+      = std::min_element(cuts.begin(), cuts.end(), [](const Sweep_cut& a, const Sweep_cut& b) {
+          return a.cost() < b.cost();
+        });
+    const double cost = cheapest->cost();
+    if(cost == Sweep_cut::NONE || (parts.size() >= least_number_of_parts && cost > cost_limit))
+      break;
+    const auto parent = static_cast<std::size_t>(cheapest - cuts.begin());
+    const std::vector<std::size_t> whole = std::move(parts[parent]);
+    parts[parent].clear();
+    parts.emplace_back();
+    for(std::size_t i = 0; i < whole.size(); ++i)
+    {
+      const bool is_first = cheapest->is_on_first_side()[i];
+      (is_first ? parts[parent] : parts.back()).push_back(whole[i]);
+      if(!is_first)
+        result.part_of_patch[whole[i]] = parts.size() - 1;
+    }
+    result.parents.push_back(parent);
+    result.costs.push_back(cost);
+    cuts[parent] = Sweep_cut(graph, parts[parent], exponent);
+    cuts.emplace_back(graph, parts.back(), exponent);
+  }
+  result.number_of_parts = parts.size();
+  return result;
+}
+
+} // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_INTERNAL_SEGMENTATION_SWEEP_CUTS_H

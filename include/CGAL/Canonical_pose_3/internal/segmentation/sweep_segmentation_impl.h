@@ -1,0 +1,99 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_INTERNAL_SEGMENTATION_SWEEP_SEGMENTATION_IMPL_H
+#define CGAL_CANONICAL_POSE_3_INTERNAL_SEGMENTATION_SWEEP_SEGMENTATION_IMPL_H
+
+#include <CGAL/Canonical_pose_3/Segmentation_options.h>
+#include <CGAL/Canonical_pose_3/Segmentation_tree_3.h>
+#include <CGAL/Canonical_pose_3/internal/segmentation/Part_hierarchy.h>
+#include <CGAL/Canonical_pose_3/internal/segmentation/Patch_graph.h>
+#include <CGAL/Canonical_pose_3/internal/segmentation/Patches.h>
+#include <CGAL/Canonical_pose_3/internal/segmentation/Segmented_surface.h>
+#include <CGAL/Canonical_pose_3/internal/segmentation/sweep_cuts.h>
+#include <CGAL/Canonical_pose_3/internal/support/Thread_limit.h>
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+#include <CGAL/Canonical_pose_3/point_matrix.h>
+#include <CGAL/Canonical_pose_3/sweep_segmentation.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
+
+namespace internal {
+
+// For each pair of patches, the number of splits until they are separated, by that of the parts.
+inline Eigen::MatrixXd similarities_of_splits(const Sweep_partition& partition)
+{
+  const std::size_t k = partition.number_of_parts;
+  Eigen::MatrixXd of_parts
+    = Eigen::MatrixXd::Ones(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(k));
+  for(std::size_t split = 0; split < partition.parents.size(); ++split)
+  {
+    const auto created = static_cast<Eigen::Index>(split + 1);
+    const auto parent = static_cast<Eigen::Index>(partition.parents[split]);
+    for(Eigen::Index other = 0; other < created; ++other)
+      of_parts(created, other) = of_parts(other, created)
+        = other == parent ? static_cast<double>(split) / static_cast<double>(k)
+                          : of_parts(parent, other);
+  }
+  const auto n = static_cast<Eigen::Index>(partition.part_of_patch.size());
+  Eigen::MatrixXd result(n, n);
+  for(Eigen::Index j = 0; j < n; ++j)
+    for(Eigen::Index i = 0; i < n; ++i)
+      result(i, j)
+        = of_parts(static_cast<Eigen::Index>(partition.part_of_patch[static_cast<std::size_t>(i)]),
+                   static_cast<Eigen::Index>(partition.part_of_patch[static_cast<std::size_t>(j)]));
+  return result;
+}
+
+} // namespace internal
+
+CGAL_CANONICAL_POSE_3_INLINE Segmentation_tree_3 sweep_segmentation_tree(
+  const Point_matrix& points, const std::vector<std::vector<std::size_t>>& polygons,
+  const Point_matrix& pose, const Segmentation_options& options)
+{
+  using namespace internal;
+  constexpr Boundary_preferences preferences = {1, .3, 0};
+  constexpr double exponent = .7, cost_limit = 2;
+  constexpr std::size_t number_of_patches = 250, least_number_of_leaves = 32;
+  const Thread_limit limit(options.number_of_threads);
+  const Segmented_surface surface(points, polygons, pose);
+  const Face_graph graph = surface.has_pose() ? surface.graph_of_pose() : surface.graph();
+  const Patches patches = Patch_builder(graph, concave_lengths(graph, preferences.edge_concavity))
+                            .run(number_of_patches, farthest_face(graph));
+  const Patch_graph neighbors
+    = patch_graph(graph, patches, preferences, Eigen::VectorXd::Zero(graph.areas.size()));
+  const Sweep_partition partition = sweep_partition(
+    neighbors, exponent, (std::max)(4 * options.number_of_parts, least_number_of_leaves),
+    patches.size(), 0);
+  std::size_t number_of_parts = options.number_of_parts;
+  if(number_of_parts == 0)
+    number_of_parts = 1
+                      + static_cast<std::size_t>(
+                        std::find_if(partition.costs.begin(), partition.costs.end(),
+                                     [&](const double cost) { return cost > cost_limit; })
+                        - partition.costs.begin());
+  Segmentation_tree_3 tree
+    = Part_hierarchy(graph, patches, similarities_of_splits(partition)).tree(number_of_parts);
+  tree.leaf_of_face = surface.labels_of_faces(tree.leaf_of_face);
+  return tree;
+}
+
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_INTERNAL_SEGMENTATION_SWEEP_SEGMENTATION_IMPL_H

@@ -1,0 +1,200 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+// The command segment.
+
+#include "Cgal_types.h"
+#include "Mesh_file.h"
+#include "Output_files.h"
+#include "Report.h"
+#include "commands.h"
+#include "compute_pose.h"
+#include "exact_geodesics.h"
+
+#include <CGAL/Canonical_pose_3/consensus_segmentation.h>
+#include <CGAL/Canonical_pose_3/k_means_segmentation.h>
+#include <CGAL/Canonical_pose_3/segmentation_parts.h>
+#include <CGAL/Canonical_pose_3/sweep_segmentation.h>
+
+#include <cstddef>
+#include <exception>
+#include <filesystem>
+#include <iostream>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace Canonical_pose_tool {
+
+namespace {
+
+using CGAL::Canonical_pose_3::Segmentation_options;
+
+// The pose in a file or, if there is none, the canonical one. No pose if it cannot be computed.
+Point_matrix pose_of(const Mesh_file& input, const Arguments& arguments,
+                     Segmentation_report& report)
+{
+  if(!arguments.pose.empty())
+    return matrix_of(points_of(read_mesh_file(arguments.pose)));
+  Options options = arguments.options;
+  if(arguments.geodesics == "exact")
+    options.landmark_fields_function = exact_landmark_fields();
+  try
+  {
+    return compute_pose(input, options).pose;
+  }
+  catch(const std::exception& error)
+  {
+    report.warnings.push_back(std::string("the pose does not vote: ") + error.what());
+    return Point_matrix(0, 3);
+  }
+}
+
+// The part of each face.
+std::vector<std::size_t> compute_parts(const Mesh_file& input, const Arguments& arguments,
+                                       Segmentation_report& report, Stage_clock& clock)
+{
+  namespace CP = CGAL::Canonical_pose_3;
+  Segmentation_options options;
+  options.number_of_parts = arguments.number_of_parts;
+  options.random_seed = arguments.options.random_seed;
+  options.number_of_threads = arguments.options.number_of_threads;
+  const Point_matrix points = matrix_of(points_of(input));
+  const bool needs_pose = arguments.method != "sweep" || !arguments.pose.empty();
+  const Point_matrix pose = needs_pose ? pose_of(input, arguments, report) : Point_matrix(0, 3);
+  report.stages.emplace_back("pose", clock.lap());
+  if(arguments.method == "kmeans")
+    return CP::k_means_parts(pose.rows() > 0 ? pose : points, input.faces, options);
+  report.tree = arguments.method == "sweep"
+                  ? CP::sweep_segmentation_tree(points, input.faces, pose, options)
+                  : CP::consensus_segmentation_tree(points, input.faces, pose, options);
+  return report.tree->parts();
+}
+
+// The faces of a part, with their vertices.
+Mesh_file part_of(const Mesh_file& input, const std::vector<std::size_t>& parts,
+                  const std::size_t part)
+{
+  Mesh_file result;
+  std::vector<std::size_t> index(input.points.size(), input.points.size());
+  for(std::size_t f = 0; f < parts.size(); ++f)
+    if(parts[f] == part)
+    {
+      result.faces.push_back(input.faces[f]);
+      for(std::size_t& v : result.faces.back())
+      {
+        if(index[v] == input.points.size())
+        {
+          index[v] = result.points.size();
+          result.points.push_back(input.points[v]);
+        }
+        v = index[v];
+      }
+    }
+  return result;
+}
+
+// A folder that is removed again unless it is kept, or was there before.
+class Output_folder
+{
+public:
+  explicit Output_folder(const std::string& path)
+  {
+    std::error_code error;
+    if(!path.empty() && std::filesystem::create_directory(path, error))
+      m_created = path;
+    else if(error)
+      throw std::invalid_argument("'" + path + "' cannot be created: " + error.message());
+  }
+  ~Output_folder()
+  {
+    std::error_code error;
+    if(m_created)
+      std::filesystem::remove(*m_created, error);
+  }
+  Output_folder(const Output_folder&) = delete;
+  Output_folder& operator=(const Output_folder&) = delete;
+  void keep() { m_created.reset(); }
+
+private:
+  std::optional<std::string> m_created;
+};
+
+bool is_folder(const std::string& path) { return path.back() == '/'; }
+bool is_text(const std::string& path) { return std::filesystem::path(path).extension() == ".txt"; }
+
+std::string part_path(const Arguments& arguments, const std::size_t part)
+{
+  return arguments.output + "part_" + std::to_string(part)
+         + std::filesystem::path(arguments.input).extension().string();
+}
+
+void write_parts(const Mesh_file& input, const std::vector<std::size_t>& parts,
+                 const std::size_t number_of_parts, const Arguments& arguments,
+                 const Segmentation_report& report, Stage_clock& clock)
+{
+  Output_folder folder(is_folder(arguments.output) ? arguments.output : std::string());
+  std::vector<std::string> paths = {arguments.report};
+  if(is_folder(arguments.output))
+    for(std::size_t part = 0; part < number_of_parts; ++part)
+      paths.push_back(part_path(arguments, part));
+  else
+    paths.push_back(arguments.output);
+  Output_files files(paths);
+  if(is_folder(arguments.output))
+    for(std::size_t part = 0; part < number_of_parts; ++part)
+      files.write(part_path(arguments, part), [&](std::ostream& out) {
+        write_mesh(out, format_of(arguments.input), part_of(input, parts, part));
+      });
+  else
+    files.write(arguments.output, [&](std::ostream& out) {
+      if(!is_text(arguments.output))
+        write_colored_ply(out, input, parts);
+      else
+        for(const std::size_t part : parts)
+          out << part << '\n';
+    });
+  files.write(arguments.report,
+              [&](std::ostream& out) { write_report(out, report, clock.lap(), clock.total()); });
+  files.commit();
+  folder.keep();
+}
+
+} // namespace
+
+void run_segment(const Arguments& arguments)
+{
+  Stage_clock clock;
+  if(!is_folder(arguments.output) && !is_text(arguments.output)
+     && std::filesystem::path(arguments.output).extension() != ".ply")
+    throw std::invalid_argument("'" + arguments.output
+                                + "' is neither a .txt nor a .ply file, nor a folder ending in /");
+  if(!is_folder(arguments.output))
+    Output_files({arguments.output, arguments.report}); // fails early
+  const Mesh_file input = read_mesh_file(arguments.input);
+  if(input.is_tetrahedral)
+    throw std::invalid_argument("a surface is needed, but this is a tetrahedral mesh");
+  Segmentation_report report;
+  report.method = arguments.method;
+  report.stages.emplace_back("read", clock.lap());
+  const std::vector<std::size_t> parts = compute_parts(input, arguments, report, clock);
+  report.parts
+    = CGAL::Canonical_pose_3::segmentation_parts(matrix_of(points_of(input)), input.faces, parts);
+  report.stages.emplace_back("segmentation", clock.lap());
+  write_parts(input, parts, report.parts.size(), arguments, report, clock);
+  if(arguments.quiet)
+    return;
+  std::cout << report.parts.size() << (report.parts.size() == 1 ? " part\n" : " parts\n");
+  for(const std::string& warning : report.warnings)
+    std::cout << "warning: " << warning << '\n';
+}
+
+} // namespace Canonical_pose_tool

@@ -1,0 +1,346 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#include <CGAL/Canonical_pose_3/consensus_segmentation.h>
+#include <CGAL/Canonical_pose_3/k_means_segmentation.h>
+#include <CGAL/Canonical_pose_3/segmentation_parts.h>
+#include <CGAL/Canonical_pose_3/sweep_segmentation.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <gtest/gtest.h>
+
+#include "shapes.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <set>
+#include <stdexcept>
+#include <vector>
+
+namespace CP = CGAL::Canonical_pose_3;
+using CP::Point_matrix;
+using CP::Segmentation_options;
+using CP::Segmentation_tree_3;
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Parts = std::vector<std::size_t>;
+
+namespace {
+
+struct Polygon_soup
+{
+  Point_matrix points;
+  std::vector<std::vector<std::size_t>> polygons;
+};
+
+Polygon_soup polygon_soup(const Canonical_pose_test::Triangle_soup& soup)
+{
+  Polygon_soup result;
+  result.points.resize(static_cast<Eigen::Index>(soup.points.size()), 3);
+  for(std::size_t v = 0; v < soup.points.size(); ++v)
+    result.points.row(static_cast<Eigen::Index>(v)) << soup.points[v][0], soup.points[v][1],
+      soup.points[v][2];
+  for(const auto& t : soup.triangles)
+    result.polygons.push_back({t[0], t[1], t[2]});
+  return result;
+}
+
+// Three balls of radius 1 in a row along x, which overlap in circles of radius .2.
+constexpr double spacing = 1.96, length = 2 + 2 * spacing;
+constexpr double first_neck = 1 + spacing / 2, second_neck = first_neck + spacing;
+
+std::size_t ball_of(const double x) { return x < first_neck ? 0 : x < second_neck ? 1 : 2; }
+
+Canonical_pose_test::Triangle_soup row_of_balls_soup(const std::size_t rings,
+                                                     const std::size_t sides)
+{
+  Canonical_pose_test::Triangle_soup soup = Canonical_pose_test::tube_soup(rings, sides, length, 1);
+  for(auto& p : soup.points)
+  {
+    const double from_center = p[0] - (1 + spacing * double(ball_of(p[0])));
+    const double radius = std::sqrt((std::max)(1 - from_center * from_center, 0.));
+    p[1] *= radius;
+    p[2] *= radius;
+  }
+  return soup;
+}
+
+Polygon_soup row_of_balls() { return polygon_soup(row_of_balls_soup(80, 24)); }
+
+double centroid_x(const Polygon_soup& soup, const std::size_t f)
+{
+  double sum = 0;
+  for(const std::size_t v : soup.polygons[f])
+    sum += soup.points(static_cast<Eigen::Index>(v), 0);
+  return sum / static_cast<double>(soup.polygons[f].size());
+}
+
+// The faces that are not near a neck belong to the ball they lie on, and each ball is one part.
+void expect_balls(const Polygon_soup& soup, const Parts& parts)
+{
+  const double half_neck = .2;
+  std::set<std::size_t> parts_of_ball[3];
+  ASSERT_EQ(parts.size(), soup.polygons.size());
+  for(std::size_t f = 0; f < parts.size(); ++f)
+  {
+    const double x = centroid_x(soup, f);
+    if(std::abs(x - first_neck) > half_neck && std::abs(x - second_neck) > half_neck)
+      parts_of_ball[ball_of(x)].insert(parts[f]);
+  }
+  std::set<std::size_t> all;
+  for(const std::set<std::size_t>& own : parts_of_ball)
+  {
+    EXPECT_EQ(own.size(), 1u);
+    all.insert(own.begin(), own.end());
+  }
+  EXPECT_EQ(all.size(), 3u);
+}
+
+std::size_t number_of(const Parts& parts)
+{
+  return parts.empty() ? 0 : *std::max_element(parts.begin(), parts.end()) + 1;
+}
+
+Segmentation_options with_parts(const std::size_t number)
+{
+  Segmentation_options options;
+  options.number_of_parts = number;
+  return options;
+}
+
+Point_matrix no_pose() { return Point_matrix(0, 3); }
+
+class Segmentation : public testing::TestWithParam<bool>
+{
+public:
+  // By consensus or by sweep cuts.
+  Segmentation_tree_3 tree(const Polygon_soup& soup, const Segmentation_options& options,
+                           const Point_matrix& pose = no_pose()) const
+  {
+    return GetParam() ? CP::consensus_segmentation_tree(soup.points, soup.polygons, pose, options)
+                      : CP::sweep_segmentation_tree(soup.points, soup.polygons, pose, options);
+  }
+};
+
+// The necks are the only concave regions, and the shortest boundaries by far.
+TEST_P(Segmentation, balls_are_parts)
+{
+  const Polygon_soup soup = row_of_balls();
+  expect_balls(soup, tree(soup, with_parts(3)).parts());
+}
+
+TEST_P(Segmentation, number_of_parts_is_determined)
+{
+  const Polygon_soup soup = row_of_balls();
+  const Segmentation_tree_3 result = tree(soup, with_parts(0));
+  EXPECT_EQ(result.number_of_parts, 3u);
+  expect_balls(soup, result.parts());
+}
+
+// Two parts of a row of three balls are one ball and two balls.
+TEST_P(Segmentation, segmentations_of_a_tree_are_nested)
+{
+  const Polygon_soup soup = row_of_balls();
+  const Segmentation_tree_3 result = tree(soup, with_parts(3));
+  EXPECT_EQ(result.least_number_of_parts(), 1u);
+  ASSERT_GT(result.number_of_leaves, 5u);
+  for(std::size_t k = 1; k <= result.number_of_leaves; ++k)
+  {
+    const Parts parts = result.parts(k), more = result.parts(k + 1);
+    EXPECT_EQ(number_of(parts), k);
+    std::vector<std::set<std::size_t>> owners(number_of(more));
+    for(std::size_t f = 0; f < parts.size(); ++f)
+      owners[more[f]].insert(parts[f]);
+    for(const std::set<std::size_t>& owner : owners)
+      EXPECT_EQ(owner.size(), 1u) << k;
+  }
+  for(std::size_t i = 1; i < result.merges.size(); ++i)
+    EXPECT_LE(result.merges[i - 1].cost, result.merges[i].cost);
+}
+
+// Rotation, translation, scale and another order of the faces change numbers in their last digits,
+// and the order of ties; the balls remain.
+TEST_P(Segmentation, follows_motions_scale_and_relabeling)
+{
+  Polygon_soup soup = row_of_balls();
+  const Polygon_soup before = soup;
+  const Eigen::Matrix3d rotation
+    = Eigen::AngleAxisd(1, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
+  for(const double scale : {1e-9, 1., 1e12})
+  {
+    soup.points
+      = scale * ((before.points * rotation.transpose()).rowwise() + Eigen::RowVector3d(5, -3, 2));
+    soup.polygons.assign(before.polygons.rbegin(), before.polygons.rend());
+    Parts parts = tree(soup, with_parts(3)).parts();
+    std::reverse(parts.begin(), parts.end());
+    expect_balls(before, parts);
+  }
+}
+
+TEST_P(Segmentation, does_not_depend_on_threads)
+{
+  const Polygon_soup soup = row_of_balls();
+  Segmentation_options options = with_parts(4);
+  options.number_of_threads = 1;
+  const Segmentation_tree_3 one = tree(soup, options);
+  options.number_of_threads = 2;
+  const Segmentation_tree_3 two = tree(soup, options);
+  EXPECT_EQ(one.leaf_of_face, two.leaf_of_face);
+  ASSERT_EQ(one.merges.size(), two.merges.size());
+  for(std::size_t i = 0; i < one.merges.size(); ++i)
+    EXPECT_EQ(one.merges[i].cost, two.merges[i].cost);
+}
+
+// A pose that is the input adds nothing but votes.
+TEST_P(Segmentation, takes_a_pose)
+{
+  const Polygon_soup soup = row_of_balls();
+  expect_balls(soup, tree(soup, with_parts(3), soup.points).parts());
+}
+
+// More than 25 000 faces: parts are computed on a simplified copy, and each face has one.
+TEST_P(Segmentation, large_surfaces_are_simplified)
+{
+  const Polygon_soup soup = polygon_soup(row_of_balls_soup(300, 60));
+  ASSERT_GT(soup.polygons.size(), 25000u);
+  expect_balls(soup, tree(soup, with_parts(3)).parts());
+}
+
+TEST_P(Segmentation, each_component_has_a_part)
+{
+  Polygon_soup soup = polygon_soup(Canonical_pose_test::icosphere_soup(2, 1));
+  const std::size_t n = soup.polygons.size(), v = static_cast<std::size_t>(soup.points.rows());
+  soup.points.conservativeResize(2 * soup.points.rows(), 3);
+  soup.points.bottomRows(soup.points.rows() / 2)
+    = soup.points.topRows(soup.points.rows() / 2).rowwise() + Eigen::RowVector3d(10, 0, 0);
+  for(std::size_t f = 0; f < n; ++f)
+    soup.polygons.push_back(
+      {soup.polygons[f][0] + v, soup.polygons[f][1] + v, soup.polygons[f][2] + v});
+  const Segmentation_tree_3 result = tree(soup, with_parts(1));
+  EXPECT_EQ(result.least_number_of_parts(), 2u);
+  const Parts parts = result.parts();
+  for(std::size_t f = 0; f < 2 * n; ++f)
+    EXPECT_EQ(parts[f], f < n ? 0u : 1u);
+}
+
+// An open surface of quadrangles, with a face that is there twice, and one without area.
+TEST_P(Segmentation, any_surface_gets_a_part_per_face)
+{
+  Polygon_soup soup;
+  soup.points.resize(36, 3);
+  for(Eigen::Index i = 0; i < 36; ++i)
+    soup.points.row(i) << double(i % 6), double(i / 6), 0;
+  for(std::size_t y = 0; y < 5; ++y)
+    for(std::size_t x = 0; x < 5; ++x)
+      soup.polygons.push_back({6 * y + x, 6 * y + x + 1, 6 * y + x + 7, 6 * y + x + 6});
+  soup.polygons.push_back(soup.polygons.front());
+  soup.polygons.push_back({0, 1, 2});
+  const Parts parts = tree(soup, with_parts(2)).parts();
+  ASSERT_EQ(parts.size(), soup.polygons.size());
+  EXPECT_EQ(number_of(parts), 2u);
+  EXPECT_EQ(parts[25], parts[0]);
+}
+
+TEST_P(Segmentation, small_and_bad_input)
+{
+  Polygon_soup triangle;
+  triangle.points.resize(3, 3);
+  triangle.points << 0, 0, 0, 1, 0, 0, 0, 1, 0;
+  triangle.polygons = {{0, 1, 2}};
+  EXPECT_EQ(tree(triangle, with_parts(0)).parts(), Parts(1, 0));
+  EXPECT_EQ(tree(triangle, with_parts(1000)).parts(), Parts(1, 0));
+
+  Polygon_soup bad = triangle;
+  bad.points(1, 2) = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(tree(bad, with_parts(1)), std::invalid_argument);
+  bad = triangle;
+  bad.polygons[0][2] = 3;
+  EXPECT_THROW(tree(bad, with_parts(1)), std::invalid_argument);
+  bad.polygons.clear();
+  EXPECT_THROW(tree(bad, with_parts(1)), std::invalid_argument);
+  EXPECT_THROW(tree(triangle, with_parts(1), Point_matrix::Zero(2, 3)), std::invalid_argument);
+  EXPECT_THROW(tree(triangle, with_parts(1), Point_matrix::Constant(3, 3, INFINITY)),
+               std::invalid_argument);
+  Segmentation_options options;
+  options.number_of_threads = -1;
+  EXPECT_THROW(tree(triangle, options), std::invalid_argument);
+
+  const Polygon_soup ball = polygon_soup(Canonical_pose_test::icosphere_soup(0, 1));
+  EXPECT_LE(number_of(tree(ball, with_parts(1000)).parts()), 20u);
+}
+
+INSTANTIATE_TEST_SUITE_P(methods, Segmentation, testing::Values(true, false),
+                         [](const auto& info) { return info.param ? "consensus" : "sweep"; });
+
+template <class Mesh>
+Parts parts_of_mesh(const Mesh& mesh)
+{
+  auto ids = get(CGAL::dynamic_face_property_t<int>(), mesh);
+  EXPECT_EQ(CP::consensus_segmentation(mesh, get(CGAL::vertex_point, mesh), ids, with_parts(3)),
+            3u);
+  EXPECT_EQ(CP::segmentation_parts(mesh, ids).size(), 3u);
+  EXPECT_EQ(CP::sweep_segmentation(mesh, ids, with_parts(2)), 2u);
+  EXPECT_EQ(CP::k_means_segmentation(mesh, get(CGAL::vertex_point, mesh), ids, with_parts(4)), 4u);
+  CP::consensus_segmentation(mesh, ids, with_parts(3));
+  Parts result;
+  for(const auto f : faces(mesh))
+    result.push_back(static_cast<std::size_t>(get(ids, f)));
+  return result;
+}
+
+TEST(Segmentation_of_meshes, two_models_of_face_graphs)
+{
+  const Canonical_pose_test::Triangle_soup soup = row_of_balls_soup(80, 24);
+  const Parts of_surface_mesh
+    = parts_of_mesh(Canonical_pose_test::to_mesh<CGAL::Surface_mesh<Kernel::Point_3>>(soup));
+  expect_balls(polygon_soup(soup), of_surface_mesh);
+  EXPECT_EQ(
+    number_of(parts_of_mesh(Canonical_pose_test::to_mesh<CGAL::Polyhedron_3<Kernel>>(soup))), 3u);
+}
+
+// Balls of the same size at equal distances: their centers are the best ones.
+TEST(K_means_segmentation, finds_balls)
+{
+  const Polygon_soup soup = row_of_balls();
+  for(const CP::K_means_weights weights :
+      {CP::K_means_weights::VERTICES, CP::K_means_weights::AREAS})
+    expect_balls(soup, CP::k_means_parts(soup.points, soup.polygons, with_parts(3), weights));
+  EXPECT_THROW(CP::k_means_parts(soup.points, soup.polygons, with_parts(0)), std::invalid_argument);
+  EXPECT_THROW(CP::k_means_parts(soup.points, {}, with_parts(3)), std::invalid_argument);
+  EXPECT_THROW(CP::k_means_parts(soup.points, {{0, 1, 1000000}}, with_parts(3)),
+               std::invalid_argument);
+}
+
+// Two unit squares with a common side, of one quadrangle and of two triangles.
+TEST(Segmentation_parts, measures_are_exact)
+{
+  Point_matrix points(6, 3);
+  points << 0, 0, 0, 1, 0, 0, 2, 0, 0, 0, 1, 0, 1, 1, 0, 2, 1, 0;
+  const auto parts
+    = CP::segmentation_parts(points, {{0, 1, 4, 3}, {1, 2, 5}, {1, 5, 4}}, {0, 1, 1});
+  ASSERT_EQ(parts.size(), 2u);
+  EXPECT_EQ(parts[0].number_of_faces, 1u);
+  EXPECT_EQ(parts[1].number_of_faces, 2u);
+  for(std::size_t part = 0; part < 2; ++part)
+  {
+    EXPECT_DOUBLE_EQ(parts[part].area, 1);
+    ASSERT_EQ(parts[part].neighbors.size(), 1u);
+    EXPECT_EQ(parts[part].neighbors[0].part, 1 - part);
+    EXPECT_DOUBLE_EQ(parts[part].neighbors[0].boundary_length, 1);
+    EXPECT_EQ(parts[part].neighbors[0].boundary_centroid, Eigen::RowVector3d(1, .5, 0));
+  }
+}
+
+} // namespace
