@@ -210,6 +210,20 @@ TEST_P(Segmentation, takes_a_pose)
   expect_balls(soup, tree(soup, with_parts(3), soup.points).parts());
 }
 
+// A pose that is squeezed flat, or inside out, does not vote: the parts are those without a pose.
+TEST(Consensus_segmentation, collapsed_poses_do_not_vote)
+{
+  const Polygon_soup soup = row_of_balls();
+  const auto leaves = [&](const Point_matrix& pose) {
+    return CP::consensus_segmentation_tree(soup.points, soup.polygons, pose, with_parts(4))
+      .leaf_of_face;
+  };
+  const std::vector<std::size_t> without = leaves(no_pose());
+  EXPECT_EQ(leaves(soup.points * Eigen::Vector3d(1, 1, .01).asDiagonal()), without);
+  EXPECT_EQ(leaves(soup.points * Eigen::Vector3d(1, 1, -1).asDiagonal()), without);
+  EXPECT_NE(leaves(soup.points * Eigen::Vector3d(1.3, 1, .8).asDiagonal()), without);
+}
+
 // More than 25 000 faces: parts are computed on a simplified copy, and each face has one.
 TEST_P(Segmentation, large_surfaces_are_simplified)
 {
@@ -273,6 +287,7 @@ TEST_P(Segmentation, small_and_bad_input)
   EXPECT_THROW(tree(triangle, with_parts(1), Point_matrix::Zero(2, 3)), std::invalid_argument);
   EXPECT_THROW(tree(triangle, with_parts(1), Point_matrix::Constant(3, 3, INFINITY)),
                std::invalid_argument);
+  EXPECT_THROW(tree(triangle, with_parts(1), Point_matrix::Zero(3, 3)), std::invalid_argument);
   Segmentation_options options;
   options.number_of_threads = -1;
   EXPECT_THROW(tree(triangle, options), std::invalid_argument);

@@ -40,7 +40,8 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 \returns the hierarchy of the parts, with one leaf per polygon of the input in their order.
 
 \throws std::invalid_argument if a coordinate is not finite, a polygon has an invalid row, no face has
-        an area, the pose has another number of rows, or an option is out of range.
+        an area, the pose has another number of rows, is not finite or has no area, or an option is
+        out of range.
 
 <em>Complexity:</em> \f$ O(n \log n) \f$; surfaces of more than 25 000 faces are simplified to 20 000
 first.
@@ -61,8 +62,8 @@ consensus_segmentation_tree(const Point_matrix& points,
 Twenty segmentations, of the surface and of its pose by turns, vote on which faces belong to the same
 part: sweep cuts with different preferences (see `sweep_segmentation()`), and clusters of faces that
 see each other through the inside. Faces are merged by the share of common votes, and boundaries are
-moved such that they are short and run along concave edges. A pose that is squeezed flat or turned
-inside out does not vote.
+moved such that they are short and run along concave edges. A pose with less than half of the volume
+of the surface (both scaled to the same area), or of its lines of sight, does not vote.
 
 \tparam TriangleMesh a model of `FaceListGraph`
 \tparam PoseVertexPointMap a model of `ReadablePropertyMap` with vertex descriptors of `TriangleMesh`

@@ -34,13 +34,14 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 \param points \f$ n \times 3 \f$, positions.
 \param polygons sequences of rows of `points`.
-\param pose the canonical pose of the points, or any other pose, or an empty matrix if there is none.
+\param pose a pose, which is cut instead of the surface; or an empty matrix if there is none.
 \param options the options.
 
 \returns the hierarchy of the parts, with one leaf per polygon of the input in their order.
 
 \throws std::invalid_argument if a coordinate is not finite, a polygon has an invalid row, no face has
-        an area, the pose has another number of rows, or an option is out of range.
+        an area, the pose has another number of rows, is not finite or has no area, or an option is
+        out of range.
 
 <em>Complexity:</em> \f$ O(n \log n) \f$; surfaces of more than 25 000 faces are simplified to 20 000
 first.

@@ -14,6 +14,7 @@
 #include <CGAL/Canonical_pose_3/Surface_component_3.h>
 #include <CGAL/Canonical_pose_3/internal/segmentation/Face_graph.h>
 #include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
+#include <CGAL/Canonical_pose_3/internal/soup/root_of_area.h>
 #include <CGAL/Canonical_pose_3/internal/support/Disjoint_sets.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/support/values_at.h>
@@ -56,7 +57,11 @@ public:
     m_caps = repaired.caps;
     m_points = repaired.points;
     if(pose.rows() > 0)
+    {
       m_pose = rows_at(pose, repaired.origins);
+      if(!(root_of_area(m_pose, m_triangles) > 0))
+        throw std::invalid_argument("no face of the pose has an area");
+    }
     m_given_graph = face_graph(m_points, m_triangles, m_vertices);
     if(m_triangles.size() > MOST_FACES)
       simplify();

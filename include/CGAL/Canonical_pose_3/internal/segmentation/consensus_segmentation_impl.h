@@ -19,6 +19,8 @@
 #include <CGAL/Canonical_pose_3/internal/segmentation/Patches.h>
 #include <CGAL/Canonical_pose_3/internal/segmentation/Segmented_surface.h>
 #include <CGAL/Canonical_pose_3/internal/segmentation/Votes.h>
+#include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
+#include <CGAL/Canonical_pose_3/internal/soup/signed_volume.h>
 #include <CGAL/Canonical_pose_3/internal/support/Thread_limit.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
@@ -65,6 +67,17 @@ inline Viewed_surface viewed_surface(Face_graph graph, const Lines_of_sight& lin
   return {std::move(graph), lines.visibility(), lines.distances()};
 }
 
+// Whether a pose has kept its inside: much of its volume, and of the pairs of patches that see each
+// other. Both surfaces have the area 1.
+inline bool is_intact(const Viewed_surface& pose, const Viewed_surface& surface,
+                      const std::vector<Index_triangle>& closed_triangles)
+{
+  constexpr double least_share = .5;
+  return pose.visibility.sum() >= least_share * surface.visibility.sum()
+         && signed_volume(pose.graph.points, closed_triangles)
+              >= least_share * signed_volume(surface.graph.points, closed_triangles);
+}
+
 } // namespace internal
 
 CGAL_CANONICAL_POSE_3_INLINE Segmentation_tree_3 consensus_segmentation_tree(
@@ -89,7 +102,9 @@ CGAL_CANONICAL_POSE_3_INLINE Segmentation_tree_3 consensus_segmentation_tree(
   {
     Face_graph posed = surface.graph_of_pose();
     const Lines_of_sight lines_of_pose(posed, triangles, patches.centers);
-    geometries.push_back(viewed_surface(posed, lines_of_pose));
+    Viewed_surface pose_view = viewed_surface(posed, lines_of_pose);
+    if(is_intact(pose_view, geometries.front(), triangles))
+      geometries.push_back(std::move(pose_view));
   }
 
   const Votes votes(geometries, patches, log_thickness);
