@@ -59,15 +59,15 @@ Point_matrix pose_of(const Mesh_file& input, const Arguments& arguments,
 }
 
 // The part of each face.
-std::vector<std::size_t> compute_parts(const Mesh_file& input, const Arguments& arguments,
-                                       Segmentation_report& report, Stage_clock& clock)
+std::vector<std::size_t> compute_parts(const Mesh_file& input, const Point_matrix& points,
+                                       const Arguments& arguments, Segmentation_report& report,
+                                       Stage_clock& clock)
 {
   namespace CP = CGAL::Canonical_pose_3;
   Segmentation_options options;
   options.number_of_parts = arguments.number_of_parts;
   options.random_seed = arguments.options.random_seed;
   options.number_of_threads = arguments.options.number_of_threads;
-  const Point_matrix points = matrix_of(points_of(input));
   const bool needs_pose = arguments.method != "sweep" || !arguments.pose.empty();
   const Point_matrix pose = needs_pose ? pose_of(input, arguments, report) : Point_matrix(0, 3);
   report.stages.emplace_back("pose", clock.lap());
@@ -141,7 +141,6 @@ void write_parts(const Mesh_file& input, const std::vector<std::size_t>& parts,
                  const std::size_t number_of_parts, const Arguments& arguments,
                  const Segmentation_report& report, Stage_clock& clock)
 {
-  Output_folder folder(is_folder(arguments.output) ? arguments.output : std::string());
   std::vector<std::string> paths = {arguments.report};
   if(is_folder(arguments.output))
     for(std::size_t part = 0; part < number_of_parts; ++part)
@@ -165,7 +164,6 @@ void write_parts(const Mesh_file& input, const std::vector<std::size_t>& parts,
   files.write(arguments.report,
               [&](std::ostream& out) { write_report(out, report, clock.lap(), clock.total()); });
   files.commit();
-  folder.keep();
 }
 
 } // namespace
@@ -177,19 +175,21 @@ void run_segment(const Arguments& arguments)
      && std::filesystem::path(arguments.output).extension() != ".ply")
     throw std::invalid_argument("'" + arguments.output
                                 + "' is neither a .txt nor a .ply file, nor a folder ending in /");
-  if(!is_folder(arguments.output))
-    Output_files({arguments.output, arguments.report}); // fails early
+  // What cannot be written fails early.
+  Output_folder folder(is_folder(arguments.output) ? arguments.output : std::string());
+  Output_files({is_folder(arguments.output) ? std::string() : arguments.output, arguments.report});
   const Mesh_file input = read_mesh_file(arguments.input);
   if(input.is_tetrahedral)
     throw std::invalid_argument("a surface is needed, but this is a tetrahedral mesh");
+  const Point_matrix points = matrix_of(points_of(input));
   Segmentation_report report;
   report.method = arguments.method;
   report.stages.emplace_back("read", clock.lap());
-  const std::vector<std::size_t> parts = compute_parts(input, arguments, report, clock);
-  report.parts
-    = CGAL::Canonical_pose_3::segmentation_parts(matrix_of(points_of(input)), input.faces, parts);
+  const std::vector<std::size_t> parts = compute_parts(input, points, arguments, report, clock);
+  report.parts = CGAL::Canonical_pose_3::segmentation_parts(points, input.faces, parts);
   report.stages.emplace_back("segmentation", clock.lap());
   write_parts(input, parts, report.parts.size(), arguments, report, clock);
+  folder.keep();
   if(arguments.quiet)
     return;
   std::cout << report.parts.size() << (report.parts.size() == 1 ? " part\n" : " parts\n");

@@ -57,16 +57,11 @@ std::array<int, 3> color_of_part(const std::size_t part)
 {
   const double hue = std::fmod(static_cast<double>(part) * 0.618033988749895, 1.);
   const double value = part % 2 == 0 ? 230 : 170;
+  constexpr double phases[] = {0, 4, 2};
   std::array<int, 3> color;
   for(std::size_t k = 0; k < 3; ++k)
   {
-    const double distance = std::abs(std::fmod(6 * hue
-                                                 + (k == 0   ? 0.
-                                                    : k == 1 ? 4.
-                                                             : 2.),
-                                               6.)
-                                     - 3)
-                            - 1;
+    const double distance = std::abs(std::fmod(6 * hue + phases[k], 6.) - 3) - 1;
     const double saturated = (std::min)((std::max)(distance, 0.), 1.);
     color[k] = static_cast<int>(value * (.25 + .75 * saturated));
   }

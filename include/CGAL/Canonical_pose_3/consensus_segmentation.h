@@ -13,8 +13,7 @@
 #include <CGAL/Canonical_pose_3/Segmentation_options.h>
 #include <CGAL/Canonical_pose_3/Segmentation_tree_3.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/options_of_parameters.h>
-#include <CGAL/Canonical_pose_3/internal/pipeline/put_parts.h>
-#include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/segment_mesh.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
@@ -95,12 +94,10 @@ std::size_t consensus_segmentation(const TriangleMesh& tmesh,
                                    const Segmentation_options& options = Segmentation_options(),
                                    const NamedParameters& np = parameters::default_values())
 {
-  const Point_matrix points = internal::points_of_parameters(tmesh, np);
-  const Point_matrix pose
-    = internal::points_of_parameters(tmesh, np.vertex_point_map(pose_vertex_point_map));
-  return internal::put_parts(
-    consensus_segmentation_tree(points, internal::index_polygons(tmesh), pose, options).parts(),
-    tmesh, segment_ids);
+  return internal::segment_mesh(
+    consensus_segmentation_tree, tmesh,
+    internal::points_of_parameters(tmesh, np.vertex_point_map(pose_vertex_point_map)), segment_ids,
+    options, np);
 }
 
 /*!
@@ -114,11 +111,8 @@ std::size_t consensus_segmentation(const TriangleMesh& tmesh, SegmentPropertyMap
                                    const Segmentation_options& options = Segmentation_options(),
                                    const NamedParameters& np = parameters::default_values())
 {
-  return internal::put_parts(consensus_segmentation_tree(internal::points_of_parameters(tmesh, np),
-                                                         internal::index_polygons(tmesh),
-                                                         Point_matrix(0, 3), options)
-                               .parts(),
-                             tmesh, segment_ids);
+  return internal::segment_mesh(consensus_segmentation_tree, tmesh, Point_matrix(0, 3), segment_ids,
+                                options, np);
 }
 
 } // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION

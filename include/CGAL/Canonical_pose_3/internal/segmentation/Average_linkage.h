@@ -33,15 +33,14 @@ public:
   // may be merged with whatever one of its members may be merged with.
   Average_linkage(Eigen::MatrixXd similarities, Eigen::VectorXd weights, Eigen::MatrixXd may_merge)
     : m_similarities(std::move(similarities)), m_weights(std::move(weights)),
-      m_may_merge(std::move(may_merge)), m_parent(static_cast<std::size_t>(m_weights.size())),
-      m_number_of_clusters(m_parent.size())
-  {
-    std::iota(m_parent.begin(), m_parent.end(), std::size_t(0));
-  }
+      m_may_merge(std::move(may_merge)),
+      m_is_cluster(static_cast<std::size_t>(m_weights.size()), true)
+  {}
 
   struct Merge
   {
     std::size_t first, second; // the items that represent the clusters; first represents both
+    double first_weight, second_weight;
     double similarity;
   };
 
@@ -61,46 +60,42 @@ public:
           }
     if(first == n)
       return false;
-    m_merges.push_back({static_cast<std::size_t>(first), static_cast<std::size_t>(second),
-                        m_similarities(first, second)});
     const double a = m_weights[first], b = m_weights[second];
+    m_merges.push_back({static_cast<std::size_t>(first), static_cast<std::size_t>(second), a, b,
+                        m_similarities(first, second)});
     m_similarities.col(first)
       = (a * m_similarities.col(first) + b * m_similarities.col(second)) / (a + b);
     m_similarities.row(first) = m_similarities.col(first).transpose();
     m_may_merge.col(first) += m_may_merge.col(second);
     m_may_merge.row(first) = m_may_merge.col(first).transpose();
     m_weights[first] += b;
-    m_parent[static_cast<std::size_t>(second)] = static_cast<std::size_t>(first);
-    --m_number_of_clusters;
+    m_is_cluster[static_cast<std::size_t>(second)] = false;
     return true;
   }
 
-  std::size_t number_of_clusters() const { return m_number_of_clusters; }
+  std::size_t number_of_clusters() const { return m_is_cluster.size() - m_merges.size(); }
   const std::vector<Merge>& merges() const { return m_merges; }
 
-  // The sum of the weights of each cluster, at the item that represents it.
-  const Eigen::VectorXd& weights() const { return m_weights; }
-
-  // The item that represents the cluster of each item.
-  std::vector<std::size_t> clusters() const
+  // The item that represents the cluster of each item, after the first merges.
+  std::vector<std::size_t> clusters(const std::size_t number_of_merges) const
   {
-    std::vector<std::size_t> result(m_parent.size());
-    for(std::size_t i = 0; i < result.size(); ++i) // a parent has a smaller number
-      result[i] = m_parent[i] == i ? i : result[m_parent[i]];
+    std::vector<std::size_t> result(m_is_cluster.size());
+    std::iota(result.begin(), result.end(), std::size_t(0));
+    for(std::size_t i = 0; i < number_of_merges; ++i)
+      result[m_merges[i].second] = m_merges[i].first;
+    for(std::size_t& item : result) // it is represented by one with a smaller number
+      item = result[item];
     return result;
   }
-
-  bool is_cluster(const Eigen::Index i) const
-  {
-    return m_parent[static_cast<std::size_t>(i)] == static_cast<std::size_t>(i);
-  }
+  std::vector<std::size_t> clusters() const { return clusters(m_merges.size()); }
 
 private:
+  bool is_cluster(const Eigen::Index i) const { return m_is_cluster[static_cast<std::size_t>(i)]; }
+
   Eigen::MatrixXd m_similarities;
   Eigen::VectorXd m_weights;
   Eigen::MatrixXd m_may_merge;
-  std::vector<std::size_t> m_parent;
-  std::size_t m_number_of_clusters;
+  std::vector<bool> m_is_cluster; // represents itself
   std::vector<Merge> m_merges;
 };
 

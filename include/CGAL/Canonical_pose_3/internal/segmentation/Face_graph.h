@@ -111,6 +111,16 @@ inline Face_graph::Edge measured_edge(const Face_graph& graph, const std::size_t
           is_concave ? angle_between(na, nb) : 0.};
 }
 
+// The distances of neighbors, for each edge.
+inline std::vector<double> edge_distances(const Face_graph& graph)
+{
+  std::vector<double> result;
+  result.reserve(graph.edges.size());
+  for(const Face_graph::Edge& edge : graph.edges)
+    result.push_back(edge.distance);
+  return result;
+}
+
 // `triangles` are rows of `points`, consistently oriented; `vertices` maps rows that are copies of
 // the same vertex to the same number, so that faces are neighbors across edges that are not manifold.
 inline Face_graph face_graph(const Point_matrix& points,

@@ -11,6 +11,7 @@
 #define CGAL_CANONICAL_POSE_3_INTERNAL_SEGMENTATION_FACE_REGIONS_H
 
 #include <CGAL/Canonical_pose_3/internal/segmentation/Face_graph.h>
+#include <CGAL/Canonical_pose_3/internal/segmentation/Nearest_sources.h>
 #include <CGAL/Canonical_pose_3/internal/support/Disjoint_sets.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 
@@ -24,10 +25,8 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <functional>
 #include <iterator>
 #include <map>
-#include <queue>
 #include <utility>
 #include <vector>
 
@@ -41,31 +40,15 @@ inline std::vector<std::size_t>
 faces_near_boundaries(const Face_graph& graph, const std::vector<std::size_t>& region_of_face,
                       const double distance)
 {
-  using Entry = std::pair<double, std::size_t>;
-  std::vector<double> distances(graph.number_of_faces(), distance);
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
-  const auto reach = [&](const std::size_t face, const double d) {
-    if(d < distances[face])
-    {
-      distances[face] = d;
-      queue.emplace(d, face);
-    }
-  };
+  Nearest_sources boundaries(graph, edge_distances(graph), distance);
   for(const Face_graph::Edge& edge : graph.edges)
     if(region_of_face[edge.faces[0]] != region_of_face[edge.faces[1]])
       for(const std::size_t face : edge.faces)
-        reach(face, 0);
-  while(!queue.empty())
-  {
-    const auto [d, face] = queue.top();
-    queue.pop();
-    if(d == distances[face])
-      for(const Face_graph::Neighbor& neighbor : graph.neighbors[face])
-        reach(neighbor.face, d + graph.edges[neighbor.edge].distance);
-  }
+        boundaries.insert(face, 0);
+  boundaries.update();
   std::vector<std::size_t> result;
-  for(std::size_t f = 0; f < distances.size(); ++f)
-    if(distances[f] < distance)
+  for(std::size_t f = 0; f < region_of_face.size(); ++f)
+    if(boundaries.distances()[f] < distance)
       result.push_back(f);
   return result;
 }

@@ -22,7 +22,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <limits>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -37,13 +36,15 @@ namespace internal {
 class Part_hierarchy
 {
 public:
-  static constexpr double least_area = .001; // of a part, by that of the surface
-
   Part_hierarchy(const Face_graph& graph, const Patches& patches,
                  const Eigen::MatrixXd& similarities)
     : m_graph(graph), m_patches(patches), m_similarities(similarities),
-      m_areas(patch_areas(graph, patches))
-  {}
+      m_areas(patch_areas(graph, patches)),
+      m_linkage(similarities, m_areas, Eigen::MatrixXd::Ones(m_areas.size(), m_areas.size()))
+  {
+    while(m_linkage.merge_two())
+    {}
+  }
 
   // The segmentation with `number_of_parts` is computed first. Its parts are divided into leaves, and
   // merged until there is one part per component.
@@ -65,57 +66,35 @@ private:
   static constexpr double BAND = .08; // width in which a boundary moves, by the root of the area
   static constexpr double CONCAVITY = .3;       // scale of angles at boundaries
   static constexpr double DATA_WEIGHT = 40;     // of similarities, by the cost of boundaries
+  static constexpr double LEAST_AREA = .001;    // of a part
   static constexpr double LEAST_CLUSTER = .003; // area of a cluster that counts as a part
 
-  // The clusters of patches, numbered from 0, such that `number` of them are large.
+  // The clusters of patches, numbered from 0, such that `number` of them are large. Patches of the
+  // others are assigned to NONE.
   std::vector<std::size_t> clusters(const std::size_t number) const
   {
-    const auto n = m_areas.size();
-    Average_linkage linkage(m_similarities, m_areas, Eigen::MatrixXd::Ones(n, n));
-    while(linkage.merge_two())
-    {}
-    std::vector<double> areas(m_areas.data(), m_areas.data() + n);
-    const auto& merges = linkage.merges();
+    const std::vector<Average_linkage::Merge>& merges = m_linkage.merges();
     // Undo merges, from the last one, until there are enough large clusters.
-    std::vector<double> area_after = areas;
-    std::vector<std::pair<double, double>> joined;
-    for(const auto& merge : merges)
-    {
-      joined.emplace_back(area_after[merge.first], area_after[merge.second]);
-      area_after[merge.first] += area_after[merge.second];
-    }
     std::size_t kept = merges.size(), large = 1;
     while(kept + 3 * number + 20 > merges.size() && kept > 0 && large < number)
     {
       --kept;
-      const auto [a, b] = joined[kept];
-      large += std::size_t(a > LEAST_CLUSTER && b > LEAST_CLUSTER);
+      large += std::size_t(merges[kept].first_weight > LEAST_CLUSTER
+                           && merges[kept].second_weight > LEAST_CLUSTER);
     }
-    std::vector<std::size_t> parent(areas.size());
-    std::iota(parent.begin(), parent.end(), std::size_t(0));
-    for(std::size_t i = 0; i < kept; ++i)
-    {
-      parent[merges[i].second] = merges[i].first;
-      areas[merges[i].first] += areas[merges[i].second];
-    }
-    return number_large_clusters(parent, areas);
-  }
-
-  // Numbers the large clusters; patches of the others are assigned to NONE.
-  static std::vector<std::size_t> number_large_clusters(std::vector<std::size_t> parent,
-                                                        const std::vector<double>& areas)
-  {
-    for(std::size_t i = 0; i < parent.size(); ++i) // a parent has a smaller number
-      parent[i] = parent[parent[i]];
-    std::vector<std::size_t> number(parent.size(), NONE);
+    std::vector<std::size_t> result = m_linkage.clusters(kept);
+    std::vector<double> areas(result.size(), 0.);
+    for(std::size_t p = 0; p < result.size(); ++p)
+      areas[result[p]] += m_areas[static_cast<Eigen::Index>(p)];
     const double largest = *std::max_element(areas.begin(), areas.end());
+    std::vector<std::size_t> number_of_cluster(result.size(), NONE);
     std::size_t next = 0;
-    for(std::size_t i = 0; i < parent.size(); ++i)
-      if(parent[i] == i && areas[i] > (std::min)(LEAST_CLUSTER, largest / 2))
-        number[i] = next++;
-    for(std::size_t i = 0; i < parent.size(); ++i)
-      parent[i] = number[parent[i]];
-    return parent;
+    for(std::size_t p = 0; p < result.size(); ++p)
+      if(areas[p] > (std::min)(LEAST_CLUSTER, largest / 2))
+        number_of_cluster[p] = next++;
+    for(std::size_t& cluster : result)
+      cluster = number_of_cluster[cluster];
+    return result;
   }
 
   // The connected pieces of clusters of patches after their boundaries were refined. Boundaries
@@ -133,7 +112,7 @@ private:
       region_of_face[f] = k * part_of_face[f] + nearest_cluster(f, cluster_of_patch, means);
     refine_parts(part_of_face, k, means, region_of_face);
     return connected_pieces(m_graph, without_specks(connected_pieces(m_graph, region_of_face),
-                                                    part_of_face, least_area))
+                                                    part_of_face, LEAST_AREA))
       .region_of_face;
   }
 
@@ -206,9 +185,9 @@ private:
     return m_similarities * members * weights.asDiagonal();
   }
 
-  // Similarities of regions, as means over pairs of their patches.
-  Average_linkage linkage_of(const Face_regions& regions, const std::vector<std::size_t>& group,
-                             const bool within_groups) const
+  // Merges neighbors of the same group. Similarities of regions are means over pairs of their patches.
+  Average_linkage linkage_of(const Face_regions& regions,
+                             const std::vector<std::size_t>& group) const
   {
     const auto n = static_cast<Eigen::Index>(regions.size());
     Eigen::MatrixXd shares = Eigen::MatrixXd::Zero(m_areas.size(), n);
@@ -223,7 +202,7 @@ private:
     Eigen::MatrixXd are_neighbors = Eigen::MatrixXd::Zero(n, n);
     for(std::size_t a = 0; a < regions.size(); ++a)
       for(const auto& [b, length] : regions.boundaries[a])
-        if(!within_groups || group[a] == group[b])
+        if(group[a] == group[b])
           are_neighbors(static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(b)) = 1;
     return Average_linkage(std::move(similarities), areas, std::move(are_neighbors));
   }
@@ -233,7 +212,7 @@ private:
                                          const std::size_t number) const
   {
     const Face_regions regions = connected_pieces(m_graph, piece_of_face);
-    Average_linkage linkage = linkage_of(regions, {}, false);
+    Average_linkage linkage = linkage_of(regions, std::vector<std::size_t>(regions.size(), 0));
     while(linkage.number_of_clusters() > number && linkage.merge_two())
     {}
     const std::vector<std::size_t> clusters = linkage.clusters();
@@ -263,7 +242,7 @@ private:
           node[first] = created;
         };
 
-    Average_linkage within = linkage_of(leaves, part_of_leaf, true);
+    Average_linkage within = linkage_of(leaves, part_of_leaf);
     while(within.merge_two())
     {}
     for(const auto& merge : within.merges())
@@ -275,7 +254,7 @@ private:
     for(std::size_t f = 0; f < part_of_face.size(); ++f)
       node_of_part[parts.region_of_face[f]] = node[representatives[tree.leaf_of_face[f]]];
     node = std::move(node_of_part);
-    Average_linkage between = linkage_of(parts, {}, false);
+    Average_linkage between = linkage_of(parts, std::vector<std::size_t>(parts.size(), 0));
     while(between.merge_two())
     {}
     for(const auto& merge : between.merges())
@@ -286,6 +265,7 @@ private:
   const Patches& m_patches;
   const Eigen::MatrixXd& m_similarities;
   const Eigen::VectorXd m_areas;
+  Average_linkage m_linkage; // of the patches
 };
 
 } // namespace internal

@@ -11,6 +11,7 @@
 #define CGAL_CANONICAL_POSE_3_INTERNAL_SEGMENTATION_PATCHES_H
 
 #include <CGAL/Canonical_pose_3/internal/segmentation/Face_graph.h>
+#include <CGAL/Canonical_pose_3/internal/segmentation/Nearest_sources.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 
 #include <Eigen/Core>
@@ -18,8 +19,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <functional>
-#include <limits>
 #include <map>
 #include <utility>
 #include <vector>
@@ -62,64 +61,26 @@ inline std::size_t farthest_face(const Face_graph& graph)
 }
 
 // Chooses centers by farthest-point sampling with shortest paths on the graph. Each component has
-// at least one, even if there are more components than `number`.
-class Patch_builder
+// at least one, even if there are more components than `number`. `lengths`: one per edge.
+inline Patches farthest_point_patches(const Face_graph& graph, std::vector<double> lengths,
+                                      const std::size_t number, const std::size_t first)
 {
-public:
-  Patch_builder(const Face_graph& graph, const std::vector<double>& lengths)
-    : m_graph(graph), m_lengths(lengths),
-      m_distances(graph.number_of_faces(), std::numeric_limits<double>::infinity())
+  Patches result;
+  Nearest_sources sources(graph, std::move(lengths));
+  for(std::size_t center = first;;)
   {
-    m_patches.patch_of_face.resize(graph.number_of_faces());
+    sources.insert(center, result.size());
+    result.centers.push_back(center);
+    sources.update();
+    const std::vector<double>& distances = sources.distances();
+    const auto farthest = std::max_element(distances.begin(), distances.end());
+    if(*farthest <= 0 || (result.size() >= number && std::isfinite(*farthest)))
+      break;
+    center = static_cast<std::size_t>(farthest - distances.begin());
   }
-
-  Patches run(const std::size_t number, const std::size_t first)
-  {
-    for(std::size_t center = first;;)
-    {
-      insert(center);
-      const auto farthest = std::max_element(m_distances.begin(), m_distances.end());
-      if(*farthest <= 0 || (m_patches.size() >= number && std::isfinite(*farthest)))
-        return std::move(m_patches);
-      center = static_cast<std::size_t>(farthest - m_distances.begin());
-    }
-  }
-
-private:
-  using Entry = std::pair<double, std::size_t>; // distance and face
-
-  void insert(const std::size_t center)
-  {
-    const std::size_t patch = m_patches.size();
-    m_patches.centers.push_back(center);
-    assign(center, 0, patch);
-    while(!m_heap.empty())
-    {
-      std::pop_heap(m_heap.begin(), m_heap.end(), std::greater<Entry>());
-      const auto [distance, face] = m_heap.back();
-      m_heap.pop_back();
-      if(distance > m_distances[face])
-        continue;
-      for(const Face_graph::Neighbor& neighbor : m_graph.neighbors[face])
-        if(distance + m_lengths[neighbor.edge] < m_distances[neighbor.face])
-          assign(neighbor.face, distance + m_lengths[neighbor.edge], patch);
-    }
-  }
-
-  void assign(const std::size_t face, const double distance, const std::size_t patch)
-  {
-    m_distances[face] = distance;
-    m_patches.patch_of_face[face] = patch;
-    m_heap.emplace_back(distance, face);
-    std::push_heap(m_heap.begin(), m_heap.end(), std::greater<Entry>());
-  }
-
-  const Face_graph& m_graph;
-  const std::vector<double>& m_lengths;
-  std::vector<double> m_distances;
-  std::vector<Entry> m_heap;
-  Patches m_patches;
-};
+  result.patch_of_face = sources.labels();
+  return result;
+}
 
 // Means over patches of values of faces, weighted by areas.
 template <class Matrix>

@@ -13,6 +13,7 @@
 #include <CGAL/Canonical_pose_3/Coarse_surface_3.h>
 #include <CGAL/Canonical_pose_3/Surface_component_3.h>
 #include <CGAL/Canonical_pose_3/internal/segmentation/Face_graph.h>
+#include <CGAL/Canonical_pose_3/internal/segmentation/Nearest_sources.h>
 #include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
 #include <CGAL/Canonical_pose_3/internal/soup/root_of_area.h>
 #include <CGAL/Canonical_pose_3/internal/support/Disjoint_sets.h>
@@ -25,10 +26,7 @@
 
 #include <cmath>
 #include <cstddef>
-#include <functional>
-#include <limits>
 #include <numeric>
-#include <queue>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -148,35 +146,11 @@ private:
   // that of the nearest of these.
   std::vector<std::size_t> nearest_labels(const std::vector<std::size_t>& labels) const
   {
-    const std::size_t n = m_given_graph.number_of_faces();
-    std::vector<std::size_t> result(n, 0);
-    std::vector<double> distances(n, std::numeric_limits<double>::infinity());
-    using Entry = std::pair<double, std::size_t>;
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
+    Nearest_sources sources(m_given_graph, edge_distances(m_given_graph));
     for(std::size_t t = 0; t < m_given_triangle.size(); ++t)
-    {
-      result[m_given_triangle[t]] = labels[t];
-      distances[m_given_triangle[t]] = 0;
-      queue.emplace(0, m_given_triangle[t]);
-    }
-    while(!queue.empty())
-    {
-      const auto [distance, face] = queue.top();
-      queue.pop();
-      if(distance > distances[face])
-        continue;
-      for(const Face_graph::Neighbor& neighbor : m_given_graph.neighbors[face])
-      {
-        const double d = distance + m_given_graph.edges[neighbor.edge].distance;
-        if(d < distances[neighbor.face])
-        {
-          distances[neighbor.face] = d;
-          result[neighbor.face] = result[face];
-          queue.emplace(d, neighbor.face);
-        }
-      }
-    }
-    return result;
+      sources.insert(m_given_triangle[t], labels[t]);
+    sources.update();
+    return sources.labels();
   }
 
   // Faces that the repair removed, since they are degenerate or there twice, get the label of a face

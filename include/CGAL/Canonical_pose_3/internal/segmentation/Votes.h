@@ -136,8 +136,8 @@ private:
              const double exponent, const std::size_t number_of_parts,
              const std::size_t first_face) const
   {
-    const Patches own = Patch_builder(graph, concave_lengths(graph, preferences.edge_concavity))
-                          .run(PATCHES_OF_SWEEPS, first_face);
+    const Patches own = farthest_point_patches(
+      graph, concave_lengths(graph, preferences.edge_concavity), PATCHES_OF_SWEEPS, first_face);
     const bool is_given = number_of_parts > 0;
     const Sweep_partition parts
       = sweep_partition(patch_graph(graph, own, preferences, m_thickness_of_face), exponent,

@@ -62,11 +62,6 @@ inline Eigen::VectorXd smoothed(const Face_graph& graph, const Patches& patches,
   return values;
 }
 
-inline Viewed_surface viewed_surface(Face_graph graph, const Lines_of_sight& lines)
-{
-  return {std::move(graph), lines.visibility(), lines.distances()};
-}
-
 // Whether a pose has kept its inside: much of its volume, and of the pairs of patches that see each
 // other. Both surfaces have the area 1.
 inline bool is_intact(const Viewed_surface& pose, const Viewed_surface& surface,
@@ -91,18 +86,17 @@ CGAL_CANONICAL_POSE_3_INLINE Segmentation_tree_3 consensus_segmentation_tree(
   const Segmented_surface surface(points, polygons, pose);
   const std::vector<Index_triangle> triangles = surface.closed_triangles();
 
-  std::vector<Viewed_surface> geometries;
-  Face_graph graph = surface.graph();
-  const Patches patches = Patch_builder(graph, concave_lengths(graph, concavity))
-                            .run(number_of_patches, farthest_face(graph));
+  const Face_graph graph = surface.graph();
+  const Patches patches = farthest_point_patches(graph, concave_lengths(graph, concavity),
+                                                 number_of_patches, farthest_face(graph));
   const Lines_of_sight lines(graph, triangles, patches.centers);
   const Eigen::VectorXd log_thickness = smoothed(graph, patches, lines.log_thickness());
-  geometries.push_back(viewed_surface(graph, lines));
+  std::vector<Viewed_surface> geometries = {{graph, lines.visibility(), lines.distances()}};
   if(surface.has_pose())
   {
-    Face_graph posed = surface.graph_of_pose();
+    const Face_graph posed = surface.graph_of_pose();
     const Lines_of_sight lines_of_pose(posed, triangles, patches.centers);
-    Viewed_surface pose_view = viewed_surface(posed, lines_of_pose);
+    Viewed_surface pose_view = {posed, lines_of_pose.visibility(), lines_of_pose.distances()};
     if(is_intact(pose_view, geometries.front(), triangles))
       geometries.push_back(std::move(pose_view));
   }

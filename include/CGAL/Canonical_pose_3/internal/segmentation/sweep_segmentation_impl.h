@@ -72,8 +72,9 @@ CGAL_CANONICAL_POSE_3_INLINE Segmentation_tree_3 sweep_segmentation_tree(
   const Thread_limit limit(options.number_of_threads);
   const Segmented_surface surface(points, polygons, pose);
   const Face_graph graph = surface.has_pose() ? surface.graph_of_pose() : surface.graph();
-  const Patches patches = Patch_builder(graph, concave_lengths(graph, preferences.edge_concavity))
-                            .run(number_of_patches, farthest_face(graph));
+  const Patches patches
+    = farthest_point_patches(graph, concave_lengths(graph, preferences.edge_concavity),
+                             number_of_patches, farthest_face(graph));
   const Patch_graph neighbors
     = patch_graph(graph, patches, preferences, Eigen::VectorXd::Zero(graph.areas.size()));
   const Sweep_partition partition = sweep_partition(

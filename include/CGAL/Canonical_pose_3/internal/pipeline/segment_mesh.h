@@ -7,11 +7,14 @@
 //
 // Author(s) : The Canonical_pose_3 authors
 
-#ifndef CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_PUT_PARTS_H
-#define CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_PUT_PARTS_H
+#ifndef CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_SEGMENT_MESH_H
+#define CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_SEGMENT_MESH_H
 
 #include <CGAL/Canonical_pose_3/Segmentation_options.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/options_of_parameters.h>
+#include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+#include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
@@ -41,6 +44,18 @@ std::size_t put_parts(const std::vector<std::size_t>& parts, const FaceListGraph
   return number;
 }
 
+// Segments a mesh with a function that returns the hierarchy of the parts.
+template <class Function, class TriangleMesh, class SegmentPropertyMap, class NamedParameters>
+std::size_t segment_mesh(const Function& segmentation_tree, const TriangleMesh& tmesh,
+                         const Point_matrix& pose, SegmentPropertyMap segment_ids,
+                         const Segmentation_options& options, const NamedParameters& np)
+{
+  return put_parts(
+    segmentation_tree(points_of_parameters(tmesh, np), index_polygons(tmesh), pose, options)
+      .parts(),
+    tmesh, segment_ids);
+}
+
 template <class T>
 using Is_no_segmentation_options
   = std::enable_if_t<!std::is_same<std::decay_t<T>, Segmentation_options>::value, int>;
@@ -50,4 +65,4 @@ using Is_no_segmentation_options
 } // namespace Canonical_pose_3
 } // namespace CGAL
 
-#endif // CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_PUT_PARTS_H
+#endif // CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_SEGMENT_MESH_H
