@@ -7,11 +7,10 @@
 //
 // Author(s) : The Canonical_pose_3 authors
 
-// Divides a surface into parts, colors them, and lists the joints: where parts meet.
+// Divides a surface into parts, and colors them.
 // Usage: segmentation input.off [output.ply]
 
 #include <CGAL/Canonical_pose_3/consensus_segmentation.h>
-#include <CGAL/Canonical_pose_3/segmentation_parts.h>
 #include <CGAL/canonical_pose_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -23,7 +22,6 @@
 #include <exception>
 #include <iostream>
 
-namespace CF = CGAL::Canonical_pose_3;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
@@ -36,26 +34,13 @@ try
   auto pose = mesh.add_property_map<Mesh::Vertex_index, Kernel::Point_3>("v:pose").first;
   if(!CGAL::canonical_pose_3(mesh, pose).is_usable())
     return EXIT_FAILURE;
-
   auto parts = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:part").first;
-  std::cout << CF::consensus_segmentation(mesh, pose, parts) << " parts\n";
+  std::cout << CGAL::Canonical_pose_3::consensus_segmentation(mesh, pose, parts) << " parts\n";
 
   auto colors = mesh.add_property_map<Mesh::Face_index, CGAL::IO::Color>("f:color").first;
   for(const Mesh::Face_index f : mesh.faces())
-  {
-    const auto hue = static_cast<unsigned char>(parts[f] * 97 % 256);
-    colors[f] = CGAL::IO::Color(hue, static_cast<unsigned char>(255 - hue), 128);
-  }
-  if(argc > 2 && !CGAL::IO::write_polygon_mesh(argv[2], mesh))
-    return EXIT_FAILURE;
-
-  const auto measured = CF::segmentation_parts(mesh, parts);
-  for(std::size_t part = 0; part < measured.size(); ++part)
-    for(const auto& neighbor : measured[part].neighbors)
-      if(part < neighbor.part)
-        std::cout << "joint of " << part << " and " << neighbor.part << " at "
-                  << neighbor.boundary_centroid << '\n';
-  return EXIT_SUCCESS;
+    colors[f].set_hsv(static_cast<double>(parts[f] * 137 % 360), 60, 90);
+  return argc > 2 && !CGAL::IO::write_polygon_mesh(argv[2], mesh) ? EXIT_FAILURE : EXIT_SUCCESS;
 }
 catch(const std::exception& e)
 {

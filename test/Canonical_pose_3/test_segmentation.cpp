@@ -224,12 +224,21 @@ TEST(Consensus_segmentation, collapsed_poses_do_not_vote)
   EXPECT_NE(leaves(soup.points * Eigen::Vector3d(1.3, 1, .8).asDiagonal()), without);
 }
 
-// More than 25 000 faces: parts are computed on a simplified copy, and each face has one.
+// More than 25 000 faces: parts are computed on a simplified copy, and each face has one. Boundaries
+// are smoothed on the surface itself: they are little longer than the circles of the necks, which are
+// the shortest possible ones.
 TEST_P(Segmentation, large_surfaces_are_simplified)
 {
   const Polygon_soup soup = polygon_soup(row_of_balls_soup(300, 60));
   ASSERT_GT(soup.polygons.size(), 25000u);
-  expect_balls(soup, tree(soup, with_parts(3)).parts());
+  const Parts parts = tree(soup, with_parts(3)).parts();
+  expect_balls(soup, parts);
+  const double length_of_necks = 4 * CGAL_PI * .2;
+  double measured = 0;
+  for(const auto& part : CP::segmentation_parts(soup.points, soup.polygons, parts))
+    for(const auto& neighbor : part.neighbors)
+      measured += neighbor.boundary_length / 2; // each boundary belongs to two parts
+  EXPECT_NEAR(measured, length_of_necks, .1 * length_of_necks);
 }
 
 TEST_P(Segmentation, each_component_has_a_part)

@@ -24,9 +24,11 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <iterator>
 #include <map>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -35,71 +37,92 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// The faces within a distance of the boundaries of regions.
-inline std::vector<std::size_t>
-faces_near_boundaries(const Face_graph& graph, const std::vector<std::size_t>& region_of_face,
-                      const double distance)
+// Two neighboring regions, and the faces near their common boundary.
+struct Region_pair
 {
+  std::array<std::size_t, 2> regions;
+  std::vector<std::size_t> faces;
+};
+
+// The pairs of neighboring regions in the same group. Each face of the two within `distance` of a
+// boundary belongs to the pair with the nearest one.
+inline std::vector<Region_pair> region_pairs(const Face_graph& graph,
+                                             const std::vector<std::size_t>& region_of_face,
+                                             const std::vector<std::size_t>& group_of_face,
+                                             const double distance)
+{
+  std::map<std::pair<std::size_t, std::size_t>, std::size_t> index;
+  std::vector<Region_pair> result;
   Nearest_sources boundaries(graph, edge_distances(graph), distance);
   for(const Face_graph::Edge& edge : graph.edges)
-    if(region_of_face[edge.faces[0]] != region_of_face[edge.faces[1]])
-      for(const std::size_t face : edge.faces)
-        boundaries.insert(face, 0);
+  {
+    const auto [a, b] = std::minmax(region_of_face[edge.faces[0]], region_of_face[edge.faces[1]]);
+    if(a == b || group_of_face[edge.faces[0]] != group_of_face[edge.faces[1]])
+      continue;
+    const auto [it, is_new] = index.emplace(std::make_pair(a, b), result.size());
+    if(is_new)
+      result.push_back({{a, b}, {}});
+    for(const std::size_t face : edge.faces)
+      boundaries.insert(face, it->second);
+  }
   boundaries.update();
-  std::vector<std::size_t> result;
   for(std::size_t f = 0; f < region_of_face.size(); ++f)
     if(boundaries.distances()[f] < distance)
-      result.push_back(f);
+    {
+      Region_pair& pair = result[boundaries.labels()[f]];
+      if(region_of_face[f] == pair.regions[0] || region_of_face[f] == pair.regions[1])
+        pair.faces.push_back(f);
+    }
+  result.erase(std::remove_if(result.begin(), result.end(),
+                              [](const Region_pair& pair) { return pair.faces.empty(); }),
+               result.end());
   return result;
 }
 
-// Moves the boundaries of regions such that they are short and run along concave edges, by alpha
-// expansion (Boykov et al. 2001). `region_of_face`: numbers from 0 to k - 1. Only `faces` change
-// their region; they are in one group, and boundaries of the group cost nothing. `costs(face)`: what
-// it costs to assign a face to each region.
-template <class Costs>
-void refine_regions(const Face_graph& graph, const std::vector<std::size_t>& faces,
-                    const std::vector<std::size_t>& group_of_face,
-                    std::vector<std::size_t>& region_of_face, const double concavity_scale,
-                    const Costs& costs)
+// Moves the boundary between two regions such that it is short and runs along concave edges, by a
+// graph cut (Boykov et al. 2001). Only the faces of the pair change their region; boundaries between
+// groups cost nothing. `cost(face, region)`: what it costs to assign a face to a region.
+template <class Cost>
+void refine_boundary(const Face_graph& graph, const Region_pair& pair,
+                     const std::vector<std::size_t>& group_of_face,
+                     std::vector<std::size_t>& region_of_face, const double concavity_scale,
+                     const Cost& cost)
 {
   using Graph
     = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, boost::no_property,
                             boost::property<boost::edge_weight_t, double>>;
-  const std::size_t fixed = faces.size();
-  std::vector<std::size_t> index(graph.number_of_faces(), fixed), regions;
-  std::vector<std::vector<double>> costs_of_faces;
-  for(const std::size_t f : faces)
+  std::unordered_map<std::size_t, std::size_t> index;
+  std::vector<std::size_t> sides;
+  std::vector<std::vector<double>> costs;
+  for(const std::size_t f : pair.faces)
   {
-    index[f] = regions.size();
-    regions.push_back(region_of_face[f]);
-    costs_of_faces.push_back(costs(f));
+    index.emplace(f, sides.size());
+    sides.push_back(region_of_face[f] == pair.regions[0] ? 0 : 1);
+    costs.push_back({cost(f, pair.regions[0]), cost(f, pair.regions[1])});
   }
-  Graph subgraph(faces.size());
-  for(const Face_graph::Edge& edge : graph.edges)
-  {
-    if(group_of_face[edge.faces[0]] != group_of_face[edge.faces[1]])
-      continue;
-    const double weight = edge.length * concavity_factor(edge.concave_angle, concavity_scale);
-    const std::size_t a = index[edge.faces[0]], b = index[edge.faces[1]];
-    if(a != fixed && b != fixed)
-      boost::add_edge(a, b, weight, subgraph);
-    else if(a != fixed || b != fixed)
+  Graph subgraph(sides.size());
+  for(const std::size_t f : pair.faces)
+    for(const Face_graph::Neighbor& neighbor : graph.neighbors[f])
     {
-      std::vector<double>& of_face = costs_of_faces[(std::min)(a, b)];
-      const std::size_t own = region_of_face[edge.faces[a == fixed ? 0 : 1]];
-      for(std::size_t region = 0; region < of_face.size(); ++region)
-        of_face[region] += region == own ? 0 : weight;
+      if(group_of_face[f] != group_of_face[neighbor.face])
+        continue;
+      const Face_graph::Edge& edge = graph.edges[neighbor.edge];
+      const double weight = edge.length * concavity_factor(edge.concave_angle, concavity_scale);
+      const auto it = index.find(neighbor.face);
+      if(it == index.end())
+        for(std::size_t side = 0; side < 2; ++side)
+          costs[index[f]][side] += region_of_face[neighbor.face] == pair.regions[side] ? 0 : weight;
+      else if(f < neighbor.face)
+        boost::add_edge(index[f], it->second, weight, subgraph);
     }
-  }
   const auto vertex_index = get(boost::vertex_index, subgraph);
   alpha_expansion_graphcut(
     subgraph, get(boost::edge_weight, subgraph),
-    boost::make_iterator_property_map(costs_of_faces.begin(), vertex_index),
-    boost::make_iterator_property_map(regions.begin(), vertex_index),
+    boost::make_iterator_property_map(costs.begin(), vertex_index),
+    boost::make_iterator_property_map(sides.begin(), vertex_index),
     parameters::vertex_index_map(vertex_index).implementation_tag(Alpha_expansion_MaxFlow_tag()));
-  for(std::size_t i = 0; i < faces.size(); ++i)
-    region_of_face[faces[i]] = regions[i];
+  for(std::size_t i = 0; i < sides.size(); ++i)
+    region_of_face[pair.faces[i]] = pair.regions[sides[i]];
 }
 
 // Regions of faces.

@@ -110,7 +110,7 @@ private:
     std::vector<std::size_t> region_of_face(m_graph.number_of_faces());
     for(std::size_t f = 0; f < region_of_face.size(); ++f)
       region_of_face[f] = k * part_of_face[f] + nearest_cluster(f, cluster_of_patch, means);
-    refine_parts(part_of_face, k, means, region_of_face);
+    refine_boundaries(part_of_face, k, means, region_of_face);
     return connected_pieces(m_graph, without_specks(connected_pieces(m_graph, region_of_face),
                                                     part_of_face, LEAST_AREA))
       .region_of_face;
@@ -131,45 +131,18 @@ private:
   // Refines the boundaries within each part. `region_of_face`: `k` times the part, plus the cluster.
   // The costs of faces are clearly positive: CGAL iterates until their sum decreases by less than a
   // factor, so with a sum of about 0 rounding errors might keep it going.
-  void refine_parts(const std::vector<std::size_t>& part_of_face, const std::size_t k,
-                    const Eigen::MatrixXd& means, std::vector<std::size_t>& region_of_face) const
+  void refine_boundaries(const std::vector<std::size_t>& part_of_face, const std::size_t k,
+                         const Eigen::MatrixXd& means,
+                         std::vector<std::size_t>& region_of_face) const
   {
-    const std::size_t number_of_parts
-      = *std::max_element(part_of_face.begin(), part_of_face.end()) + 1;
-    std::vector<std::vector<std::size_t>> faces_of_part(number_of_parts);
-    for(const std::size_t f : faces_near_boundaries(m_graph, region_of_face, BAND))
-      faces_of_part[part_of_face[f]].push_back(f);
-    // The regions of each part, and their numbers within it.
-    std::vector<std::vector<std::size_t>> regions_of_part(number_of_parts);
-    std::vector<std::size_t> number(k * number_of_parts, NONE), numbers(region_of_face.size());
-    for(std::size_t f = 0; f < region_of_face.size(); ++f)
-    {
-      std::vector<std::size_t>& regions = regions_of_part[part_of_face[f]];
-      std::size_t& own = number[region_of_face[f]];
-      if(own == NONE)
-      {
-        own = regions.size();
-        regions.push_back(region_of_face[f]);
-      }
-      numbers[f] = own;
-    }
-    for(std::size_t part = 0; part < number_of_parts; ++part)
-    {
-      const std::vector<std::size_t>& regions = regions_of_part[part];
-      if(regions.size() < 2)
-        continue;
-      refine_regions(
-        m_graph, faces_of_part[part], part_of_face, numbers, CONCAVITY, [&](const std::size_t f) {
-          const double weight = DATA_WEIGHT * m_graph.areas[static_cast<Eigen::Index>(f)];
-          const auto row = means.row(static_cast<Eigen::Index>(m_patches.patch_of_face[f]));
-          std::vector<double> costs;
-          for(const std::size_t region : regions)
-            costs.push_back(weight * (2 - row[static_cast<Eigen::Index>(region % k)]));
-          return costs;
-        });
-      for(const std::size_t f : faces_of_part[part])
-        region_of_face[f] = regions[numbers[f]];
-    }
+    const auto cost = [&](const std::size_t face, const std::size_t region) {
+      return DATA_WEIGHT * m_graph.areas[static_cast<Eigen::Index>(face)]
+             * (2
+                - means(static_cast<Eigen::Index>(m_patches.patch_of_face[face]),
+                        static_cast<Eigen::Index>(region % k)));
+    };
+    for(const Region_pair& pair : region_pairs(m_graph, region_of_face, part_of_face, BAND))
+      refine_boundary(m_graph, pair, part_of_face, region_of_face, CONCAVITY, cost);
   }
 
   // For each patch, its mean similarity to the patches of each cluster.

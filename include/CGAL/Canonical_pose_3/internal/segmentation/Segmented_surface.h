@@ -13,6 +13,7 @@
 #include <CGAL/Canonical_pose_3/Coarse_surface_3.h>
 #include <CGAL/Canonical_pose_3/Surface_component_3.h>
 #include <CGAL/Canonical_pose_3/internal/segmentation/Face_graph.h>
+#include <CGAL/Canonical_pose_3/internal/segmentation/Face_regions.h>
 #include <CGAL/Canonical_pose_3/internal/segmentation/Nearest_sources.h>
 #include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
 #include <CGAL/Canonical_pose_3/internal/soup/root_of_area.h>
@@ -143,14 +144,24 @@ private:
   }
 
   // Each remaining triangle has replaced one of the given ones, which has its label; the others have
-  // that of the nearest of these.
+  // that of the nearest of these, and then the boundaries are smoothed.
   std::vector<std::size_t> nearest_labels(const std::vector<std::size_t>& labels) const
   {
+    constexpr double band = .04, concavity = .3, weight_of_label = 10;
     Nearest_sources sources(m_given_graph, edge_distances(m_given_graph));
     for(std::size_t t = 0; t < m_given_triangle.size(); ++t)
       sources.insert(m_given_triangle[t], labels[t]);
     sources.update();
-    return sources.labels();
+    std::vector<std::size_t> result = sources.labels();
+    const std::vector<std::size_t> group(result.size(), 0);
+    for(const Region_pair& pair : region_pairs(m_given_graph, result, group, band))
+      refine_boundary(m_given_graph, pair, group, result, concavity,
+                      [&](const std::size_t face, const std::size_t label) {
+                        return weight_of_label
+                               * m_given_graph.areas[static_cast<Eigen::Index>(face)]
+                               * (label == sources.labels()[face] ? 1 : 2);
+                      });
+    return result;
   }
 
   // Faces that the repair removed, since they are degenerate or there twice, get the label of a face

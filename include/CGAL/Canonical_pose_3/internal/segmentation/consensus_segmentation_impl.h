@@ -67,7 +67,7 @@ inline Eigen::VectorXd smoothed(const Face_graph& graph, const Patches& patches,
 inline bool is_intact(const Viewed_surface& pose, const Viewed_surface& surface,
                       const std::vector<Index_triangle>& closed_triangles)
 {
-  constexpr double least_share = .5;
+  constexpr double least_share = .2;
   return pose.visibility.sum() >= least_share * surface.visibility.sum()
          && signed_volume(pose.graph.points, closed_triangles)
               >= least_share * signed_volume(surface.graph.points, closed_triangles);
