@@ -6,7 +6,7 @@ set(own_headers ${PROJECT_SOURCE_DIR}/include)
 file(GLOB_RECURSE public_headers CONFIGURE_DEPENDS RELATIVE ${own_headers} "${own_headers}/CGAL/*.h")
 list(FILTER public_headers EXCLUDE REGEX "/internal/")
 if(NOT SPECTRA_INCLUDE_DIRECTORY)
-  list(FILTER public_headers EXCLUDE REGEX "Biharmonic")
+  list(FILTER public_headers EXCLUDE REGEX "Biharmonic|Heat_kernel|Shape_dna")
 endif()
 
 # add_canonical_pose_header_test(name compiler header...)

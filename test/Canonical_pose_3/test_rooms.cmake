@@ -4,7 +4,7 @@
 # Called with -DINCLUDE=<the folder of the public headers of this package>.
 
 cmake_minimum_required(VERSION 3.18...3.31)
-set(rooms pipeline segmentation registration injective energy target lattice body wavefront heat intrinsic soup linear_algebra
+set(rooms pipeline segmentation descriptors registration injective energy target lattice body wavefront heat intrinsic soup linear_algebra
   support)
 # Public headers that any folder may include.
 set(data_types point_matrix Options Registration_options Registration_progress Registration_summary Diagnosis_3
@@ -12,6 +12,7 @@ set(data_types point_matrix Options Registration_options Registration_progress R
 # Additional public headers per folder. The pipeline combines the public parts. The default solver is a public class.
 set(also_in_body Embedded_body_3 Tetrahedral_complex_traits_3)
 set(also_in_segmentation Coarse_surface_3 Segmentation_options Segmentation_tree_3 repair_surface)
+set(also_in_descriptors Coarse_surface_3 repair_surface)
 set(also_in_linear_algebra Default_factor_traits_d Eigen_factor_traits_d)
 
 set(defects "")

@@ -18,6 +18,7 @@
 
 #include <gtest/gtest.h>
 
+#include "Polygon_soup.h"
 #include "shapes.h"
 
 #include <Eigen/Geometry>
@@ -31,6 +32,8 @@
 #include <vector>
 
 namespace CP = CGAL::Canonical_pose_3;
+using Canonical_pose_test::Polygon_soup;
+using Canonical_pose_test::polygon_soup;
 using CP::Point_matrix;
 using CP::Segmentation_options;
 using CP::Segmentation_tree_3;
@@ -38,24 +41,6 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Parts = std::vector<std::size_t>;
 
 namespace {
-
-struct Polygon_soup
-{
-  Point_matrix points;
-  std::vector<std::vector<std::size_t>> polygons;
-};
-
-Polygon_soup polygon_soup(const Canonical_pose_test::Triangle_soup& soup)
-{
-  Polygon_soup result;
-  result.points.resize(static_cast<Eigen::Index>(soup.points.size()), 3);
-  for(std::size_t v = 0; v < soup.points.size(); ++v)
-    result.points.row(static_cast<Eigen::Index>(v)) << soup.points[v][0], soup.points[v][1],
-      soup.points[v][2];
-  for(const auto& t : soup.triangles)
-    result.polygons.push_back({t[0], t[1], t[2]});
-  return result;
-}
 
 // Three balls of radius 1 in a row along x, which overlap in circles of radius .2.
 constexpr double spacing = 1.96, length = 2 + 2 * spacing;

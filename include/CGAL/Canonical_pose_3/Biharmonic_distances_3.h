@@ -10,9 +10,8 @@
 #ifndef CGAL_CANONICAL_POSE_3_BIHARMONIC_DISTANCES_3_H
 #define CGAL_CANONICAL_POSE_3_BIHARMONIC_DISTANCES_3_H
 
+#include <CGAL/Canonical_pose_3/internal/intrinsic/Component_spectra.h>
 #include <CGAL/Canonical_pose_3/internal/intrinsic/Delaunay_surface.h>
-#include <CGAL/Canonical_pose_3/internal/intrinsic/cotangent_operators.h>
-#include <CGAL/Canonical_pose_3/internal/linear_algebra/Laplace_spectrum.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/support/for_each_block.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
@@ -22,7 +21,6 @@
 #include <CGAL/boost/graph/properties.h>
 
 #include <Eigen/Core>
-#include <Eigen/SparseCore>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
@@ -260,55 +258,15 @@ private:
   // Maps vertex i to the vector (phi_k(i) / lambda_k)_k, component by component.
   void embed(const internal::Delaunay_surface& surface, const Eigen::Index count)
   {
-    const Eigen::SparseMatrix<double> laplacian
-      = internal::cotangent_laplacian(surface.triangulation());
-    const Eigen::VectorXd mass = internal::lumped_mass(surface.triangulation());
-    std::vector<std::vector<Eigen::Index>> rows(
-      static_cast<std::size_t>(surface.components().size()));
-    std::vector<int> place_in_component;
-    for(std::size_t i = 0; i < m_component.size(); ++i)
-    {
-      auto& own = rows[static_cast<std::size_t>(m_component[i])];
-      place_in_component.push_back(static_cast<int>(own.size()));
-      own.push_back(static_cast<Eigen::Index>(i));
-    }
-    m_embedding = Embedding::Zero(mass.size(), (std::min)(count, mass.size()));
-    for(const std::vector<Eigen::Index>& own : rows)
-    {
-      if(own.size() == 1)
-        continue;
-      const internal::Laplace_spectrum spectrum(block(laplacian, own, place_in_component),
-                                                entries(mass, own), count,
-                                                internal::make_factor<FactorTraits>);
-      for(std::size_t i = 0; i < own.size(); ++i)
-        m_embedding.row(own[i]).head(spectrum.eigenvalues().size())
+    const internal::Component_spectra spectra(surface, count, internal::make_factor<FactorTraits>);
+    const Eigen::Index n = spectra.mass().size();
+    m_embedding = Embedding::Zero(n, (std::min)(count, n));
+    for(const auto& [vertices, spectrum] : spectra.components())
+      for(std::size_t i = 0; i < vertices.size(); ++i)
+        m_embedding.row(vertices[i]).head(spectrum.eigenvalues().size())
           = spectrum.eigenfunctions()
               .row(static_cast<Eigen::Index>(i))
               .cwiseQuotient(spectrum.eigenvalues().transpose());
-    }
-  }
-
-  static Eigen::VectorXd entries(const Eigen::VectorXd& all, const std::vector<Eigen::Index>& rows)
-  {
-    Eigen::VectorXd result(static_cast<Eigen::Index>(rows.size()));
-    for(std::size_t i = 0; i < rows.size(); ++i)
-      result[static_cast<Eigen::Index>(i)] = all[rows[i]];
-    return result;
-  }
-
-  static Eigen::SparseMatrix<double> block(const Eigen::SparseMatrix<double>& matrix,
-                                           const std::vector<Eigen::Index>& rows,
-                                           const std::vector<int>& place_in_component)
-  {
-    const auto n = static_cast<Eigen::Index>(rows.size());
-    std::vector<Eigen::Triplet<double>> triplets;
-    for(std::size_t i = 0; i < rows.size(); ++i)
-      for(Eigen::SparseMatrix<double>::InnerIterator it(matrix, rows[i]); it; ++it)
-        triplets.emplace_back(place_in_component[static_cast<std::size_t>(it.row())],
-                              static_cast<int>(i), it.value());
-    Eigen::SparseMatrix<double> result(n, n);
-    result.setFromTriplets(triplets.begin(), triplets.end());
-    return result;
   }
 
   const TriangleMesh* m_tmesh;

@@ -1,0 +1,56 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_SHAPE_DESCRIPTOR_H
+#define CGAL_CANONICAL_POSE_3_SHAPE_DESCRIPTOR_H
+
+#include <CGAL/Canonical_pose_3/internal/pipeline/options_of_parameters.h>
+#include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+
+#include <CGAL/Named_function_parameters.h>
+
+#include <Eigen/Core>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
+
+/*!
+\ingroup PkgCanonicalPose3Ref
+
+\brief describes a mesh by a vector.
+
+\tparam ShapeDescriptor a model of `ShapeDescriptor_3`
+\tparam TriangleMesh a model of `FaceListGraph`
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param descriptor the descriptor
+\param tmesh a polygon mesh. It may have several components, holes, self-intersections, and defects of
+       any kind (see `repair_surface()`).
+\param np `vertex_point_map` and `geom_traits`, as for `CGAL::canonical_pose_3()`. A descriptor that
+       depends on the pose, such as `Shape_distribution_d2_3`, is given the map of the pose.
+
+\returns the values of the descriptor.
+
+\throws std::invalid_argument if a coordinate is not finite, or no face has an area.
+*/
+template <class ShapeDescriptor, class TriangleMesh,
+          class NamedParameters = parameters::Default_named_parameters>
+Eigen::VectorXd shape_descriptor(const ShapeDescriptor& descriptor, const TriangleMesh& tmesh,
+                                 const NamedParameters& np = parameters::default_values())
+{
+  return descriptor(internal::points_of_parameters(tmesh, np), internal::index_polygons(tmesh));
+}
+
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_SHAPE_DESCRIPTOR_H
