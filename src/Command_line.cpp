@@ -177,11 +177,10 @@ void add_constraints(CLI::App& command, Raw_arguments& raw)
     ->allow_extra_args(false);
 }
 
-// The options of `pose` that `segment` has as well.
+// The options of `pose` that `segment` and `describe` have as well.
 void add_pose_options(CLI::App& command, Arguments& arguments, Raw_arguments& raw)
 {
   Options& options = arguments.options;
-  add_report(command, arguments);
   command
     .add_option("--body", arguments.body,
                 "elastic body inside a surface: auto, lattice, tetgen, mesh")
@@ -269,6 +268,7 @@ void add_pose(CLI::App& command, Arguments& arguments, Raw_arguments& raw)
                 "take these distances, as geodesics writes them, instead of computing any")
     ->check(path());
   add_constraints(command, raw);
+  add_report(command, arguments);
   add_pose_options(command, arguments, raw);
 }
 
@@ -286,6 +286,23 @@ void add_segment(CLI::App& command, Arguments& arguments, Raw_arguments& raw)
     .add_option("--method", arguments.method, "consensus, sweep (fast), kmeans (of the paper)")
     ->check(CLI::IsMember({"consensus", "sweep", "kmeans"}))
     ->capture_default_str();
+  command.add_option("--pose", arguments.pose, "take this pose instead of computing one")
+    ->check(path());
+  add_report(command, arguments);
+  add_pose_options(command, arguments, raw);
+}
+
+void add_describe(CLI::App& command, Arguments& arguments, Raw_arguments& raw)
+{
+  add_input(command, arguments);
+  command.add_option("-o,--output", arguments.output, "the values of the descriptors (.json)")
+    ->required()
+    ->check(path());
+  command
+    .add_option("--descriptor", arguments.descriptors,
+                "heat-kernel-quantiles, shape-dna, shape-distribution-d2; may be repeated; "
+                "default: all")
+    ->allow_extra_args(false);
   command.add_option("--pose", arguments.pose, "take this pose instead of computing one")
     ->check(path());
   add_pose_options(command, arguments, raw);
@@ -377,17 +394,21 @@ std::optional<int> parse_command_line(const int argc, char* argv[], Arguments& a
     = app.add_subcommand("check", "tells what is wrong with a surface, if anything");
   CLI::App* const geodesics = app.add_subcommand("geodesics", "measures distances on a surface");
   CLI::App* const segment = app.add_subcommand("segment", "divides a surface into parts");
+  CLI::App* const describe
+    = app.add_subcommand("describe", "describes a surface by numbers, for search");
   CLI::App* const compare = app.add_subcommand(
     "compare", "tells how much poses differ, whatever their position and scale");
   add_compare(*compare, arguments);
   add_pose(*pose, arguments, raw);
   add_segment(*segment, arguments, raw);
+  add_describe(*describe, arguments, raw);
   add_check(*check, arguments);
   add_geodesics(*geodesics, arguments);
   try
   {
     app.parse(argc, argv);
-    if(*segment && segment->count("--components") == 0)
+    if((*segment && segment->count("--components") == 0)
+       || (*describe && describe->count("--components") == 0))
       raw.components = "each";
     take(raw, arguments);
   }
@@ -399,6 +420,7 @@ std::optional<int> parse_command_line(const int argc, char* argv[], Arguments& a
                       : *geodesics ? Arguments::Command::GEODESICS
                       : *compare   ? Arguments::Command::COMPARE
                       : *segment   ? Arguments::Command::SEGMENT
+                      : *describe  ? Arguments::Command::DESCRIBE
                                    : Arguments::Command::POSE;
   return std::nullopt;
 }

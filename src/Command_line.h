@@ -22,11 +22,11 @@ namespace Canonical_pose_tool {
 // The parsed command line.
 struct Arguments
 {
-  enum class Command { POSE, CHECK, GEODESICS, COMPARE, SEGMENT };
+  enum class Command { POSE, CHECK, GEODESICS, COMPARE, SEGMENT, DESCRIBE };
 
   Command command = Command::POSE;
   std::string input;
-  std::string output; // POSE, DISTANCES, or OUT of SEGMENT
+  std::string output; // POSE, DISTANCES, or OUT of SEGMENT and DESCRIBE
   std::string target; // this and the next five: empty if not requested
   std::string report;
   std::string matching_weights; // this and the next: files of numbers
@@ -36,10 +36,11 @@ struct Arguments
   std::string body = "auto";
   std::string geodesics = "heat";
   std::vector<std::size_t> sources;
-  std::vector<std::string> poses; // of COMPARE
-  std::string pose;               // this and the next two: of SEGMENT
-  std::string method = "consensus";
-  std::size_t number_of_parts = 0; // 0: automatic
+  std::vector<std::string> poses;       // of COMPARE
+  std::string pose;                     // of SEGMENT and DESCRIBE
+  std::vector<std::string> descriptors; // names, of DESCRIBE
+  std::string method = "consensus";     // this and the next: of SEGMENT
+  std::size_t number_of_parts = 0;      // 0: automatic
   CGAL::Canonical_pose_3::Options options;
   bool quiet = false;
 };

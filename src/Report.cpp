@@ -236,4 +236,13 @@ void write_table(std::ostream& out, const Diagnosis_3& diagnosis)
   }
 }
 
+void write_descriptors(std::ostream& out, const std::vector<Described_shape>& descriptors)
+{
+  Json json = Json::object();
+  for(const Described_shape& d : descriptors)
+    json[d.name]
+      = {{"version", d.version}, {"values", std::vector<double>(d.values.begin(), d.values.end())}};
+  out << json.dump(2) << '\n';
+}
+
 } // namespace Canonical_pose_tool

@@ -14,6 +14,8 @@
 #include <CGAL/Canonical_pose_3/Segmentation_tree_3.h>
 #include <CGAL/Canonical_pose_3/segmentation_parts.h>
 
+#include <Eigen/Core>
+
 #include <chrono>
 #include <iosfwd>
 #include <optional>
@@ -77,6 +79,16 @@ void write_outcome(std::ostream& out, const CGAL::Canonical_pose_3::Registration
 
 // Writes one line per field.
 void write_table(std::ostream& out, const CGAL::Canonical_pose_3::Diagnosis_3& diagnosis);
+
+// The values of a descriptor.
+struct Described_shape
+{
+  std::string name;
+  int version;
+  Eigen::VectorXd values;
+};
+
+void write_descriptors(std::ostream& out, const std::vector<Described_shape>& descriptors);
 
 } // namespace Canonical_pose_tool
 

@@ -61,6 +61,8 @@ int main(int argc, char* argv[])
       run_compare(arguments);
     else if(arguments.command == Arguments::Command::SEGMENT)
       run_segment(arguments);
+    else if(arguments.command == Arguments::Command::DESCRIBE)
+      run_describe(arguments);
     else
       run_geodesics(arguments);
     if(!std::cout.flush())

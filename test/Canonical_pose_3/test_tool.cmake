@@ -84,6 +84,7 @@ expect_refusal("'comments.txt': there are no numbers" pose ball.off -o out/a.off
 expect_refusal("PLY holds faces of at most 255 corners, but face 1 has 256 corners" pose disk.off -o out/a.ply)
 include(${CMAKE_CURRENT_LIST_DIR}/test_tool_outputs.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/test_tool_segment.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/test_tool_describe.cmake)
 run_tool(pose ball.off -o out/a.off --body tetgen)
 if(stderr MATCHES "without TetGen")
   message(STATUS "The tool was built without TetGen: it is not tested that TetGen is spared dirty surfaces")

@@ -1,0 +1,69 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#include "descriptors.h"
+
+#include <CGAL/Canonical_pose_3/Shape_distribution_d2_3.h>
+#ifdef CANONICAL_POSE_WITH_SPECTRA
+#include <CGAL/Canonical_pose_3/Heat_kernel_quantiles_3.h>
+#include <CGAL/Canonical_pose_3/Shape_dna_3.h>
+#endif
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace Canonical_pose_tool {
+
+namespace {
+
+template <class Model>
+Descriptor descriptor_of(const bool needs_pose)
+{
+  return {Model::name(), Model::version(), needs_pose, Model()};
+}
+
+std::vector<Descriptor> all_descriptors()
+{
+  namespace CP = CGAL::Canonical_pose_3;
+  return {
+#ifdef CANONICAL_POSE_WITH_SPECTRA
+    descriptor_of<CP::Heat_kernel_quantiles_3>(false),
+    descriptor_of<CP::Shape_dna_3>(false),
+#endif
+    descriptor_of<CP::Shape_distribution_d2_3>(true),
+  };
+}
+
+} // namespace
+
+std::vector<Descriptor> descriptors(const std::vector<std::string>& names)
+{
+  const std::vector<Descriptor> all = all_descriptors();
+  if(names.empty())
+    return all;
+  std::vector<Descriptor> result;
+  for(const std::string& name : names)
+  {
+    const auto is_named = [&](const Descriptor& d) { return d.name == name; };
+    const auto found = std::find_if(all.begin(), all.end(), is_named);
+    if(found == all.end())
+    {
+      std::string known;
+      for(const Descriptor& d : all)
+        known += (known.empty() ? "" : ", ") + d.name;
+      throw std::invalid_argument("there is no descriptor '" + name + "' in this build, which has "
+                                  + known);
+    }
+    if(std::none_of(result.begin(), result.end(), is_named))
+      result.push_back(*found);
+  }
+  return result;
+}
+
+} // namespace Canonical_pose_tool

@@ -1,0 +1,41 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_TOOL_DESCRIPTORS_H
+#define CGAL_CANONICAL_POSE_3_TOOL_DESCRIPTORS_H
+
+#include <CGAL/Canonical_pose_3/point_matrix.h>
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace Canonical_pose_tool {
+
+struct Descriptor
+{
+  std::string name;
+  int version;
+  bool needs_pose;
+  // Throws std::invalid_argument if the surface cannot be described.
+  std::function<Eigen::VectorXd(const CGAL::Canonical_pose_3::Point_matrix& points,
+                                const std::vector<std::vector<std::size_t>>& polygons)>
+    values;
+};
+
+// All descriptors, or those with the given names. Throws std::invalid_argument if a name is unknown,
+// or if the tool was built without what a descriptor needs.
+std::vector<Descriptor> descriptors(const std::vector<std::string>& names);
+
+} // namespace Canonical_pose_tool
+
+#endif // CGAL_CANONICAL_POSE_3_TOOL_DESCRIPTORS_H
