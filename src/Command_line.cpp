@@ -300,7 +300,7 @@ void add_describe(CLI::App& command, Arguments& arguments, Raw_arguments& raw)
     ->check(path());
   command
     .add_option("--descriptor", arguments.descriptors,
-                "heat-kernel-quantiles, shape-dna, shape-distribution-d2; may be repeated; "
+                "heat-kernel-quantiles, shape-dna, shape-distribution-d2, views; may be repeated; "
                 "default: all")
     ->allow_extra_args(false);
   command.add_option("--pose", arguments.pose, "take this pose instead of computing one")

@@ -10,6 +10,7 @@
 #include "descriptors.h"
 
 #include <CGAL/Canonical_pose_3/Shape_distribution_d2_3.h>
+#include <CGAL/Canonical_pose_3/View_descriptor_3.h>
 #ifdef CANONICAL_POSE_WITH_SPECTRA
 #include <CGAL/Canonical_pose_3/Heat_kernel_quantiles_3.h>
 #include <CGAL/Canonical_pose_3/Shape_dna_3.h>
@@ -37,6 +38,7 @@ std::vector<Descriptor> all_descriptors()
     descriptor_of<CP::Shape_dna_3>(false),
 #endif
     descriptor_of<CP::Shape_distribution_d2_3>(true),
+    descriptor_of<CP::View_descriptor_3>(true),
   };
 }
 

@@ -11,6 +11,7 @@
 #include <CGAL/Canonical_pose_3/Heat_kernel_quantiles_3.h>
 #include <CGAL/Canonical_pose_3/Shape_distribution_d2_3.h>
 #include <CGAL/Canonical_pose_3/Shape_dna_3.h>
+#include <CGAL/Canonical_pose_3/View_descriptor_3.h>
 #include <CGAL/Canonical_pose_3/shape_descriptor.h>
 
 #include <CGAL/Polyhedron_3.h>
@@ -69,8 +70,8 @@ public:
     return Descriptor::distances(a, b)[0];
   }
 };
-using All
-  = testing::Types<CP::Heat_kernel_quantiles_3, CP::Shape_dna_3, CP::Shape_distribution_d2_3>;
+using All = testing::Types<CP::Heat_kernel_quantiles_3, CP::Shape_dna_3,
+                           CP::Shape_distribution_d2_3, CP::View_descriptor_3>;
 TYPED_TEST_SUITE(Descriptors, All);
 
 // All differences are compared with that of two different shapes.
@@ -227,6 +228,34 @@ TEST(Shape_distribution_d2, of_the_sphere)
     difference += std::abs(values[i] - (to * to - from * from) / 4);
   }
   EXPECT_LT(difference, .04);
+}
+
+// All depths of the unit sphere are known: sqrt(1 - r^2) at the distance r from the center of the
+// image. Its first moment is their mean, (1 + 2/3) / 2; those of odd order are 0.
+TEST(View_descriptor, of_the_sphere)
+{
+  const Polygon_soup soup = ball(5);
+  const Eigen::VectorXd values = CP::View_descriptor_3()(soup.points, soup.polygons);
+  for(Eigen::Index view = 0; view < 26; ++view)
+  {
+    EXPECT_NEAR(values[64 * view], 5. / 6, .02);
+    EXPECT_LT(values[64 * view + 1], .01); // n = m = 1
+  }
+}
+
+// A box whose axes are in another order, and a mirrored shape, are the same to the eye.
+TEST(View_descriptor, compares_the_best_position)
+{
+  Polygon_soup soup = ball(4);
+  for(Eigen::Index v = 0; v < soup.points.rows(); ++v) // a pear, not symmetric
+    soup.points.row(v) *= 1 + .4 * soup.points(v, 0) + .2 * soup.points(v, 1) * soup.points(v, 2);
+  const CP::View_descriptor_3 descriptor;
+  const Eigen::VectorXd values = descriptor(soup.points, soup.polygons);
+  const Polygon_soup other = ball(4);
+  Point_matrix mirrored = soup.points;
+  mirrored.col(1) *= -1;
+  EXPECT_LT(descriptor.distances(values, descriptor(mirrored, soup.polygons))[0],
+            .05 * descriptor.distances(values, descriptor(other.points, other.polygons))[0]);
 }
 
 // A descriptor of a single number: the height of a surface. An archetype of the concept.

@@ -12,6 +12,7 @@ unless a descriptor is given.
 \cgalHasModel `CGAL::Canonical_pose_3::Heat_kernel_quantiles_3`
 \cgalHasModel `CGAL::Canonical_pose_3::Shape_dna_3`
 \cgalHasModel `CGAL::Canonical_pose_3::Shape_distribution_d2_3`
+\cgalHasModel `CGAL::Canonical_pose_3::View_descriptor_3`
 
 \sa `CGAL::Canonical_pose_3::shape_descriptor()`
 \sa `CGAL::Canonical_pose_3::Descriptor_index_3`

@@ -198,7 +198,8 @@ inline Eigen::MatrixXd fused_distances(const std::vector<Eigen::MatrixXd>& dista
 \brief returns dissimilarities that take neighbors of neighbors into account.
 
 Manifold ranking (D. Zhou et al., "Ranking on data manifolds", 2003): scores spread from the query
-over the graph of nearest neighbors. Entry \f$ (i, j) \f$ is small if shape \f$ j \f$ has a high score for query
+over the graph of nearest neighbors, whose weights depend on the distances to the farthest of them (L.
+Zelnik-Manor and P. Perona, "Self-tuning spectral clustering", 2004). Entry \f$ (i, j) \f$ is small if shape \f$ j \f$ has a high score for query
 \f$ i \f$; shapes without a path to the query follow in the order of their distances. The matrix is not
 symmetric.
 
@@ -210,9 +211,9 @@ symmetric.
 <em>Complexity:</em> \f$ O(n^3) \f$ for \f$ n \f$ shapes.
 */
 inline Eigen::MatrixXd manifold_ranking(const Eigen::MatrixXd& distances,
-                                        const std::size_t number_of_neighbors = 8)
+                                        const std::size_t number_of_neighbors = 5)
 {
-  constexpr double spread = .95; // of the score to neighbors
+  constexpr double spread = .8; // of the score to neighbors
   if(distances.rows() != distances.cols())
     throw std::invalid_argument("the matrix of distances is not square");
   if(number_of_neighbors == 0)
@@ -221,7 +222,7 @@ inline Eigen::MatrixXd manifold_ranking(const Eigen::MatrixXd& distances,
   const auto k
     = static_cast<std::size_t>((std::min)(static_cast<Eigen::Index>(number_of_neighbors), n - 1));
   std::vector<std::vector<Eigen::Index>> neighbors;
-  double mean = 0;
+  Eigen::VectorXd farthest_neighbor = Eigen::VectorXd::Zero(n);
   for(Eigen::Index i = 0; i < n; ++i)
   {
     std::vector<Eigen::Index> order;
@@ -234,18 +235,20 @@ inline Eigen::MatrixXd manifold_ranking(const Eigen::MatrixXd& distances,
                                < std::make_pair(distances(b, i), b);
                       });
     order.resize(k);
-    for(const Eigen::Index j : order)
-      mean += distances(j, i) / static_cast<double>(n * static_cast<Eigen::Index>(k));
+    if(k > 0)
+      farthest_neighbor[i] = distances(order.back(), i);
     neighbors.push_back(std::move(order));
   }
+  constexpr double least = 1e-300;
   Eigen::MatrixXd weights = Eigen::MatrixXd::Zero(n, n);
   for(Eigen::Index i = 0; i < n; ++i)
     for(const Eigen::Index j : neighbors[static_cast<std::size_t>(i)])
     {
-      const double ratio = mean > 0 ? distances(j, i) / mean : 0;
-      weights(i, j) = weights(j, i) = std::exp(-ratio * ratio / 2);
+      const double d = distances(j, i);
+      weights(i, j) = weights(j, i)
+        = std::exp(-d * d / (std::max)(farthest_neighbor[i] * farthest_neighbor[j], least));
     }
-  const Eigen::VectorXd scale = weights.rowwise().sum().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
+  const Eigen::VectorXd scale = weights.rowwise().sum().cwiseMax(least).cwiseSqrt().cwiseInverse();
   const Eigen::MatrixXd scores
     = (Eigen::MatrixXd::Identity(n, n) - spread * scale.asDiagonal() * weights * scale.asDiagonal())
         .llt()

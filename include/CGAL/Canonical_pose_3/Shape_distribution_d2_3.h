@@ -10,11 +10,11 @@
 #ifndef CGAL_CANONICAL_POSE_3_SHAPE_DISTRIBUTION_D2_3_H
 #define CGAL_CANONICAL_POSE_3_SHAPE_DISTRIBUTION_D2_3_H
 
+#include <CGAL/Canonical_pose_3/internal/descriptors/described_surface.h>
 #include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
 #include <CGAL/Canonical_pose_3/internal/soup/twice_area.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
-#include <CGAL/Canonical_pose_3/repair_surface.h>
 
 #include <CGAL/Random.h>
 
@@ -72,7 +72,7 @@ public:
   Eigen::VectorXd operator()(const Point_matrix& points,
                              const std::vector<std::vector<std::size_t>>& polygons) const
   {
-    const Repaired_surface_3 surface = repair_surface(points, polygons);
+    const Repaired_surface_3 surface = internal::described_surface(points, polygons);
     Point_matrix normalized = surface.points;
     internal::normalize(normalized);
     const Point_matrix samples = Shape_distribution_d2_3::samples(normalized, surface.triangles);
@@ -114,8 +114,7 @@ private:
       // One sample per share of the area, so that descriptors of the same shape differ less.
       const double place = sum * (static_cast<double>(i) + random.get_double()) / SAMPLES;
       const auto found = std::upper_bound(sums.begin(), sums.end() - 1, place);
-      auto t = triangles[static_cast<std::size_t>(found - sums.begin())];
-      std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end()); // for any mesh type
+      const auto& t = triangles[static_cast<std::size_t>(found - sums.begin())];
       const double root = std::sqrt(random.get_double()), v = random.get_double();
       const auto point
         = [&](const std::size_t k) { return points.row(static_cast<Eigen::Index>(t[k])); };
