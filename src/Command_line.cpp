@@ -29,8 +29,8 @@ using Options = CGAL::Canonical_pose_3::Options;
 // Arguments that are converted to options of the library.
 struct Raw_arguments
 {
-  std::string kernel = "classical", components = "refuse", solver = "auto", paper_weights,
-              parts = "auto";
+  std::string kernel = "classical", components = "refuse", solver = "auto", frame = "input",
+              paper_weights, parts = "auto";
   std::vector<std::string> springs, directions, handles, symmetric_pairs;
 };
 
@@ -268,6 +268,11 @@ void add_pose(CLI::App& command, Arguments& arguments, Raw_arguments& raw)
                 "take these distances, as geodesics writes them, instead of computing any")
     ->check(path());
   add_constraints(command, raw);
+  command
+    .add_option("--frame", raw.frame,
+                "position of the pose: near the input, or canonical: principal axes")
+    ->check(CLI::IsMember({"input", "canonical"}))
+    ->capture_default_str();
   add_report(command, arguments);
   add_pose_options(command, arguments, raw);
 }
@@ -360,6 +365,8 @@ void take(const Raw_arguments& raw, Arguments& arguments)
   options.components = components.at(raw.components);
   options.kernel = kernels.at(raw.kernel);
   options.solver = solvers.at(raw.solver);
+  if(raw.frame == "canonical")
+    options.frame = Options::Frame::CANONICAL;
   if(arguments.geodesics == "wavefront")
     options.geodesics = Options::Geodesics::WAVEFRONT;
   if(!raw.paper_weights.empty())

@@ -110,6 +110,11 @@ struct Method_options
   /// attached; or pose each one.
   enum class Components { REFUSE, LARGEST, EACH };
 
+  /// position of the result: as near as possible to the input, or in the `canonical_frame()` of the
+  /// pose, with the areas of the input as weights, so that poses of several shapes can be compared or
+  /// shown without alignment.
+  enum class Frame { INPUT, CANONICAL };
+
   /// linear solver. `AUTOMATIC` is CHOLMOD if the package was configured with it, otherwise Eigen.
   enum class Solver { AUTOMATIC, EIGEN, CHOLMOD };
 
@@ -166,6 +171,10 @@ struct Method_options
 
   /// the components of a surface or a complex.
   Components components = Components::REFUSE;
+
+  /// the position of the pose, the target and the followers. Given targets and constraints refer to
+  /// the frame of the input in any case.
+  Frame frame = Frame::INPUT;
 
   /// the options of the registration.
   Registration_options registration;

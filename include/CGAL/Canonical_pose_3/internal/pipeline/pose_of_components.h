@@ -17,12 +17,18 @@
 #include <CGAL/Canonical_pose_3/Result.h>
 #include <CGAL/Canonical_pose_3/Surface_body_3.h>
 #include <CGAL/Canonical_pose_3/Target_3.h>
+#include <CGAL/Canonical_pose_3/canonical_frame.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/fields_of_function.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/interpolated_fields.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/timed.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+#include <CGAL/Canonical_pose_3/point_matrix.h>
 #include <CGAL/Canonical_pose_3/pose_steps.h>
+#include <CGAL/Canonical_pose_3/surface_measures.h>
 
+#include <Eigen/Geometry>
+
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <utility>
@@ -66,6 +72,23 @@ Result pose_of_component(const Surface_component_3& surface, const Options& opti
   return result;
 }
 
+inline void move_to_canonical_frame(const Prepared_surface_3& prepared, Result& result)
+{
+  std::vector<std::array<std::size_t, 3>> triangles;
+  for(const Prepared_surface_3::Component& component : prepared.components)
+    for(auto t : component.surface.triangles)
+    {
+      for(std::size_t& v : t)
+        v = prepared.vertex_map.vertex_of_row[component.surface.origins[v]];
+      triangles.push_back(t);
+    }
+  const Eigen::Isometry3d motion
+    = canonical_frame(result.pose, vertex_area_shares(prepared.points, triangles));
+  for(Point_matrix* points : {&result.pose, &*result.target, &result.pose_of_followers})
+    *points = ((*points * motion.linear().transpose()).rowwise() + motion.translation().transpose())
+                .eval();
+}
+
 // Poses the components one after the other, the smallest first. `make_body(c, coarse, fields)`
 // returns the body of component c.
 template <class MakeBody>
@@ -91,6 +114,8 @@ Result pose_of_components(const Prepared_surface_3& prepared, const Options& opt
       result.target = options.given.target;
     if(options.given.landmark_fields && options.return_landmark_fields)
       result.landmark_fields = options.given.landmark_fields;
+    if(options.frame == Options::Frame::CANONICAL)
+      move_to_canonical_frame(prepared, result);
   }
   return result;
 }

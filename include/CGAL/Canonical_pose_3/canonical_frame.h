@@ -1,0 +1,89 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_CANONICAL_FRAME_H
+#define CGAL_CANONICAL_POSE_3_CANONICAL_FRAME_H
+
+#include <CGAL/Canonical_pose_3/internal/support/Principal_axes.h>
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+#include <CGAL/Canonical_pose_3/point_matrix.h>
+
+#include <CGAL/assertions.h>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
+
+/*!
+\ingroup PkgCanonicalPose3Ref
+
+\brief returns the rigid motion that brings weighted points into their own frame.
+
+The centroid becomes the origin, and the principal axes become the axes of coordinates, the longest
+first. The third moments along two of them are positive, the two whose skewness is the largest; the
+direction of the remaining one, across which the shape is the most symmetric, follows, since the frame
+is right-handed. Poses of the same shape lie on each other in this frame, unless its variances along two
+axes nearly agree, or it is nearly symmetric across two axes: then the posture decides between positions
+that differ by a half or a quarter turn.
+
+\param points \f$ n \times 3 \f$, positions.
+\param weights nonnegative, one per point, for example `vertex_area_shares()`.
+
+\pre There are as many weights as points.
+
+\throws std::invalid_argument if the sum of the weights is not positive, or a coordinate is not finite.
+
+<em>Complexity:</em> \f$ O(n) \f$.
+
+\sa `Method_options::frame`
+*/
+inline Eigen::Isometry3d canonical_frame(const Point_matrix& points, const Eigen::VectorXd& weights)
+{
+  CGAL_precondition(points.rows() == weights.size());
+  const double sum = weights.sum();
+  if(!(sum > 0) || !std::isfinite(sum))
+    throw std::invalid_argument("the sum of the weights is not positive");
+  if(!points.allFinite())
+    throw std::invalid_argument("a coordinate is not finite");
+  const double largest = points.cwiseAbs().maxCoeff();
+  const double unit = largest > 0 ? largest : 1;
+  const Point_matrix scaled = points / unit;
+  internal::Principal_axes frame(scaled, weights);
+  const Point_matrix along_axes = (scaled.rowwise() - frame.centroid) * frame.axes;
+  Eigen::Vector3d skewness;
+  for(Eigen::Index k = 0; k < 3; ++k)
+  {
+    const double third_moment = along_axes.col(k).array().cube().matrix().dot(weights) / sum;
+    const double deviation = std::sqrt((std::max)(frame.variances[k], 0.0));
+    skewness[k] = deviation > 0 ? third_moment / (deviation * deviation * deviation) : 0;
+    if(third_moment < 0)
+      frame.axes.col(k) *= -1;
+  }
+  Eigen::Index least;
+  skewness.cwiseAbs().minCoeff(&least);
+  if(frame.axes.determinant() < 0)
+    frame.axes.col(least) *= -1;
+  Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
+  result.linear() = frame.axes.transpose();
+  result.translation() = -unit * (frame.axes.transpose() * frame.centroid.transpose());
+  return result;
+}
+
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_CANONICAL_FRAME_H
