@@ -12,12 +12,15 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
 #include <map>
 #include <stdexcept>
 #include <string>
+#include <thread>
+#include <utility>
 #include <vector>
 
 namespace Canonical_pose_tool {
@@ -313,6 +316,118 @@ void add_describe(CLI::App& command, Arguments& arguments, Raw_arguments& raw)
   add_pose_options(command, arguments, raw);
 }
 
+// Adds the options of `pose`, and remembers those that are given and matter for results.
+void add_recorded_pose_options(CLI::App& command, Arguments& arguments, Raw_arguments& raw)
+{
+  const std::size_t number_before = command.get_options().size();
+  add_pose_options(command, arguments, raw);
+  command.final_callback([&command, &arguments, number_before] {
+    const std::vector<CLI::Option*> options = command.get_options();
+    for(std::size_t i = number_before; i < options.size(); ++i)
+    {
+      const std::string name = options[i]->get_name();
+      if(options[i]->count() == 0 || name == "--threads" || name == "--quiet")
+        continue;
+      arguments.pose_words.push_back(name);
+      if(options[i]->get_expected_max() > 0)
+        for(const std::string& value : options[i]->results())
+          arguments.pose_words.push_back(value);
+    }
+    for(const std::string& word : arguments.pose_words)
+      arguments.pose_options += (arguments.pose_options.empty() ? "" : " ") + word;
+  });
+}
+
+void add_database(CLI::App& command, Arguments& arguments)
+{
+  command.add_option("--database", arguments.database, "the collection (SQLite)")
+    ->required()
+    ->check(path());
+}
+
+void add_weighted_descriptors(CLI::App& command, Arguments& arguments)
+{
+  command
+    .add_option("--descriptor", arguments.descriptors,
+                "NAME[:WEIGHT], as in describe; may be repeated; default: all of the collection")
+    ->allow_extra_args(false);
+}
+
+void add_collection(CLI::App& command, Arguments& arguments, Raw_arguments& raw)
+{
+  command
+    .add_option("INPUT", arguments.inputs,
+                "surfaces, folders with surfaces, and @lists of paths, one per line")
+    ->required()
+    ->check(path());
+  add_database(command, arguments);
+  command
+    .add_option("--descriptor", arguments.descriptors,
+                "a descriptor, as in describe; may be repeated; default: all")
+    ->allow_extra_args(false);
+  command.add_option("--poses", arguments.pose_folder, "folder for the poses (.off)")
+    ->check(path());
+  command.add_flag("--segment", arguments.is_segmented, "divide the shapes into parts, too");
+  command
+    .add_option("--workers", arguments.number_of_workers,
+                "so many shapes at a time; 0: as many as there are processors")
+    ->check(number(false))
+    ->capture_default_str();
+  command.add_option("--time-limit", arguments.time_limit, "seconds for a shape; 0: no limit")
+    ->check(number(false))
+    ->capture_default_str();
+  command
+    .add_option("--memory-limit", arguments.memory_limit,
+                "megabytes of addresses for a shape; 0: no limit")
+    ->check(number(false))
+    ->capture_default_str();
+  add_recorded_pose_options(command, arguments, raw);
+}
+
+void add_shape(CLI::App& command, Arguments& arguments, Raw_arguments& raw)
+{
+  command.group(""); // for `collection`, not for people
+  add_input(command, arguments);
+  command.add_option("-o,--output", arguments.output, "the pose")->check(path());
+  command.add_option("--descriptor", arguments.descriptors, "a descriptor")
+    ->allow_extra_args(false);
+  command.add_flag("--no-descriptor", arguments.has_no_descriptor, "none");
+  command.add_flag("--segment", arguments.is_segmented, "parts");
+  add_pose_options(command, arguments, raw);
+}
+
+void add_search(CLI::App& command, Arguments& arguments, Raw_arguments& raw)
+{
+  command.add_option("QUERY", arguments.input, "surface")->required();
+  add_database(command, arguments);
+  command.add_option("-n", arguments.number_of_answers, "number of answers")
+    ->check(number(true))
+    ->capture_default_str();
+  add_weighted_descriptors(command, arguments);
+  command.add_option("--pose", arguments.pose, "take this pose instead of computing one")
+    ->check(path());
+  add_recorded_pose_options(command, arguments, raw);
+}
+
+void add_evaluate(CLI::App& command, Arguments& arguments)
+{
+  add_database(command, arguments);
+  command.add_option("--classes", arguments.classes, "the classes: lines \"stem class\"")
+    ->required()
+    ->check(path());
+  add_weighted_descriptors(command, arguments);
+  command
+    .add_option("--rerank", arguments.rerank,
+                "evaluate the answers in another order, too: manifold")
+    ->check(CLI::IsMember({"manifold"}));
+  command
+    .add_option("--csv", arguments.csv,
+                "write precision-recall curves and the classes of nearest shapes")
+    ->check(path());
+  command.add_option("--plot", arguments.plot, "draw the precision-recall curves (.png)")
+    ->check(path());
+}
+
 void add_check(CLI::App& command, Arguments& arguments)
 {
   add_input(command, arguments);
@@ -405,6 +520,17 @@ std::optional<int> parse_command_line(const int argc, char* argv[], Arguments& a
     = app.add_subcommand("describe", "describes a surface by numbers, for search");
   CLI::App* const compare = app.add_subcommand(
     "compare", "tells how much poses differ, whatever their position and scale");
+  CLI::App* const collection
+    = app.add_subcommand("collection", "describes many surfaces, and keeps the results in a file");
+  CLI::App* const search
+    = app.add_subcommand("search", "finds the shapes of a collection that are like a surface");
+  CLI::App* const evaluate
+    = app.add_subcommand("evaluate", "tells how well shapes of the same class find each other");
+  CLI::App* const shape = app.add_subcommand("shape", "");
+  add_collection(*collection, arguments, raw);
+  add_search(*search, arguments, raw);
+  add_evaluate(*evaluate, arguments);
+  add_shape(*shape, arguments, raw);
   add_compare(*compare, arguments);
   add_pose(*pose, arguments, raw);
   add_segment(*segment, arguments, raw);
@@ -414,21 +540,28 @@ std::optional<int> parse_command_line(const int argc, char* argv[], Arguments& a
   try
   {
     app.parse(argc, argv);
-    if((*segment && segment->count("--components") == 0)
-       || (*describe && describe->count("--components") == 0))
-      raw.components = "each";
+    for(const CLI::App* const command : {segment, describe, collection, search, shape})
+      if(*command && command->count("--components") == 0)
+        raw.components = "each";
+    if(*collection && collection->count("--threads") == 0)
+      arguments.options.number_of_threads = 1;
+    if(arguments.number_of_workers == 0)
+      arguments.number_of_workers = (std::max)(std::thread::hardware_concurrency(), 1u);
     take(raw, arguments);
   }
   catch(const CLI::ParseError& error)
   {
     return app.exit(error) == 0 ? 0 : 2;
   }
-  arguments.command = *check       ? Arguments::Command::CHECK
-                      : *geodesics ? Arguments::Command::GEODESICS
-                      : *compare   ? Arguments::Command::COMPARE
-                      : *segment   ? Arguments::Command::SEGMENT
-                      : *describe  ? Arguments::Command::DESCRIBE
-                                   : Arguments::Command::POSE;
+  using Command = Arguments::Command;
+  for(const auto& [parsed, command] :
+      {std::make_pair(pose, Command::POSE), std::make_pair(check, Command::CHECK),
+       std::make_pair(geodesics, Command::GEODESICS), std::make_pair(compare, Command::COMPARE),
+       std::make_pair(segment, Command::SEGMENT), std::make_pair(describe, Command::DESCRIBE),
+       std::make_pair(collection, Command::COLLECTION), std::make_pair(shape, Command::SHAPE),
+       std::make_pair(search, Command::SEARCH), std::make_pair(evaluate, Command::EVALUATE)})
+    if(*parsed)
+      arguments.command = command;
   return std::nullopt;
 }
 

@@ -22,7 +22,18 @@ namespace Canonical_pose_tool {
 // The parsed command line.
 struct Arguments
 {
-  enum class Command { POSE, CHECK, GEODESICS, COMPARE, SEGMENT, DESCRIBE };
+  enum class Command {
+    POSE,
+    CHECK,
+    GEODESICS,
+    COMPARE,
+    SEGMENT,
+    DESCRIBE,
+    COLLECTION,
+    SHAPE,
+    SEARCH,
+    EVALUATE
+  };
 
   Command command = Command::POSE;
   std::string input;
@@ -41,6 +52,20 @@ struct Arguments
   std::vector<std::string> descriptors; // names, of DESCRIBE
   std::string method = "consensus";     // this and the next: of SEGMENT
   std::size_t number_of_parts = 0;      // 0: automatic
+  // Of COLLECTION and its kin.
+  std::vector<std::string> inputs;
+  std::string database;
+  std::string pose_folder;
+  std::vector<std::string> pose_words; // the options of `pose` that were given, as words
+  std::string pose_options;            // the same as a text
+  bool is_segmented = false;
+  bool has_no_descriptor = false;
+  std::size_t number_of_workers = 0;
+  double time_limit = 3600, memory_limit = 0; // seconds, megabytes; 0: none
+  std::size_t number_of_answers = 10;
+  std::string classes; // file
+  std::string rerank;
+  std::string csv, plot;
   CGAL::Canonical_pose_3::Options options;
   bool quiet = false;
 };

@@ -63,8 +63,21 @@ int main(int argc, char* argv[])
       run_segment(arguments);
     else if(arguments.command == Arguments::Command::DESCRIBE)
       run_describe(arguments);
-    else
+    else if(arguments.command == Arguments::Command::GEODESICS)
       run_geodesics(arguments);
+#ifdef CANONICAL_POSE_WITH_COLLECTIONS
+    else if(arguments.command == Arguments::Command::COLLECTION)
+      run_collection(arguments);
+    else if(arguments.command == Arguments::Command::SHAPE)
+      run_shape(arguments);
+    else if(arguments.command == Arguments::Command::SEARCH)
+      run_search(arguments);
+    else
+      run_evaluate(arguments);
+#else
+    else
+      throw std::runtime_error("collections are not available in this build, without SQLite");
+#endif
     if(!std::cout.flush())
       throw std::runtime_error("the standard output cannot be written");
     return EXIT_SUCCESS;

@@ -22,6 +22,10 @@ void run_geodesics(const Arguments& arguments);
 void run_compare(const Arguments& arguments);
 void run_segment(const Arguments& arguments);
 void run_describe(const Arguments& arguments);
+void run_collection(const Arguments& arguments);
+void run_shape(const Arguments& arguments);
+void run_search(const Arguments& arguments);
+void run_evaluate(const Arguments& arguments);
 
 } // namespace Canonical_pose_tool
 

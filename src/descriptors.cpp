@@ -26,7 +26,15 @@ namespace {
 template <class Model>
 Descriptor descriptor_of(const bool needs_pose)
 {
-  return {Model::name(), Model::version(), needs_pose, Model()};
+  const Model model;
+  return {Model::name(),
+          Model::version(),
+          needs_pose,
+          model,
+          static_cast<Eigen::Index>(model.size()),
+          [model](const Eigen::VectorXd& query, const Eigen::MatrixXd& others) {
+            return model.distances(query, others);
+          }};
 }
 
 std::vector<Descriptor> all_descriptors()

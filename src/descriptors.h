@@ -30,6 +30,10 @@ struct Descriptor
   std::function<Eigen::VectorXd(const CGAL::Canonical_pose_3::Point_matrix& points,
                                 const std::vector<std::vector<std::size_t>>& polygons)>
     values;
+  Eigen::Index size; // of the values
+  // The distances of a query to the columns of a matrix.
+  std::function<Eigen::VectorXd(const Eigen::VectorXd& query, const Eigen::MatrixXd& others)>
+    distances;
 };
 
 // All descriptors, or those with the given names. Throws std::invalid_argument if a name is unknown,

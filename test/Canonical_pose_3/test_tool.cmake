@@ -85,6 +85,7 @@ expect_refusal("PLY holds faces of at most 255 corners, but face 1 has 256 corne
 include(${CMAKE_CURRENT_LIST_DIR}/test_tool_outputs.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/test_tool_segment.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/test_tool_describe.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/test_tool_collection.cmake)
 run_tool(pose ball.off -o out/a.off --body tetgen)
 if(stderr MATCHES "without TetGen")
   message(STATUS "The tool was built without TetGen: it is not tested that TetGen is spared dirty surfaces")

@@ -1,0 +1,333 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#include "Collection_database.h"
+
+#include <sqlite3.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <map>
+#include <stdexcept>
+
+namespace Canonical_pose_tool {
+
+namespace {
+
+// The identification of the files of this tool, and of their tables.
+constexpr int APPLICATION = 0x43506f33, TABLES = 1;
+
+const char* const create_tables = R"(
+CREATE TABLE shape(
+  id INTEGER PRIMARY KEY, path TEXT NOT NULL UNIQUE, checksum TEXT NOT NULL, options TEXT NOT NULL,
+  version TEXT NOT NULL, outcome TEXT NOT NULL, message TEXT NOT NULL, report TEXT NOT NULL,
+  has_pose INTEGER NOT NULL, parts BLOB NOT NULL, seconds REAL NOT NULL, time_limit REAL NOT NULL,
+  memory_limit REAL NOT NULL);
+CREATE TABLE descriptor(
+  shape INTEGER NOT NULL REFERENCES shape(id) ON DELETE CASCADE, name TEXT NOT NULL,
+  version INTEGER NOT NULL, "values" BLOB NOT NULL, PRIMARY KEY(shape, name));
+)";
+
+constexpr std::array<Outcome, 5> all_outcomes
+  = {Outcome::DONE, Outcome::REFUSED, Outcome::CRASHED, Outcome::TIMED_OUT, Outcome::OUT_OF_MEMORY};
+
+Outcome outcome_of(const std::string& name)
+{
+  const auto found = std::find_if(all_outcomes.begin(), all_outcomes.end(),
+                                  [&](const Outcome outcome) { return name_of(outcome) == name; });
+  if(found == all_outcomes.end())
+    throw std::runtime_error("the database has an unknown outcome '" + name + "'");
+  return *found;
+}
+
+[[noreturn]] void fail(sqlite3* database, const std::string& path)
+{
+  if(database && sqlite3_errcode(database) == SQLITE_NOTADB)
+    throw std::runtime_error("'" + path + "' is not a collection of this program");
+  throw std::runtime_error("the database '" + path
+                           + "': " + (database ? sqlite3_errmsg(database) : "out of memory"));
+}
+
+// A prepared statement.
+class Statement
+{
+public:
+  Statement(sqlite3* database, const std::string& path, const std::string& sql)
+    : m_database(database), m_path(path)
+  {
+    if(sqlite3_prepare_v2(database, sql.c_str(), -1, &m_statement, nullptr) != SQLITE_OK)
+      fail(database, path);
+  }
+  Statement(const Statement&) = delete;
+  Statement& operator=(const Statement&) = delete;
+  ~Statement() { sqlite3_finalize(m_statement); }
+
+  Statement& bind(const std::string& text)
+  {
+    return check(sqlite3_bind_text(m_statement, ++m_bound, text.data(),
+                                   static_cast<int>(text.size()), SQLITE_TRANSIENT));
+  }
+  Statement& bind(const double number)
+  {
+    return check(sqlite3_bind_double(m_statement, ++m_bound, number));
+  }
+  Statement& bind(const std::int64_t number)
+  {
+    return check(sqlite3_bind_int64(m_statement, ++m_bound, number));
+  }
+  Statement& bind_blob(const void* data, const std::size_t size)
+  {
+    return check(size == 0
+                   ? sqlite3_bind_zeroblob(m_statement, ++m_bound, 0)
+                   : sqlite3_bind_blob64(m_statement, ++m_bound, data, size, SQLITE_TRANSIENT));
+  }
+
+  // Returns whether there is another row.
+  bool step()
+  {
+    const int code = sqlite3_step(m_statement);
+    if(code != SQLITE_ROW && code != SQLITE_DONE)
+      fail(m_database, m_path);
+    return code == SQLITE_ROW;
+  }
+
+  std::string text(const int column)
+  {
+    const auto* const data = sqlite3_column_text(m_statement, column);
+    return data ? std::string(reinterpret_cast<const char*>(data),
+                              static_cast<std::size_t>(sqlite3_column_bytes(m_statement, column)))
+                : std::string();
+  }
+  double number(const int column) { return sqlite3_column_double(m_statement, column); }
+  std::int64_t integer(const int column) { return sqlite3_column_int64(m_statement, column); }
+
+  // Copies a blob of that size. Returns whether it has this size.
+  bool copy_blob(const int column, void* destination, const std::size_t size)
+  {
+    const void* const data = sqlite3_column_blob(m_statement, column);
+    if(static_cast<std::size_t>(sqlite3_column_bytes(m_statement, column)) != size)
+      return false;
+    if(size > 0)
+      std::memcpy(destination, data, size);
+    return true;
+  }
+
+private:
+  Statement& check(const int code)
+  {
+    if(code != SQLITE_OK)
+      fail(m_database, m_path);
+    return *this;
+  }
+
+  sqlite3* m_database;
+  const std::string& m_path;
+  sqlite3_stmt* m_statement = nullptr;
+  int m_bound = 0;
+};
+
+} // namespace
+
+std::string name_of(const Outcome outcome)
+{
+  switch(outcome)
+  {
+  case Outcome::DONE:
+    return "done";
+  case Outcome::REFUSED:
+    return "refused";
+  case Outcome::TIMED_OUT:
+    return "time limit";
+  case Outcome::OUT_OF_MEMORY:
+    return "out of memory";
+  default:
+    return "crashed";
+  }
+}
+
+void Collection_database::Close::operator()(sqlite3* database) const { sqlite3_close(database); }
+
+Collection_database::Collection_database(const std::string& path, const bool is_writable)
+  : m_path(path)
+{
+  sqlite3* database = nullptr;
+  const int code = sqlite3_open_v2(
+    path.c_str(), &database,
+    is_writable ? SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE : SQLITE_OPEN_READONLY, nullptr);
+  m_database.reset(database);
+  if(code != SQLITE_OK)
+    fail(database, path);
+  constexpr int milliseconds_to_wait = 10000;
+  sqlite3_busy_timeout(database, milliseconds_to_wait);
+  const auto pragma = [&](const std::string& name) {
+    Statement statement(database, m_path, "PRAGMA " + name);
+    return statement.step() ? statement.integer(0) : 0;
+  };
+  const std::int64_t application = pragma("application_id"), tables = pragma("user_version"),
+                     number_of_pages = pragma("page_count");
+  if(number_of_pages == 0 && is_writable)
+  {
+    execute("BEGIN IMMEDIATE");
+    execute(create_tables);
+    execute(("PRAGMA application_id = " + std::to_string(APPLICATION)).c_str());
+    execute(("PRAGMA user_version = " + std::to_string(TABLES)).c_str());
+    execute("COMMIT");
+  }
+  else if(application != APPLICATION)
+    throw std::runtime_error("'" + path + "' is not a collection of this program");
+  else if(tables != TABLES)
+    throw std::runtime_error("'" + path + "' was written by another version of this program");
+  execute("PRAGMA foreign_keys = ON");
+}
+
+void Collection_database::execute(const char* const sql)
+{
+  if(sqlite3_exec(m_database.get(), sql, nullptr, nullptr, nullptr) != SQLITE_OK)
+    fail(m_database.get(), m_path);
+}
+
+std::optional<Shape_row> Collection_database::row_of(const std::string& path)
+{
+  Statement statement(m_database.get(), m_path,
+                      "SELECT checksum, options, version, outcome, message, has_pose, "
+                      "length(parts), time_limit, memory_limit, id FROM shape WHERE path = ?");
+  if(!statement.bind(path).step())
+    return std::nullopt;
+  Shape_row row;
+  row.key = {path, statement.text(0), statement.text(1), statement.text(2)};
+  row.outcome = outcome_of(statement.text(3));
+  row.message = statement.text(4);
+  row.has_pose = statement.integer(5) != 0;
+  row.parts.resize(static_cast<std::size_t>(statement.integer(6)) / sizeof(int));
+  row.time_limit = statement.number(7);
+  row.memory_limit = statement.number(8);
+  Statement descriptors(m_database.get(), m_path,
+                        "SELECT name, version FROM descriptor WHERE shape = ? ORDER BY name");
+  descriptors.bind(statement.integer(9));
+  while(descriptors.step())
+    row.descriptors.push_back(
+      {descriptors.text(0), static_cast<int>(descriptors.integer(1)), Eigen::VectorXd()});
+  return row;
+}
+
+void Collection_database::write(const Shape_row& row)
+{
+  execute("BEGIN IMMEDIATE");
+  try
+  {
+    const std::optional<Shape_row> before = row_of(row.key.path);
+    if(before && (!(before->key == row.key) || row.outcome != Outcome::DONE))
+      Statement(m_database.get(), m_path, "DELETE FROM shape WHERE path = ?")
+        .bind(row.key.path)
+        .step();
+    Statement(m_database.get(), m_path,
+              "INSERT INTO shape(path, checksum, options, version, outcome, message, report, "
+              "has_pose, parts, seconds, time_limit, memory_limit) "
+              "VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?) ON CONFLICT(path) DO UPDATE SET "
+              "outcome = excluded.outcome, message = excluded.message, report = excluded.report, "
+              "has_pose = has_pose OR excluded.has_pose, "
+              "parts = iif(length(excluded.parts) > 0, excluded.parts, parts), "
+              "seconds = excluded.seconds, time_limit = excluded.time_limit, "
+              "memory_limit = excluded.memory_limit")
+      .bind(row.key.path)
+      .bind(row.key.checksum)
+      .bind(row.key.options)
+      .bind(row.key.version)
+      .bind(name_of(row.outcome))
+      .bind(row.message)
+      .bind(row.report)
+      .bind(static_cast<std::int64_t>(row.has_pose))
+      .bind_blob(row.parts.data(), row.parts.size() * sizeof(int))
+      .bind(row.seconds)
+      .bind(row.time_limit)
+      .bind(row.memory_limit)
+      .step();
+    for(const Descriptor_values& descriptor : row.descriptors)
+      Statement(m_database.get(), m_path,
+                "INSERT OR REPLACE INTO descriptor(shape, name, version, \"values\") "
+                "SELECT id, ?, ?, ? FROM shape WHERE path = ?")
+        .bind(descriptor.name)
+        .bind(static_cast<std::int64_t>(descriptor.version))
+        .bind_blob(descriptor.values.data(),
+                   static_cast<std::size_t>(descriptor.values.size()) * sizeof(double))
+        .bind(row.key.path)
+        .step();
+    execute("COMMIT");
+  }
+  catch(...)
+  {
+    sqlite3_exec(m_database.get(), "ROLLBACK", nullptr, nullptr, nullptr);
+    throw;
+  }
+}
+
+std::vector<std::pair<std::string, int>> Collection_database::descriptors()
+{
+  Statement statement(m_database.get(), m_path,
+                      "SELECT DISTINCT name, version FROM descriptor ORDER BY name, version");
+  std::vector<std::pair<std::string, int>> result;
+  while(statement.step())
+    result.emplace_back(statement.text(0), static_cast<int>(statement.integer(1)));
+  return result;
+}
+
+std::vector<std::string> Collection_database::options()
+{
+  Statement statement(m_database.get(), m_path,
+                      "SELECT DISTINCT options FROM shape WHERE outcome = 'done' ORDER BY options");
+  std::vector<std::string> result;
+  while(statement.step())
+    result.push_back(statement.text(0));
+  return result;
+}
+
+Described_collection Collection_database::values(const std::vector<Requested_descriptor>& requested,
+                                                 const std::optional<std::string>& options)
+{
+  // One pass per descriptor; then the shapes that have them all.
+  std::map<std::string, std::vector<Eigen::VectorXd>> values_of;
+  for(std::size_t k = 0; k < requested.size(); ++k)
+  {
+    Statement statement(m_database.get(), m_path,
+                        "SELECT path, \"values\" FROM descriptor JOIN shape ON shape.id = shape "
+                        "WHERE name = ? AND descriptor.version = ?"
+                          + std::string(options ? " AND options = ?" : ""));
+    statement.bind(requested[k].name).bind(static_cast<std::int64_t>(requested[k].version));
+    if(options)
+      statement.bind(*options);
+    while(statement.step())
+    {
+      const std::string path = statement.text(0);
+      Eigen::VectorXd values(requested[k].size);
+      if(!statement.copy_blob(1, values.data(),
+                              static_cast<std::size_t>(values.size()) * sizeof(double))
+         || !values.allFinite())
+        throw std::runtime_error("the database '" + m_path + "' has wrong values of "
+                                 + requested[k].name + " for '" + path + "'");
+      std::vector<Eigen::VectorXd>& of_shape = values_of[path];
+      if(of_shape.size() == k)
+        of_shape.push_back(std::move(values));
+    }
+  }
+  Described_collection result;
+  for(const auto& [path, values] : values_of)
+    if(values.size() == requested.size())
+      result.paths.push_back(path);
+  for(std::size_t k = 0; k < requested.size(); ++k)
+  {
+    result.values.emplace_back(requested[k].size, static_cast<Eigen::Index>(result.paths.size()));
+    for(std::size_t i = 0; i < result.paths.size(); ++i)
+      result.values.back().col(static_cast<Eigen::Index>(i)) = values_of[result.paths[i]][k];
+  }
+  return result;
+}
+
+} // namespace Canonical_pose_tool

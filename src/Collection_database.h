@@ -1,0 +1,119 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_TOOL_COLLECTION_DATABASE_H
+#define CGAL_CANONICAL_POSE_3_TOOL_COLLECTION_DATABASE_H
+
+#include <Eigen/Core>
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+struct sqlite3;
+
+namespace Canonical_pose_tool {
+
+// How it ended for a shape.
+enum class Outcome { DONE, REFUSED, CRASHED, TIMED_OUT, OUT_OF_MEMORY };
+
+std::string name_of(Outcome outcome);
+
+// What the values of a shape depend on.
+struct Shape_key
+{
+  std::string path;     // absolute
+  std::string checksum; // of the file
+  std::string options;
+  std::string version; // of the tool
+
+  bool operator==(const Shape_key& other) const
+  {
+    return path == other.path && checksum == other.checksum && options == other.options
+           && version == other.version;
+  }
+};
+
+struct Descriptor_values
+{
+  std::string name;
+  int version;
+  Eigen::VectorXd values;
+};
+
+// A row of the table of shapes.
+struct Shape_row
+{
+  Shape_key key;
+  Outcome outcome = Outcome::DONE;
+  std::string message; // of a refusal
+  std::string report;  // JSON; empty unless DONE
+  bool has_pose = false;
+  std::vector<int> parts; // of the faces; empty if not requested
+  double seconds = 0;
+  double time_limit = 0, memory_limit = 0; // at that time; 0: none
+  std::vector<Descriptor_values> descriptors;
+};
+
+// A descriptor of all shapes that have it, in the order of their paths; a column per shape.
+struct Described_collection
+{
+  std::vector<std::string> paths;
+  std::vector<Eigen::MatrixXd> values; // per requested descriptor
+};
+
+// The shapes of a collection in a file of SQLite. Each change is a transaction, so that the file is
+// whole at any time. All functions throw std::runtime_error if SQLite fails.
+class Collection_database
+{
+public:
+  // Creates the file if `is_writable` and it does not exist. Throws std::runtime_error if it cannot be
+  // opened, or is not a database of this tool.
+  Collection_database(const std::string& path, bool is_writable);
+
+  // Returns the row of a shape, without report, parts and values of the descriptors.
+  std::optional<Shape_row> row_of(const std::string& path);
+
+  // Replaces the row of a shape. Descriptors that are there already are kept if the key is the same.
+  void write(const Shape_row& row);
+
+  // Returns name and version of each descriptor that a shape has.
+  std::vector<std::pair<std::string, int>> descriptors();
+
+  // Returns the options under which shapes were described.
+  std::vector<std::string> options();
+
+  // Returns the shapes, described under these options (any, if there are none), that have all
+  // the descriptors, given by name, version and size.
+  struct Requested_descriptor
+  {
+    std::string name;
+    int version;
+    Eigen::Index size;
+  };
+  Described_collection values(const std::vector<Requested_descriptor>& requested,
+                              const std::optional<std::string>& options);
+
+private:
+  struct Close
+  {
+    void operator()(sqlite3* database) const;
+  };
+
+  void execute(const char* sql);
+
+  std::string m_path;
+  std::unique_ptr<sqlite3, Close> m_database;
+};
+
+} // namespace Canonical_pose_tool
+
+#endif // CGAL_CANONICAL_POSE_3_TOOL_COLLECTION_DATABASE_H

@@ -1,0 +1,109 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#include "described_collection.h"
+#include "Mesh_file.h"
+#include "Report.h"
+#include "describe_shape.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <stdexcept>
+
+namespace Canonical_pose_tool {
+
+namespace {
+
+// "NAME" or "NAME:WEIGHT"
+double take_weight(std::string& name)
+{
+  const std::size_t colon = name.rfind(':');
+  if(colon == std::string::npos)
+    return 1;
+  char* end = nullptr;
+  const std::string text = name.substr(colon + 1);
+  const double weight = std::strtod(text.c_str(), &end);
+  if(text.empty() || *end != '\0' || !(weight > 0) || !std::isfinite(weight))
+    throw std::invalid_argument("'" + text + "' is not a positive weight of "
+                                + name.substr(0, colon));
+  name.erase(colon);
+  return weight;
+}
+
+} // namespace
+
+std::string name_of_options(const std::string& options)
+{
+  return options.empty() ? "the default options" : "'" + options + "'";
+}
+
+std::vector<Weighted_descriptor> chosen_descriptors(const Arguments& arguments,
+                                                    Collection_database& database)
+{
+  std::vector<Weighted_descriptor> result;
+  if(arguments.descriptors.empty())
+  {
+    const auto stored = database.descriptors();
+    for(Descriptor& descriptor : descriptors({}))
+      if(std::find(stored.begin(), stored.end(),
+                   std::make_pair(descriptor.name, descriptor.version))
+         != stored.end())
+        result.push_back({std::move(descriptor), 1});
+    if(result.empty())
+      throw std::invalid_argument("the database '" + arguments.database
+                                  + "' has no described shape");
+  }
+  for(std::string name : arguments.descriptors)
+  {
+    const double weight = take_weight(name);
+    if(std::any_of(result.begin(), result.end(),
+                   [&](const Weighted_descriptor& w) { return w.descriptor.name == name; }))
+      throw std::invalid_argument("the descriptor '" + name + "' is given twice");
+    result.push_back({descriptors({name}).front(), weight});
+  }
+  return result;
+}
+
+Described_collection values_of(Collection_database& database,
+                               const std::vector<Weighted_descriptor>& chosen,
+                               const std::optional<std::string>& options)
+{
+  std::vector<Collection_database::Requested_descriptor> requested;
+  std::string names;
+  for(const Weighted_descriptor& weighted : chosen)
+  {
+    const Descriptor& d = weighted.descriptor;
+    requested.push_back({d.name, d.version, d.size});
+    names += (names.empty() ? "" : ", ") + d.name;
+  }
+  Described_collection result = database.values(requested, options);
+  if(result.paths.empty())
+  {
+    std::string message = "the database has no shape with " + names;
+    if(options)
+      message += " under " + name_of_options(*options);
+    for(const std::string& other : database.options())
+      if(options && other != *options)
+        message += ", but some under " + name_of_options(other);
+    throw std::invalid_argument(message);
+  }
+  return result;
+}
+
+std::vector<Described_shape> described_shape(const Arguments& arguments,
+                                             const std::vector<Weighted_descriptor>& chosen)
+{
+  std::vector<Descriptor> all;
+  for(const Weighted_descriptor& weighted : chosen)
+    all.push_back(weighted.descriptor);
+  return describe_shape(read_mesh_file(arguments.input), all, arguments).descriptors;
+}
+
+} // namespace Canonical_pose_tool

@@ -1,0 +1,50 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_TOOL_DESCRIBED_COLLECTION_H
+#define CGAL_CANONICAL_POSE_3_TOOL_DESCRIBED_COLLECTION_H
+
+#include "Collection_database.h"
+#include "Command_line.h"
+#include "Report.h"
+#include "descriptors.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace Canonical_pose_tool {
+
+struct Weighted_descriptor
+{
+  Descriptor descriptor;
+  double weight;
+};
+
+// How messages name the options of `pose`.
+std::string name_of_options(const std::string& options);
+
+// The requested descriptors, or those that the database has. Throws std::invalid_argument if there is
+// none, or one has a wrong name or weight.
+std::vector<Weighted_descriptor> chosen_descriptors(const Arguments& arguments,
+                                                    Collection_database& database);
+
+// The shapes that have all these descriptors, described under these options, if given. Throws
+// std::invalid_argument if there is none.
+Described_collection values_of(Collection_database& database,
+                               const std::vector<Weighted_descriptor>& chosen,
+                               const std::optional<std::string>& options);
+
+// The values of the input.
+std::vector<Described_shape> described_shape(const Arguments& arguments,
+                                             const std::vector<Weighted_descriptor>& chosen);
+
+} // namespace Canonical_pose_tool
+
+#endif // CGAL_CANONICAL_POSE_3_TOOL_DESCRIBED_COLLECTION_H
