@@ -186,29 +186,35 @@ void with_mpi(const std::function<void(const Run_jobs&)>& on_first_rank)
 {
   if(!is_started_by_mpi())
     return on_first_rank(Run_jobs());
-  const mpi::environment environment;
-  const mpi::communicator world;
-  if(world.size() == 1)
-    return on_first_rank(Run_jobs());
-  if(world.rank() != 0)
-    return work(world);
-  Ranks ranks(world);
-  try
+  // The environment must not end by an exception, or MPI kills all ranks.
+  std::exception_ptr failure;
   {
-    on_first_rank(
-      [&](const std::vector<Shape_job>& jobs, const Job_ended& ended) { ranks.run(jobs, ended); });
-  }
-  catch(const std::exception& error)
-  {
-    if(!ranks.is_one_running())
+    const mpi::environment environment;
+    const mpi::communicator world;
+    Ranks ranks(world);
+    try
     {
-      ranks.dismiss();
-      throw;
+      if(world.rank() != 0)
+        work(world);
+      else
+        on_first_rank(world.size() == 1 ? Run_jobs()
+                                        : [&](const std::vector<Shape_job>& jobs,
+                                              const Job_ended& ended) { ranks.run(jobs, ended); });
     }
-    std::cerr << "canonical-pose: " << error.what() << '\n';
-    mpi::environment::abort(EXIT_FAILURE);
+    catch(const std::exception& error)
+    {
+      failure = std::current_exception();
+      if(world.rank() != 0 || ranks.is_one_running())
+      {
+        std::cerr << "canonical-pose: " << error.what() << '\n';
+        mpi::environment::abort(EXIT_FAILURE);
+      }
+    }
+    if(world.rank() == 0)
+      ranks.dismiss();
   }
-  ranks.dismiss();
+  if(failure)
+    std::rethrow_exception(failure);
 }
 
 #else
