@@ -32,7 +32,7 @@ Descriptor descriptor_of(const bool needs_pose)
           needs_pose,
           model,
           static_cast<Eigen::Index>(model.size()),
-          [model](const Eigen::VectorXd& query, const Eigen::MatrixXd& others) {
+          [model](const Eigen::VectorXd& query, const Eigen::Ref<const Eigen::MatrixXd>& others) {
             return model.distances(query, others);
           }};
 }

@@ -32,7 +32,8 @@ struct Descriptor
     values;
   Eigen::Index size; // of the values
   // The distances of a query to the columns of a matrix.
-  std::function<Eigen::VectorXd(const Eigen::VectorXd& query, const Eigen::MatrixXd& others)>
+  std::function<Eigen::VectorXd(const Eigen::VectorXd& query,
+                                const Eigen::Ref<const Eigen::MatrixXd>& others)>
     distances;
 };
 

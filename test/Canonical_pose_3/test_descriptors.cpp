@@ -268,7 +268,8 @@ struct Height
   {
     return Eigen::VectorXd::Constant(1, points.col(2).maxCoeff() - points.col(2).minCoeff());
   }
-  static Eigen::VectorXd distances(const Eigen::VectorXd& query, const Eigen::MatrixXd& others)
+  static Eigen::VectorXd distances(const Eigen::VectorXd& query,
+                                   const Eigen::Ref<const Eigen::MatrixXd>& others)
   {
     return (others.row(0).array() - query[0]).abs().transpose();
   }

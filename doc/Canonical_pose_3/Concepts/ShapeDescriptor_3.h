@@ -42,7 +42,8 @@ public:
   /// returns the distances of a shape to others.
   /// \param query the values of a shape.
   /// \param others the values of other shapes, a column each.
-  Eigen::VectorXd distances(const Eigen::VectorXd& query, const Eigen::MatrixXd& others) const;
+  Eigen::VectorXd distances(const Eigen::VectorXd& query,
+                            const Eigen::Ref<const Eigen::MatrixXd>& others) const;
 
   /// @}
 };

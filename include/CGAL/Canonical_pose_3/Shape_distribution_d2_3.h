@@ -90,7 +90,8 @@ public:
   }
 
   /// returns the distances of `query` to the columns of `others`: sums of absolute differences.
-  static Eigen::VectorXd distances(const Eigen::VectorXd& query, const Eigen::MatrixXd& others)
+  static Eigen::VectorXd distances(const Eigen::VectorXd& query,
+                                   const Eigen::Ref<const Eigen::MatrixXd>& others)
   {
     return (others.colwise() - query).cwiseAbs().colwise().sum().transpose();
   }

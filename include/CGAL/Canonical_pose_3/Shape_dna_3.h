@@ -75,7 +75,8 @@ public:
   }
 
   /// returns the distances of `query` to the columns of `others`: Euclidean ones.
-  static Eigen::VectorXd distances(const Eigen::VectorXd& query, const Eigen::MatrixXd& others)
+  static Eigen::VectorXd distances(const Eigen::VectorXd& query,
+                                   const Eigen::Ref<const Eigen::MatrixXd>& others)
   {
     return (others.colwise() - query).colwise().norm().transpose();
   }

@@ -89,7 +89,8 @@ public:
 
   /// returns the distances of `query` to the columns of `others`: sums of absolute differences, the
   /// least one over the 48 positions.
-  static Eigen::VectorXd distances(const Eigen::VectorXd& query, const Eigen::MatrixXd& others)
+  static Eigen::VectorXd distances(const Eigen::VectorXd& query,
+                                   const Eigen::Ref<const Eigen::MatrixXd>& others)
   {
     constexpr Eigen::Index size = internal::Zernike_basis::SIZE;
     const std::vector<std::array<Eigen::Index, NUMBER_OF_VIEWS>> positions
