@@ -60,21 +60,31 @@ inline Mesh_file with_points(Mesh_file file, const Point_matrix& points)
 
 inline Tetrahedra tetrahedra_of(const Mesh_file& file) { return {points_of(file), file.cells}; }
 
-// The boundary of a tetrahedral mesh as a surface.
-inline Mesh_file boundary_of(const Mesh_file& file)
+// The boundary of a tetrahedral mesh as a surface, and the index of each of its vertices in the mesh.
+inline Mesh_file boundary_of(const Mesh_file& file, std::vector<std::size_t>& origins_of_vertices)
 {
   Surface surface;
   auto origins = surface.add_property_map<Surface::Vertex_index, std::size_t>("v:origin").first;
   CGAL::Canonical_pose_3::extract_boundary(tetrahedra_of(file), surface, origins);
   Mesh_file boundary;
+  origins_of_vertices.clear();
   for(const Surface::Vertex_index v : surface.vertices())
+  {
     boundary.points.push_back(file.points[origins[v]]);
+    origins_of_vertices.push_back(origins[v]);
+  }
   for(const Surface::Face_index f : surface.faces())
   {
     const auto corners = CGAL::vertices_around_face(surface.halfedge(f), surface);
     boundary.faces.emplace_back(corners.begin(), corners.end());
   }
   return boundary;
+}
+
+inline Mesh_file boundary_of(const Mesh_file& file)
+{
+  std::vector<std::size_t> origins;
+  return boundary_of(file, origins);
 }
 
 inline CGAL::Canonical_pose_3::Diagnosis_3 diagnosis_of(const Mesh_file& file)

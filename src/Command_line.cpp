@@ -138,7 +138,7 @@ void add_input(CLI::App& command, Arguments& arguments)
 {
   command
     .add_option("INPUT", arguments.input,
-                "surface (.off, .obj, .ply, .stl) or tetrahedral mesh (MEDIT, .mesh)")
+                "surface (.off, .obj, .ply, .stl, .glb, .gltf) or tetrahedral mesh (MEDIT, .mesh)")
     ->required();
 }
 
@@ -255,6 +255,10 @@ void add_pose(CLI::App& command, Arguments& arguments, Raw_arguments& raw)
   command.add_option("--target", arguments.target, "write the target of the registration, too")
     ->check(path());
   command
+    .add_option("--scene", arguments.scene,
+                "write input, target and pose in one file, with an animation (.glb), too")
+    ->check(path());
+  command
     .add_option("--matching-weights", arguments.matching_weights,
                 "file of factors of the matching weights, one per vertex")
     ->check(path());
@@ -284,8 +288,9 @@ void add_segment(CLI::App& command, Arguments& arguments, Raw_arguments& raw)
 {
   add_input(command, arguments);
   command
-    .add_option("-o,--output", arguments.output,
-                "the parts: numbers of the faces (.txt), colors (.ply), or a file each (folder/)")
+    .add_option(
+      "-o,--output", arguments.output,
+      "the parts: numbers of the faces (.txt), colors (.ply, .glb), or a file each (folder/)")
     ->required()
     ->check(path());
   command.add_option("--parts", raw.parts, "number of parts: a positive number, or auto")
@@ -444,7 +449,7 @@ void add_geodesics(CLI::App& command, Arguments& arguments)
     ->allow_extra_args(false);
   command
     .add_option("-o,--output", arguments.output,
-                "the distances: a line per vertex, a column per source")
+                "the distances: a line per vertex, a column per source; or colors (.ply, .glb)")
     ->required()
     ->check(path());
   add_common(command, arguments);
@@ -568,12 +573,18 @@ std::optional<int> parse_command_line(const int argc, char* argv[], Arguments& a
 void check_formats(const Arguments& arguments)
 {
   const bool is_tetrahedral = format_of(arguments.input) == Format::MEDIT;
-  if(is_tetrahedral != (format_of(arguments.output) == Format::MEDIT))
-    throw std::invalid_argument(is_tetrahedral
-                                  ? "the pose of a tetrahedral mesh (.mesh) has to be one, too"
-                                  : "the pose of a surface cannot be a tetrahedral mesh (.mesh)");
-  if(!arguments.target.empty() && format_of(arguments.target) == Format::MEDIT)
-    throw std::invalid_argument("the target is a surface and cannot be a tetrahedral mesh (.mesh)");
+  const auto holds_tetrahedra = [](const std::string& path) {
+    return format_of(path) == Format::MEDIT || format_of(path) == Format::VTU;
+  };
+  if(is_tetrahedral != holds_tetrahedra(arguments.output))
+    throw std::invalid_argument(
+      is_tetrahedral ? "the pose of a tetrahedral mesh (.mesh) has to be one, too (.mesh, .vtu)"
+                     : "the pose of a surface cannot be a tetrahedral mesh (.mesh, .vtu)");
+  if(!arguments.target.empty() && holds_tetrahedra(arguments.target))
+    throw std::invalid_argument(
+      "the target is a surface and cannot be a tetrahedral mesh (.mesh, .vtu)");
+  if(!arguments.scene.empty() && format_of(arguments.scene) != Format::GLB)
+    throw std::invalid_argument("'" + arguments.scene + "' is not a .glb file");
   if(is_tetrahedral && arguments.body != "auto")
     throw std::invalid_argument("--body " + arguments.body
                                 + ": a tetrahedral mesh is its own body");

@@ -38,7 +38,8 @@ struct Arguments
   Command command = Command::POSE;
   std::string input;
   std::string output; // POSE, DISTANCES, or OUT of SEGMENT and DESCRIBE
-  std::string target; // this and the next five: empty if not requested
+  std::string target; // this and the next six: empty if not requested
+  std::string scene;
   std::string report;
   std::string matching_weights; // this and the next: files of numbers
   std::string stiffness;

@@ -54,24 +54,28 @@ std::string bytes_of_file(const std::string& path)
 
 Format format_of(const std::string& path)
 {
-  static const std::map<std::string, Format> formats = {{".off", Format::OFF},
-                                                        {".obj", Format::OBJ},
-                                                        {".ply", Format::PLY},
-                                                        {".stl", Format::STL},
-                                                        {".mesh", Format::MEDIT}};
+  static const std::map<std::string, Format> formats
+    = {{".off", Format::OFF},   {".obj", Format::OBJ},    {".ply", Format::PLY},
+       {".stl", Format::STL},   {".mesh", Format::MEDIT}, {".glb", Format::GLB},
+       {".gltf", Format::GLTF}, {".vtu", Format::VTU}};
   std::string extension = std::filesystem::path(path).extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](const unsigned char c) { return static_cast<char>(std::tolower(c)); });
   const auto found = formats.find(extension);
   if(found == formats.end())
-    throw std::invalid_argument("the extension of '" + path
-                                + "' is not one of .off, .obj, .ply, .stl, .mesh");
+    throw std::invalid_argument(
+      "the extension of '" + path
+      + "' is not one of .off, .obj, .ply, .stl, .mesh, .glb, .gltf, .vtu");
+  if((found->second == Format::GLB || found->second == Format::GLTF) && !is_gltf_available())
+    throw std::invalid_argument("'" + path + "' is glTF, but this program was built without it");
   return found->second;
 }
 
 Mesh_file read_mesh_file(const std::string& path)
 {
   const Format format = format_of(path);
+  if(format == Format::VTU)
+    throw std::invalid_argument("files of VTK (.vtu) are written, but not read");
   const std::string bytes = bytes_of_file(path);
   Mesh_file mesh;
   switch(format)
@@ -90,6 +94,12 @@ Mesh_file read_mesh_file(const std::string& path)
     break;
   case Format::MEDIT:
     read_medit(bytes, mesh);
+    break;
+  case Format::GLB:
+  case Format::GLTF:
+    read_gltf(bytes, path, mesh);
+    break;
+  case Format::VTU: // refused above
     break;
   }
   return mesh;

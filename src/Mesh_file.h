@@ -28,7 +28,7 @@ struct Mesh_file
   std::vector<long long> point_references, cell_references; // MEDIT's labels
 };
 
-enum class Format { OFF, OBJ, PLY, STL, MEDIT };
+enum class Format { OFF, OBJ, PLY, STL, MEDIT, GLB, GLTF, VTU };
 
 // Returns the format for the extension; throws std::invalid_argument if it is not supported.
 Format format_of(const std::string& path);
@@ -42,15 +42,11 @@ Mesh_file read_mesh_file(const std::string& path);
 // std::invalid_argument, which also names the file.
 std::vector<double> read_numbers(const std::string& path);
 
-// Throws std::invalid_argument if the format cannot represent the mesh.
+// Throws std::invalid_argument if the format is only read, or cannot represent the mesh.
 void check_format_holds(Format format, const Mesh_file& mesh);
 
 // Writes a mesh. Numbers in text have enough digits for the same numbers to be read.
 void write_mesh(std::ostream& out, Format format, const Mesh_file& mesh);
-
-// Writes a surface as PLY, with a color for each face that shows its part.
-void write_colored_ply(std::ostream& out, const Mesh_file& mesh,
-                       const std::vector<std::size_t>& part_of_face);
 
 } // namespace Canonical_pose_tool
 

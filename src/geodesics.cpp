@@ -11,6 +11,7 @@
 
 #include "Cgal_types.h"
 #include "Mesh_file.h"
+#include "shown_results.h"
 #include "Output_files.h"
 #include "commands.h"
 #include "exact_geodesics.h"
@@ -26,6 +27,7 @@ namespace Canonical_pose_tool {
 
 void run_geodesics(const Arguments& arguments)
 {
+  check_format_of_values(arguments.output);
   Output_files files({arguments.output});
   const Mesh_file input = read_mesh_file(arguments.input);
   if(input.is_tetrahedral)
@@ -35,6 +37,8 @@ void run_geodesics(const Arguments& arguments)
     matrix_of(points_of(input)), input.faces, arguments.sources, arguments.options,
     is_exact ? exact_distances : CGAL::Canonical_pose_3::Distances_function());
   files.write(arguments.output, [&](std::ostream& out) {
+    if(is_shown(arguments.output))
+      return write_shown(out, format_of(arguments.output), shown_distances(input, distances));
     out << distances.format(Eigen::IOFormat(17, Eigen::DontAlignCols, " ", "\n", "", "", "", "\n"));
   });
   files.commit();

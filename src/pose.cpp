@@ -17,6 +17,7 @@
 #include "commands.h"
 #include "compute_pose.h"
 #include "exact_geodesics.h"
+#include "shown_results.h"
 
 #include <Eigen/Core>
 
@@ -104,7 +105,7 @@ void run_pose(Arguments& arguments)
 {
   Stage_clock clock;
   check_formats(arguments);
-  Output_files files({arguments.output, arguments.target, arguments.report});
+  Output_files files({arguments.output, arguments.target, arguments.scene, arguments.report});
   say(arguments, "reading " + arguments.input);
   const Mesh_file input = read_mesh_file(arguments.input);
   check_format_holds(format_of(arguments.output), input);
@@ -128,11 +129,14 @@ void run_pose(Arguments& arguments)
 
   say(arguments, "writing " + arguments.output);
   files.write(arguments.output, [&](std::ostream& out) {
-    write_mesh(out, format_of(arguments.output), with_points(input, result.pose));
+    write_pose(out, format_of(arguments.output), input, result.pose);
   });
   files.write(arguments.target, [&](std::ostream& out) {
     const Mesh_file surface = input.is_tetrahedral ? boundary_of(input) : input;
     write_mesh(out, format_of(arguments.target), with_points(surface, *result.target));
+  });
+  files.write(arguments.scene, [&](std::ostream& out) {
+    write_glb(out, shown_pose(input, *result.target, result.pose));
   });
   summary.add_seconds("write", clock.lap());
   files.write(arguments.report,

@@ -25,6 +25,11 @@ void read_obj(const std::string& bytes, Mesh_file& mesh);
 void read_ply(const std::string& bytes, Mesh_file& mesh);
 void read_stl(const std::string& bytes, Mesh_file& mesh);
 void read_medit(const std::string& bytes, Mesh_file& mesh);
+// `path` is that of the file.
+void read_gltf(const std::string& bytes, const std::string& path, Mesh_file& mesh);
+
+// Whether this program was built with glTF.
+bool is_gltf_available();
 
 // Converts `index`, one of `n` vertices counted from `base`, to a count from 0. Throws if there is
 // no such vertex.

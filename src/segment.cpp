@@ -16,6 +16,7 @@
 #include "commands.h"
 #include "compute_pose.h"
 #include "exact_geodesics.h"
+#include "shown_results.h"
 
 #include <CGAL/Canonical_pose_3/consensus_segmentation.h>
 #include <CGAL/Canonical_pose_3/k_means_segmentation.h>
@@ -155,8 +156,8 @@ void write_parts(const Mesh_file& input, const std::vector<std::size_t>& parts,
       });
   else
     files.write(arguments.output, [&](std::ostream& out) {
-      if(!is_text(arguments.output))
-        write_colored_ply(out, input, parts);
+      if(is_shown(arguments.output))
+        write_shown(out, format_of(arguments.output), shown_parts(input, parts));
       else
         for(const std::size_t part : parts)
           out << part << '\n';
@@ -171,10 +172,12 @@ void write_parts(const Mesh_file& input, const std::vector<std::size_t>& parts,
 void run_segment(const Arguments& arguments)
 {
   Stage_clock clock;
-  if(!is_folder(arguments.output) && !is_text(arguments.output)
-     && std::filesystem::path(arguments.output).extension() != ".ply")
-    throw std::invalid_argument("'" + arguments.output
-                                + "' is neither a .txt nor a .ply file, nor a folder ending in /");
+  if(is_folder(arguments.output))
+    check_format_holds(format_of(arguments.input), Mesh_file());
+  else if(!is_text(arguments.output) && !is_shown(arguments.output))
+    throw std::invalid_argument(
+      "'" + arguments.output
+      + "' is neither a .txt nor a .ply nor a .glb file, nor a folder ending in /");
   // What cannot be written fails early.
   Output_folder folder(is_folder(arguments.output) ? arguments.output : std::string());
   Output_files({is_folder(arguments.output) ? std::string() : arguments.output, arguments.report});

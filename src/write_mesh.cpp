@@ -8,6 +8,8 @@
 // Author(s) : The Canonical_pose_3 authors
 
 #include "Mesh_file.h"
+#include "Shortest_numbers.h"
+#include "Shown_surface.h"
 
 #include <CGAL/IO/OBJ.h>
 #include <CGAL/IO/OFF.h>
@@ -15,12 +17,8 @@
 #include <CGAL/IO/STL.h>
 #include <CGAL/Simple_cartesian.h>
 
-#include <algorithm>
 #include <array>
-#include <charconv>
 #include <cstddef>
-#include <ios>
-#include <locale>
 #include <ostream>
 #include <stdexcept>
 #include <string>
@@ -29,44 +27,6 @@
 namespace Canonical_pose_tool {
 
 namespace {
-
-#ifdef __cpp_lib_to_chars // not in all libraries of C++17
-// Writes numbers with the fewest digits from which the same numbers are read, and in a fraction of
-// the time of 17 digits.
-class Shortest_numbers : public std::num_put<char>
-{
-  iter_type do_put(iter_type out, std::ios_base&, char_type, const double x) const override
-  {
-    std::array<char, 32> text;
-    return std::copy(text.data(), std::to_chars(text.data(), text.data() + text.size(), x).ptr,
-                     out);
-  }
-};
-#endif
-
-void use_shortest_numbers(std::ostream& out)
-{
-  out.precision(17);
-#ifdef __cpp_lib_to_chars
-  out.imbue(std::locale(out.getloc(), new Shortest_numbers));
-#endif
-}
-
-// Hues by the golden ratio, so that successive parts differ clearly; brighter and darker by turns.
-std::array<int, 3> color_of_part(const std::size_t part)
-{
-  const double hue = std::fmod(static_cast<double>(part) * 0.618033988749895, 1.);
-  const double value = part % 2 == 0 ? 230 : 170;
-  constexpr double phases[] = {0, 4, 2};
-  std::array<int, 3> color;
-  for(std::size_t k = 0; k < 3; ++k)
-  {
-    const double distance = std::abs(std::fmod(6 * hue + phases[k], 6.) - 3) - 1;
-    const double saturated = (std::min)((std::max)(distance, 0.), 1.);
-    color[k] = static_cast<int>(value * (.25 + .75 * saturated));
-  }
-  return color;
-}
 
 void write_medit(std::ostream& out, const Mesh_file& mesh)
 {
@@ -91,6 +51,8 @@ void write_medit(std::ostream& out, const Mesh_file& mesh)
 
 void check_format_holds(const Format format, const Mesh_file& mesh)
 {
+  if(format == Format::GLTF)
+    throw std::invalid_argument("files .gltf are read, but not written; choose .glb");
   const std::size_t most_corners_of_ply = 255; // CGAL writes their number as a byte
   for(std::size_t f = 0; f < mesh.faces.size(); ++f)
   {
@@ -105,35 +67,20 @@ void check_format_holds(const Format format, const Mesh_file& mesh)
   }
 }
 
-void write_colored_ply(std::ostream& out, const Mesh_file& mesh,
-                       const std::vector<std::size_t>& part_of_face)
-{
-  check_format_holds(Format::PLY, mesh);
-  use_shortest_numbers(out);
-  out << "ply\nformat ascii 1.0\nelement vertex " << mesh.points.size()
-      << "\nproperty double x\nproperty double y\nproperty double z\nelement face "
-      << mesh.faces.size()
-      << "\nproperty list uchar int vertex_indices\nproperty uchar red\nproperty uchar green"
-         "\nproperty uchar blue\nproperty int part\nend_header\n";
-  for(const std::array<double, 3>& p : mesh.points)
-    out << p[0] << ' ' << p[1] << ' ' << p[2] << '\n';
-  for(std::size_t f = 0; f < mesh.faces.size(); ++f)
-  {
-    out << mesh.faces[f].size();
-    for(const std::size_t v : mesh.faces[f])
-      out << ' ' << v;
-    for(const int c : color_of_part(part_of_face[f]))
-      out << ' ' << c;
-    out << ' ' << part_of_face[f] << '\n';
-  }
-}
-
 void write_mesh(std::ostream& out, const Format format, const Mesh_file& mesh)
 {
   using Point = CGAL::Simple_cartesian<double>::Point_3;
   use_shortest_numbers(out);
   if(format == Format::MEDIT)
     return write_medit(out, mesh);
+  if(format == Format::VTU)
+    return write_vtu(out, mesh, {});
+  if(format == Format::GLB)
+  {
+    Shown_surface surface;
+    surface.mesh = mesh;
+    return write_glb(out, surface);
+  }
   std::vector<Point> points;
   for(const std::array<double, 3>& p : mesh.points)
     points.emplace_back(p[0], p[1], p[2]);

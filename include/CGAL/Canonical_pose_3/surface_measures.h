@@ -75,6 +75,31 @@ Eigen::VectorXd vertex_area_shares(const TriangleMesh& tmesh, VertexPointMap ver
                             internal::index_triangles(tmesh));
 }
 
+namespace internal {
+
+// Calls f(v, w) for each pair of corners of elements (triangles, tetrahedra), once per pair.
+template <std::size_t N, class Function>
+void for_each_edge(const std::size_t number_of_vertices,
+                   const std::vector<std::array<std::size_t, N>>& elements, const Function& f)
+{
+  Buckets<std::size_t> larger_ends(number_of_vertices, [&](const auto& put) {
+    for(const std::array<std::size_t, N>& element : elements)
+      for(std::size_t i = 1; i < N; ++i)
+        for(std::size_t j = 0; j < i; ++j)
+          put((std::min)(element[i], element[j]), (std::max)(element[i], element[j]));
+  });
+  for(std::size_t v = 0; v < number_of_vertices; ++v)
+  {
+    const auto ends = larger_ends[v];
+    std::sort(ends.begin(), ends.end());
+    const auto last = std::unique(ends.begin(), ends.end());
+    for(auto w = ends.begin(); w != last; ++w)
+      f(static_cast<Eigen::Index>(v), static_cast<Eigen::Index>(*w));
+  }
+}
+
+} // namespace internal
+
 /*!
 \ingroup PkgCanonicalPose3Ref
 
@@ -88,30 +113,86 @@ the lengths of an edge at rest and in the pose. Edges of length 0 at rest are ig
 inline double median_edge_strain(const Point_matrix& rest, const Point_matrix& pose,
                                  const std::vector<std::array<std::size_t, 3>>& triangles)
 {
-  internal::Buckets<std::size_t> larger_ends(
-    static_cast<std::size_t>(rest.rows()), [&](const auto& put) {
-      for(const auto& t : triangles)
-        for(int k = 0; k < 3; ++k)
-          put((std::min)(t[k], t[(k + 1) % 3]), (std::max)(t[k], t[(k + 1) % 3]));
-    });
   std::vector<double> strains;
-  for(std::size_t v = 0; v < larger_ends.number_of_buckets(); ++v)
-  {
-    const auto ends = larger_ends[v];
-    std::sort(ends.begin(), ends.end());
-    const auto last = std::unique(ends.begin(), ends.end());
-    for(auto w = ends.begin(); w != last; ++w)
-    {
-      const double length = (rest.row(v) - rest.row(*w)).norm();
-      if(length > 0)
-        strains.push_back(std::abs(std::log((pose.row(v) - pose.row(*w)).norm() / length)));
-    }
-  }
+  internal::for_each_edge(static_cast<std::size_t>(rest.rows()), triangles,
+                          [&](const Eigen::Index v, const Eigen::Index w) {
+                            const double length = (rest.row(v) - rest.row(w)).norm();
+                            if(length > 0)
+                              strains.push_back(
+                                std::abs(std::log((pose.row(v) - pose.row(w)).norm() / length)));
+                          });
   if(strains.empty())
     return 0;
   const auto middle = strains.begin() + static_cast<std::ptrdiff_t>(strains.size() / 2);
   std::nth_element(strains.begin(), middle, strains.end());
   return *middle;
+}
+
+/*!
+\ingroup PkgCanonicalPose3Ref
+
+\brief returns for each vertex the mean of \f$ |\log(l'/l)| \f$ over its edges, where \f$ l \f$ and
+\f$ l' \f$ are the lengths of an edge at rest and in the pose.
+
+Edges of length 0 at rest or in the pose are ignored; the value of a vertex without other edges
+is 0.
+
+\tparam N 3 for triangles, 4 for tetrahedra
+
+\param rest \f$ n \times 3 \f$, positions at rest.
+\param pose \f$ n \times 3 \f$, positions in the pose.
+\param elements `N` rows each.
+
+\sa `median_edge_strain()`
+*/
+template <std::size_t N>
+Eigen::VectorXd vertex_strains(const Point_matrix& rest, const Point_matrix& pose,
+                               const std::vector<std::array<std::size_t, N>>& elements)
+{
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(rest.rows());
+  Eigen::VectorXd number = Eigen::VectorXd::Zero(rest.rows());
+  internal::for_each_edge(static_cast<std::size_t>(rest.rows()), elements,
+                          [&](const Eigen::Index v, const Eigen::Index w) {
+                            const double at_rest = (rest.row(v) - rest.row(w)).stableNorm();
+                            const double in_pose = (pose.row(v) - pose.row(w)).stableNorm();
+                            if(!(at_rest > 0) || !(in_pose > 0))
+                              return;
+                            const double strain = std::abs(std::log(in_pose / at_rest));
+                            for(const Eigen::Index end : {v, w})
+                            {
+                              sum[end] += strain;
+                              ++number[end];
+                            }
+                          });
+  return sum.cwiseQuotient(number.cwiseMax(1));
+}
+
+/*!
+\ingroup PkgCanonicalPose3Ref
+
+\brief returns a unit normal per vertex of a surface, the direction of the sum of the area vectors of
+its triangles. It is 0 where there is none, for instance at vertices without triangles.
+
+\param points \f$ n \times 3 \f$, positions.
+\param triangles triples of rows of `points`.
+*/
+inline Point_matrix vertex_normals(const Point_matrix& points,
+                                   const std::vector<std::array<std::size_t, 3>>& triangles)
+{
+  const double unit = points.size() > 0 ? points.cwiseAbs().maxCoeff() : 0;
+  Point_matrix normals = Point_matrix::Zero(points.rows(), 3);
+  for(const auto& t : triangles)
+  {
+    const Eigen::RowVector3d e = (points.row(t[1]) - points.row(t[0])) / unit;
+    const Eigen::RowVector3d f = (points.row(t[2]) - points.row(t[0])) / unit;
+    const Eigen::RowVector3d area = e.cross(f);
+    if(area.allFinite())
+      for(const std::size_t v : t)
+        normals.row(static_cast<Eigen::Index>(v)) += area;
+  }
+  for(Eigen::Index v = 0; v < normals.rows(); ++v)
+    normals.row(v).stableNormalize();
+  return normals;
 }
 
 } // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION

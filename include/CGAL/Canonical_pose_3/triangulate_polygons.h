@@ -1,0 +1,81 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_TRIANGULATE_POLYGONS_H
+#define CGAL_CANONICAL_POSE_3_TRIANGULATE_POLYGONS_H
+
+#include <CGAL/Canonical_pose_3/internal/soup/Loop_triangulation.h>
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+#include <CGAL/Canonical_pose_3/point_matrix.h>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
+
+/*!
+\ingroup PkgCanonicalPose3Ref
+
+\brief holds triangles, and the polygon to which each belongs.
+
+\sa `triangulate_polygons()`
+*/
+struct Triangulated_polygons
+{
+  /// triples of vertices of the polygons, with the orientation of their polygon.
+  std::vector<std::array<std::size_t, 3>> triangles;
+  /// index of the polygon of each triangle, in ascending order.
+  std::vector<std::size_t> polygon_of_triangle;
+};
+
+/*!
+\ingroup PkgCanonicalPose3Ref
+
+\brief divides polygons into triangles with the same vertices: those of minimal area if there are at
+most 64 corners. Nothing is repaired; triangles are returned as they are.
+
+\param points \f$ n \times 3 \f$, positions.
+\param polygons sequences of rows of `points`.
+
+\sa `repair_surface()`
+*/
+inline Triangulated_polygons
+triangulate_polygons(const Point_matrix& points,
+                     const std::vector<std::vector<std::size_t>>& polygons)
+{
+  Triangulated_polygons result;
+  result.triangles.reserve(polygons.size());
+  Point_matrix scaled; // so that areas do not overflow
+  for(std::size_t p = 0; p < polygons.size(); ++p)
+  {
+    const std::vector<std::size_t>& corners = polygons[p];
+    if(corners.size() == 3)
+      result.triangles.push_back({corners[0], corners[1], corners[2]});
+    else
+    {
+      if(scaled.rows() == 0 && points.rows() > 0)
+      {
+        const double unit = points.cwiseAbs().maxCoeff();
+        scaled = unit > 0 ? Point_matrix(points / unit) : points;
+      }
+      internal::Loop_triangulation(scaled, corners).run(result.triangles);
+    }
+    result.polygon_of_triangle.resize(result.triangles.size(), p);
+  }
+  return result;
+}
+
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_TRIANGULATE_POLYGONS_H

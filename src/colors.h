@@ -1,0 +1,33 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_TOOL_COLORS_H
+#define CGAL_CANONICAL_POSE_3_TOOL_COLORS_H
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace Canonical_pose_tool {
+
+// Red, green and blue from 0 to 255, sRGB.
+using Color = std::array<unsigned char, 3>;
+
+// Colors of successive parts differ clearly.
+Color color_of_part(std::size_t part);
+
+// The color map viridis, from dark blue at `minimum` to yellow at `maximum`; gray for negative
+// values, which stand for no value.
+std::vector<Color> colors_of_values(const Eigen::VectorXd& values, double minimum, double maximum);
+
+} // namespace Canonical_pose_tool
+
+#endif // CGAL_CANONICAL_POSE_3_TOOL_COLORS_H

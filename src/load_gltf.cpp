@@ -1,0 +1,212 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#include "load_gltf.h"
+#include "Text_cursor.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace Canonical_pose_tool {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::size_t HEADER = 12, CHUNK_HEADER = 8; // bytes
+const std::string_view MAGIC = "glTF";
+
+std::uint32_t number_at(const std::string& bytes, const std::size_t position)
+{
+  std::uint32_t number = 0;
+  for(std::size_t k = 4; k-- > 0;)
+    number = number << 8 | static_cast<unsigned char>(bytes[position + k]);
+  return number;
+}
+
+// Returns the JSON of a binary file whose lengths are consistent.
+std::string_view json_of_glb(const std::string& bytes)
+{
+  const std::string truncated = "the file is truncated: ";
+  if(bytes.size() < HEADER + CHUNK_HEADER)
+    throw std::invalid_argument(truncated + "it ends in the header");
+  if(const std::uint32_t version = number_at(bytes, 4); version != 2)
+    throw std::invalid_argument("this is version " + std::to_string(version)
+                                + " of glTF, but version 2 is needed");
+  const std::size_t length = number_at(bytes, 8);
+  if(bytes.size() < length)
+    throw std::invalid_argument(truncated + "it has " + std::to_string(bytes.size()) + " of "
+                                + std::to_string(length) + " bytes");
+  if(bytes.size() > length)
+    throw std::invalid_argument("the file goes on for " + std::to_string(bytes.size() - length)
+                                + " bytes after the last one announced");
+  std::size_t position = HEADER;
+  for(int chunk = 0; position < length; ++chunk)
+  {
+    if(length - position < CHUNK_HEADER
+       || length - position - CHUNK_HEADER < number_at(bytes, position))
+      throw std::invalid_argument("chunk " + std::to_string(chunk) + " is longer than the file");
+    position += CHUNK_HEADER + number_at(bytes, position);
+  }
+  if(bytes.compare(HEADER + 4, 4, "JSON") != 0)
+    throw std::invalid_argument("the first chunk is not JSON");
+  return std::string_view(bytes).substr(HEADER + CHUNK_HEADER, number_at(bytes, HEADER));
+}
+
+// tinygltf descends into what is nested by recursion.
+void check_is_flat(const std::string_view json)
+{
+  const int deepest = 64;
+  int depth = 0;
+  bool is_string = false;
+  for(std::size_t i = 0; i < json.size(); ++i)
+    if(is_string && json[i] == '\\')
+      ++i;
+    else if(json[i] == '"')
+      is_string = !is_string;
+    else if(!is_string && (json[i] == '{' || json[i] == '['))
+    {
+      if(++depth > deepest)
+        throw std::invalid_argument("the JSON is nested more than " + std::to_string(deepest)
+                                    + " levels deep");
+    }
+    else if(!is_string && (json[i] == '}' || json[i] == ']'))
+      --depth;
+}
+
+// The files of external buffers, in the directory of the glTF file or below.
+class Files_beside
+{
+public:
+  explicit Files_beside(const std::string& path) : m_directory(fs::path(path).parent_path()) {}
+
+  bool is_beside(const std::string& name)
+  {
+    const fs::path path(name);
+    const bool is_elsewhere = path.is_absolute() || name.find(':') != std::string::npos
+                              || std::find(path.begin(), path.end(), "..") != path.end();
+    if(is_elsewhere)
+      m_defect = "a buffer is in " + Text_cursor::shown(name) + ", which is not beside this file";
+    return !is_elsewhere;
+  }
+
+  bool exists(const std::string& name)
+  {
+    std::error_code error;
+    return is_beside(name) && fs::is_regular_file(m_directory / name, error);
+  }
+
+  bool read(const std::string& name, std::vector<unsigned char>& bytes)
+  {
+    std::ifstream in(m_directory / name, std::ios::binary);
+    bytes.assign(std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>());
+    return !in.bad();
+  }
+
+  const std::string& defect() const { return m_defect; }
+
+private:
+  fs::path m_directory;
+  std::string m_defect;
+};
+
+// Newer versions also ask for the size of a file.
+template <class Callbacks>
+auto add_size(Callbacks& callbacks, int) -> decltype(callbacks.GetFileSizeInBytes, void())
+{
+  callbacks.GetFileSizeInBytes
+    = [](std::size_t* size, std::string*, const std::string& name, void* files) {
+        std::vector<unsigned char> bytes;
+        const bool is_read = static_cast<Files_beside*>(files)->read(name, bytes);
+        *size = bytes.size();
+        return is_read;
+      };
+}
+
+template <class Callbacks>
+void add_size(Callbacks&, long)
+{}
+
+tinygltf::FsCallbacks callbacks(Files_beside& files)
+{
+  tinygltf::FsCallbacks result{};
+  result.FileExists
+    = [](const std::string& name, void* f) { return static_cast<Files_beside*>(f)->exists(name); };
+  result.ExpandFilePath = [](const std::string& name, void*) { return name; };
+  result.ReadWholeFile
+    = [](std::vector<unsigned char>* bytes, std::string*, const std::string& name, void* f) {
+        return static_cast<Files_beside*>(f)->read(name, *bytes);
+      };
+  result.WriteWholeFile = [](std::string*, const std::string&, const std::vector<unsigned char>&,
+                             void*) { return false; };
+  add_size(result, 0);
+  result.user_data = &files;
+  return result;
+}
+
+// The beginning of what tinygltf says, in one line.
+std::string shortened(std::string text)
+{
+  const std::size_t most = 200;
+  text = text.substr(0, most);
+  std::replace_if(
+    text.begin(), text.end(), [](const char c) { return c < ' ' || c > '~'; }, ' ');
+  return text.substr(0, text.find_last_not_of(' ') + 1);
+}
+
+} // namespace
+
+tinygltf::Model load_gltf(const std::string& bytes, const std::string& path)
+{
+  if(bytes.size() > std::numeric_limits<std::uint32_t>::max())
+    throw std::invalid_argument("the file has more than 4 GB");
+  const bool is_binary = bytes.compare(0, MAGIC.size(), MAGIC) == 0;
+  check_is_flat(is_binary ? json_of_glb(bytes) : bytes);
+  Files_beside files(path);
+  tinygltf::TinyGLTF loader;
+  loader.SetFsCallbacks(callbacks(files));
+  loader.SetImageLoader([](tinygltf::Image*, int, std::string*, std::string*, int, int,
+                           const unsigned char*, int, void*) { return true; },
+                        nullptr);
+  tinygltf::Model model;
+  std::string error, warning;
+  const unsigned int size = static_cast<unsigned int>(bytes.size());
+  bool is_loaded = false;
+  try
+  {
+    is_loaded
+      = is_binary ? loader.LoadBinaryFromMemory(
+          &model, &error, &warning, reinterpret_cast<const unsigned char*>(bytes.data()), size)
+                  : loader.LoadASCIIFromString(&model, &error, &warning, bytes.data(), size, "");
+  }
+  catch(const std::bad_alloc&)
+  {
+    throw;
+  }
+  catch(const std::exception& exception) // for instance of an empty buffer
+  {
+    error = exception.what();
+  }
+  if(!is_loaded)
+    throw std::invalid_argument(
+      !files.defect().empty() ? files.defect() : "this is not valid glTF: " + shortened(error));
+  return model;
+}
+
+} // namespace Canonical_pose_tool

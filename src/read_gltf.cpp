@@ -1,0 +1,213 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#include "Gltf_numbers.h"
+#include "load_gltf.h"
+#include "readers.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace Canonical_pose_tool {
+
+namespace {
+
+using tinygltf::Model;
+using tinygltf::Node;
+using tinygltf::Primitive;
+
+const std::size_t NONE = std::numeric_limits<std::size_t>::max();
+
+void check_extensions(const Model& model)
+{
+  for(const std::string& name : model.extensionsRequired)
+    if(name != "KHR_mesh_quantization" && name.compare(0, 14, "KHR_materials_") != 0
+       && name.compare(0, 12, "KHR_texture_") != 0 && name.compare(0, 11, "KHR_lights_") != 0)
+      throw std::invalid_argument("the extension " + Text_cursor::shown(name)
+                                  + " is required, but not supported");
+}
+
+void check_counts(const std::size_t number, const std::string& what)
+{
+  if(number != 1)
+    throw std::invalid_argument("there are " + std::to_string(number) + " " + what
+                                + ", but one is needed");
+}
+
+void check_primitive(const Primitive& primitive)
+{
+  static const std::array<const char*, 7> modes
+    = {"points",    "lines",           "line loops",   "line strips",
+       "triangles", "triangle strips", "triangle fans"};
+  if(primitive.mode < 0 || static_cast<std::size_t>(primitive.mode) >= modes.size())
+    throw std::invalid_argument("the primitive has the unknown mode "
+                                + std::to_string(primitive.mode));
+  if(primitive.mode != TINYGLTF_MODE_TRIANGLES)
+    throw std::invalid_argument(std::string("the primitive consists of ")
+                                + modes[static_cast<std::size_t>(primitive.mode)]
+                                + ", but triangles are needed");
+  for(const auto& extension : primitive.extensions)
+    if(extension.first.find("compression") != std::string::npos)
+      throw std::invalid_argument("the primitive is compressed by "
+                                  + Text_cursor::shown(extension.first)
+                                  + ", which is not supported");
+}
+
+Eigen::Affine3d own_transformation(const Node& node)
+{
+  Eigen::Affine3d result = Eigen::Affine3d::Identity();
+  if(node.matrix.size() == 16)
+  {
+    result.matrix() = Eigen::Matrix4d::Map(node.matrix.data());
+    return result;
+  }
+  if(node.translation.size() == 3)
+    result.translate(Eigen::Vector3d::Map(node.translation.data()));
+  if(node.rotation.size() == 4)
+    result.rotate(
+      Eigen::Quaterniond(node.rotation[3], node.rotation[0], node.rotation[1], node.rotation[2])
+        .normalized());
+  if(node.scale.size() == 3)
+    result.scale(Eigen::Vector3d::Map(node.scale.data()));
+  return result;
+}
+
+// The transformation by the node of the mesh and those above it.
+Eigen::Affine3d transformation(const Model& model)
+{
+  std::vector<std::size_t> parents(model.nodes.size(), NONE);
+  std::size_t node = NONE;
+  for(std::size_t n = 0; n < model.nodes.size(); ++n)
+  {
+    for(const int child : model.nodes[n].children)
+      if(child >= 0 && static_cast<std::size_t>(child) < parents.size())
+        parents[static_cast<std::size_t>(child)] = n;
+    if(model.nodes[n].mesh != 0)
+      continue;
+    if(node != NONE)
+      throw std::invalid_argument("the mesh occurs in nodes " + std::to_string(node) + " and "
+                                  + std::to_string(n) + ", but one is needed");
+    node = n;
+  }
+  Eigen::Affine3d result = Eigen::Affine3d::Identity();
+  if(node != NONE && model.nodes[node].skin >= 0)
+    throw std::invalid_argument("the mesh has a skin, which is not supported");
+  for(std::size_t steps = 0; node != NONE; node = parents[node])
+  {
+    if(steps++ == parents.size())
+      throw std::invalid_argument("the nodes form a cycle");
+    result = own_transformation(model.nodes[node]) * result;
+  }
+  return result;
+}
+
+void read_points(const Model& model, const Primitive& primitive, Mesh_file& mesh)
+{
+  const auto found = primitive.attributes.find("POSITION");
+  if(found == primitive.attributes.end())
+    throw std::invalid_argument("the primitive has no attribute POSITION");
+  const Gltf_numbers numbers(model, found->second, 3, "POSITION");
+  const Eigen::Affine3d transform = transformation(model);
+  for(Element v{"vertex", 0}; v.index < numbers.count(); ++v.index)
+  {
+    const Eigen::Vector3d p
+      = transform * Eigen::Vector3d(numbers(v.index, 0), numbers(v.index, 1), numbers(v.index, 2));
+    mesh.points.push_back({p[0], p[1], p[2]});
+    check_is_finite(mesh.points.back(), v);
+  }
+}
+
+void read_triangles(const Model& model, const Primitive& primitive, Mesh_file& mesh)
+{
+  std::vector<std::size_t> corners(mesh.points.size());
+  std::iota(corners.begin(), corners.end(), std::size_t(0));
+  if(primitive.indices != -1)
+  {
+    const Gltf_numbers numbers(model, primitive.indices, 1, "the indices");
+    if(!numbers.are_indices())
+      throw std::invalid_argument("the indices are not unsigned integers");
+    corners.resize(numbers.count());
+    for(std::size_t i = 0; i < corners.size(); ++i)
+      corners[i] = vertex_index(static_cast<long long>(numbers(i, 0)), mesh.points.size(),
+                                Element{"face", i / 3});
+  }
+  if(corners.size() % 3 != 0)
+    throw std::invalid_argument("the number of corners, " + std::to_string(corners.size())
+                                + ", is no multiple of 3");
+  for(std::size_t i = 0; i < corners.size(); i += 3)
+    mesh.faces.push_back({corners[i], corners[i + 1], corners[i + 2]});
+}
+
+// Merges vertices with the same number of _VERTEX, which are copies of one vertex, and sorts them by
+// it.
+void merge_copies(const Model& model, const Primitive& primitive, Mesh_file& mesh)
+{
+  const auto found = primitive.attributes.find("_VERTEX");
+  if(found == primitive.attributes.end())
+    return;
+  const Gltf_numbers numbers(model, found->second, 1, "_VERTEX");
+  if(numbers.count() != mesh.points.size())
+    throw std::invalid_argument("there are " + std::to_string(numbers.count())
+                                + " numbers _VERTEX, but " + std::to_string(mesh.points.size())
+                                + " vertices");
+  std::vector<std::size_t> order(mesh.points.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  for(std::size_t v = 0; v < order.size(); ++v)
+    if(const double number = numbers(v, 0); !(number >= 0) || number != std::floor(number))
+      throw std::invalid_argument("_VERTEX of vertex " + std::to_string(v)
+                                  + " is not the index of a vertex");
+  std::stable_sort(order.begin(), order.end(), [&](const std::size_t v, const std::size_t w) {
+    return numbers(v, 0) < numbers(w, 0);
+  });
+  std::vector<std::array<double, 3>> points;
+  std::vector<std::size_t> merged(order.size());
+  for(std::size_t i = 0; i < order.size(); ++i)
+  {
+    const std::array<double, 3>& point = mesh.points[order[i]];
+    if(i == 0 || numbers(order[i - 1], 0) != numbers(order[i], 0))
+      points.push_back(point);
+    else if(point != points.back())
+      throw std::invalid_argument("vertices " + std::to_string(order[i - 1]) + " and "
+                                  + std::to_string(order[i])
+                                  + " have the same number _VERTEX, but different positions");
+    merged[order[i]] = points.size() - 1;
+  }
+  mesh.points.swap(points);
+  for(std::vector<std::size_t>& face : mesh.faces)
+    for(std::size_t& v : face)
+      v = merged[v];
+}
+
+} // namespace
+
+bool is_gltf_available() { return true; }
+
+void read_gltf(const std::string& bytes, const std::string& path, Mesh_file& mesh)
+{
+  const Model model = load_gltf(bytes, path);
+  check_extensions(model);
+  check_counts(model.meshes.size(), "meshes");
+  check_counts(model.meshes[0].primitives.size(), "primitives in the mesh");
+  const Primitive& primitive = model.meshes[0].primitives[0];
+  check_primitive(primitive);
+  read_points(model, primitive, mesh);
+  read_triangles(model, primitive, mesh);
+  merge_copies(model, primitive, mesh);
+}
+
+} // namespace Canonical_pose_tool

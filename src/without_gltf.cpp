@@ -1,0 +1,30 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+// What a tool without tinygltf does about glTF.
+
+#include "Mesh_file.h"
+#include "Shown_surface.h"
+#include "readers.h"
+
+#include <stdexcept>
+#include <string>
+
+namespace Canonical_pose_tool {
+
+bool is_gltf_available() { return false; }
+
+void read_gltf(const std::string&, const std::string&, Mesh_file&)
+{
+  throw std::logic_error("there is no glTF");
+}
+
+void write_glb(std::ostream&, const Shown_surface&) { throw std::logic_error("there is no glTF"); }
+
+} // namespace Canonical_pose_tool

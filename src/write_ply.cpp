@@ -1,0 +1,83 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#include "Shortest_numbers.h"
+#include "Shown_surface.h"
+
+#include <array>
+#include <cstddef>
+#include <ostream>
+#include <vector>
+
+namespace Canonical_pose_tool {
+
+namespace {
+
+void announce_color(std::ostream& out)
+{
+  out << "property uchar red\nproperty uchar green\nproperty uchar blue\n";
+}
+
+void write_color(std::ostream& out, const Color& color)
+{
+  for(const unsigned char c : color)
+    out << ' ' << static_cast<int>(c);
+}
+
+void write_header(std::ostream& out, const Shown_surface& surface)
+{
+  out << "ply\nformat ascii 1.0\nelement vertex " << surface.mesh.points.size()
+      << "\nproperty double x\nproperty double y\nproperty double z\n";
+  if(!surface.vertex_colors.empty())
+    announce_color(out);
+  for(const Vertex_values& values : surface.values)
+    out << "property double " << values.name << '\n';
+  out << "element face " << surface.mesh.faces.size()
+      << "\nproperty list uchar int vertex_indices\n";
+  if(!surface.part_of_face.empty())
+  {
+    announce_color(out);
+    out << "property int part\n";
+  }
+  out << "end_header\n";
+}
+
+} // namespace
+
+void write_ply(std::ostream& out, const Shown_surface& surface)
+{
+  const Mesh_file& mesh = surface.mesh;
+  check_format_holds(Format::PLY, mesh);
+  use_shortest_numbers(out);
+  write_header(out, surface);
+  for(std::size_t v = 0; v < mesh.points.size(); ++v)
+  {
+    const std::array<double, 3>& p = mesh.points[v];
+    out << p[0] << ' ' << p[1] << ' ' << p[2];
+    if(!surface.vertex_colors.empty())
+      write_color(out, surface.vertex_colors[v]);
+    for(const Vertex_values& values : surface.values)
+      out << ' ' << values.values[static_cast<Eigen::Index>(v)];
+    out << '\n';
+  }
+  for(std::size_t f = 0; f < mesh.faces.size(); ++f)
+  {
+    out << mesh.faces[f].size();
+    for(const std::size_t v : mesh.faces[f])
+      out << ' ' << v;
+    if(!surface.part_of_face.empty())
+    {
+      write_color(out, color_of_part(surface.part_of_face[f]));
+      out << ' ' << surface.part_of_face[f];
+    }
+    out << '\n';
+  }
+}
+
+} // namespace Canonical_pose_tool
