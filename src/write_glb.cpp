@@ -165,10 +165,11 @@ private:
         "the surface is too large or too small for glTF, which has single precision");
     if(!m_is_quantized)
       return;
-    double farthest = radius;
+    double farthest = 0;
     for(const Other_shape& shape : m_surface.other_shapes)
       farthest = (std::max)(farthest, (shape.points - m_points).cwiseAbs().maxCoeff());
-    m_frame.unit = farthest / LARGEST_SHORT;
+    if(farthest > 0)
+      m_frame.unit = farthest / LARGEST_SHORT;
   }
 
   // A row per copy of a vertex.
@@ -185,15 +186,6 @@ private:
     return result;
   }
 
-  template <class Number>
-  static Number rounded(const double x)
-  {
-    if constexpr(std::is_integral_v<Number>)
-      return static_cast<Number>(std::lround(x));
-    else
-      return to_float(x);
-  }
-
   // A coordinate in the unit of the file.
   double stored(const Point_matrix& points, const std::size_t vertex, const int k) const
   {
@@ -202,36 +194,41 @@ private:
 
   void add_vertices()
   {
-    m_primitive.attributes["POSITION"] = -1;
-    if(m_is_quantized)
-      add_positions<std::int16_t>();
-    else
-    {
-      add_positions<float>();
+    m_primitive.attributes["POSITION"] = m_builder.append(
+      rows<float>(3, [&](const Copy& c, const int k) { return position(c.first, k); }),
+      Use::VERTICES, true);
+    for(const Other_shape& shape : m_surface.other_shapes)
+      add_shape(shape);
+    if(!m_is_quantized)
       add_normals();
-    }
     add_values();
     add_colors();
   }
 
-  template <class Number>
-  void add_positions()
+  // Some viewers read positions in single precision only, whatever they read of differences.
+  float position(const std::size_t vertex, const int k) const
   {
-    const auto at_rest = rows<Number>(
-      3, [&](const Copy& c, const int k) { return rounded<Number>(stored(m_points, c.first, k)); });
-    m_primitive.attributes["POSITION"] = m_builder.append(at_rest, Use::VERTICES, true);
-    for(const Other_shape& shape : m_surface.other_shapes)
-    {
-      // Differences of rounded coordinates, so that errors do not add up.
-      Rows<Number> difference = rows<Number>(3, [&](const Copy& c, const int k) {
-        return rounded<Number>(
-          stored(shape.points, c.first, k)
-          - static_cast<double>(rounded<Number>(stored(m_points, c.first, k))));
-      });
-      std::map<std::string, int> target;
-      target["POSITION"] = m_builder.append(difference, Use::VERTICES, true);
-      m_primitive.targets.push_back(std::move(target));
-    }
+    return to_float(stored(m_points, vertex, k));
+  }
+
+  void add_shape(const Other_shape& shape)
+  {
+    const auto difference = [&](const Copy& c, const int k) {
+      return stored(shape.points, c.first, k) - static_cast<double>(position(c.first, k));
+    };
+    std::map<std::string, int> target;
+    target["POSITION"]
+      = m_is_quantized
+          ? m_builder.append(rows<std::int16_t>(3,
+                                                [&](const Copy& c, const int k) {
+                                                  return static_cast<std::int16_t>(
+                                                    std::lround(difference(c, k)));
+                                                }),
+                             Use::VERTICES, true)
+          : m_builder.append(
+            rows<float>(3, [&](const Copy& c, const int k) { return to_float(difference(c, k)); }),
+            Use::VERTICES, true);
+    m_primitive.targets.push_back(std::move(target));
   }
 
   Rows<float> normals(const Point_matrix& points) const
