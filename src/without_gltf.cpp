@@ -22,9 +22,12 @@ bool is_gltf_available() { return false; }
 
 void read_gltf(const std::string&, const std::string&, Mesh_file&)
 {
-  throw std::logic_error("there is no glTF");
+  throw std::invalid_argument("this program was built without glTF");
 }
 
-void write_glb(std::ostream&, const Shown_surface&) { throw std::logic_error("there is no glTF"); }
+void write_glb(std::ostream&, const Shown_surface&)
+{
+  throw std::invalid_argument("this program was built without glTF");
+}
 
 } // namespace Canonical_pose_tool

@@ -10,6 +10,7 @@
 // Writes the initial inputs of a fuzzer: make_seeds file|mesh DIRECTORY.
 
 #include "Mesh_file.h"
+#include "readers.h"
 #include "shapes.h"
 
 #include <CGAL/IO/io.h>
@@ -40,7 +41,7 @@ void write_files(const std::filesystem::path& directory)
   solid.cells = box.cells;
   solid.point_references.resize(box.points.size());
   solid.cell_references.resize(box.cells.size());
-  for(char format = 0; format < 5; ++format)
+  for(char format = 0; format < (is_gltf_available() ? 6 : 5); ++format)
     for(const bool is_binary : {false, true})
     {
       std::ofstream out(directory / (std::to_string(format) + (is_binary ? "b" : "a")));

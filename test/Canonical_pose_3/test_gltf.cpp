@@ -1,0 +1,373 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+// glTF as the tool writes and reads it. What is written is also examined without our reader: by its
+// JSON, and by the bytes to which its accessors lead.
+
+#include "Shown_surface.h"
+#include "readers.h"
+
+#include <nlohmann/json.hpp>
+
+#include <gtest/gtest.h>
+
+#include "matchers.h"
+#include "shapes.h"
+
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <numeric>
+#include <random>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+using namespace Canonical_pose_tool;
+using CGAL::Canonical_pose_3::Point_matrix;
+using nlohmann::json;
+
+namespace {
+
+Mesh_file mesh_of(const Canonical_pose_test::Triangle_soup& soup)
+{
+  Mesh_file mesh;
+  mesh.points = soup.points;
+  for(const auto& t : soup.triangles)
+    mesh.faces.emplace_back(t.begin(), t.end());
+  return mesh;
+}
+
+Mesh_file ball() { return mesh_of(Canonical_pose_test::icosphere_soup(2, 1.5)); }
+
+std::string written(const Shown_surface& surface)
+{
+  std::ostringstream out;
+  write_glb(out, surface);
+  return out.str();
+}
+
+std::string written(const Mesh_file& mesh)
+{
+  std::ostringstream out;
+  write_mesh(out, Format::GLB, mesh);
+  return out.str();
+}
+
+Mesh_file read(const std::string& bytes)
+{
+  Mesh_file mesh;
+  read_gltf(bytes, "", mesh);
+  return mesh;
+}
+
+std::uint32_t number_at(const std::string& bytes, const std::size_t position)
+{
+  std::uint32_t number;
+  std::memcpy(&number, &bytes[position], 4);
+  return number;
+}
+
+json json_of(const std::string& bytes)
+{
+  return json::parse(bytes.substr(20, number_at(bytes, 12)));
+}
+
+// The same file with other JSON.
+std::string with_json(const std::string& bytes, const json& changed)
+{
+  std::string text = changed.dump();
+  text.resize((text.size() + 3) / 4 * 4, ' ');
+  const std::string rest = bytes.substr(20 + number_at(bytes, 12));
+  std::string result = bytes.substr(0, 8) + std::string(8, '\0') + "JSON" + text + rest;
+  const std::uint32_t lengths[]
+    = {static_cast<std::uint32_t>(result.size()), static_cast<std::uint32_t>(text.size())};
+  std::memcpy(&result[8], lengths, 8);
+  return result;
+}
+
+// The numbers of type Number in an attribute; `target` is that of a morph target.
+template <class Number>
+std::vector<Number> numbers(const std::string& bytes, const std::string& attribute,
+                            const int target = -1)
+{
+  const json model = json_of(bytes);
+  const json& primitive = model["meshes"][0]["primitives"][0];
+  const int index
+    = target < 0 ? primitive["attributes"][attribute] : primitive["targets"][target][attribute];
+  const json& accessor = model["accessors"][index];
+  const json& view = model["bufferViews"][accessor["bufferView"].get<int>()];
+  const std::size_t n = accessor["count"],
+                    components = accessor["type"] == "SCALAR" ? 1
+                                 : accessor["type"] == "VEC3" ? 3
+                                                              : 4,
+                    stride = view.value("byteStride", components * sizeof(Number)),
+                    begin = 28 + number_at(bytes, 12) + view.value("byteOffset", 0);
+  std::vector<Number> result(n * components);
+  for(std::size_t i = 0; i < n; ++i)
+    std::memcpy(&result[i * components], &bytes[begin + i * stride], components * sizeof(Number));
+  return result;
+}
+
+void expect_near(const Mesh_file& a, const Mesh_file& b, const double tolerance)
+{
+  ASSERT_EQ(a.points.size(), b.points.size());
+  for(std::size_t v = 0; v < a.points.size(); ++v)
+    for(int k = 0; k < 3; ++k)
+      ASSERT_NEAR(a.points[v][k], b.points[v][k], tolerance) << v;
+  EXPECT_EQ(a.faces, b.faces);
+}
+
+Point_matrix matrix_of(const Mesh_file& mesh)
+{
+  Point_matrix points(static_cast<Eigen::Index>(mesh.points.size()), 3);
+  for(Eigen::Index v = 0; v < points.rows(); ++v)
+    points.row(v) << mesh.points[v][0], mesh.points[v][1], mesh.points[v][2];
+  return points;
+}
+
+Shown_surface scene_of(const Mesh_file& mesh)
+{
+  Shown_surface surface;
+  surface.mesh = mesh;
+  surface.origins.resize(mesh.points.size());
+  std::iota(surface.origins.begin(), surface.origins.end(), std::size_t(0));
+  Point_matrix target = 2 * matrix_of(mesh), pose = matrix_of(mesh);
+  pose.col(0).swap(pose.col(1));
+  surface.other_shapes = {{"target", target}, {"pose", pose}};
+  return surface;
+}
+
+} // namespace
+
+TEST(Gltf, vertices_and_faces_keep_their_order)
+{
+  Mesh_file mesh = ball();
+  mesh.points.push_back({9, 9, 9});         // isolated
+  mesh.faces.push_back({3, 3, 5});          // degenerate
+  mesh.faces.push_back(mesh.faces.front()); // duplicate
+  expect_near(read(written(mesh)), mesh, 1e-6);
+}
+
+TEST(Gltf, polygons_become_triangles)
+{
+  Mesh_file mesh;
+  mesh.points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  mesh.faces = {{0, 1, 2, 3}};
+  const Mesh_file found = read(written(mesh));
+  EXPECT_EQ(found.points, mesh.points);
+  EXPECT_EQ(found.faces.size(), 2u);
+}
+
+// Single precision is that of the surface, not of its distance from the origin.
+TEST(Gltf, far_from_the_origin)
+{
+  Mesh_file mesh = ball();
+  for(auto& p : mesh.points)
+    p[1] += 4.5e6;
+  expect_near(read(written(mesh)), mesh, 1e-6);
+}
+
+TEST(Gltf, what_single_precision_cannot_hold)
+{
+  for(const double scale : {1e60, 1e-60})
+  {
+    Mesh_file mesh = ball();
+    for(auto& p : mesh.points)
+      for(double& x : p)
+        x *= scale;
+    EXPECT_THROW_WITH(written(mesh), std::invalid_argument, "single precision");
+  }
+  EXPECT_THROW_WITH(written(Mesh_file()), std::invalid_argument, "at least one face");
+}
+
+TEST(Gltf, the_container_is_consistent)
+{
+  const std::string bytes = written(scene_of(ball()));
+  EXPECT_EQ(number_at(bytes, 8), bytes.size());
+  EXPECT_EQ(number_at(bytes, 12) % 4, 0u);
+  const json model = json_of(bytes);
+  for(const json& view : model["bufferViews"])
+  {
+    EXPECT_EQ(view.value("byteOffset", 0) % 4, 0);
+    EXPECT_LE(view.value("byteOffset", 0) + view["byteLength"].get<int>(),
+              model["buffers"][0]["byteLength"].get<int>());
+  }
+  EXPECT_EQ(model["meshes"][0]["extras"]["targetNames"], json({"target", "pose"}));
+  EXPECT_EQ(model["animations"][0]["channels"][0]["target"]["path"], "weights");
+  EXPECT_FALSE(model.contains("extensionsRequired"));
+}
+
+TEST(Gltf, normals_of_all_shapes_are_unit)
+{
+  const std::string bytes = written(scene_of(ball()));
+  const std::vector<float> normals = numbers<float>(bytes, "NORMAL"),
+                           pose = numbers<float>(bytes, "NORMAL", 1),
+                           points = numbers<float>(bytes, "POSITION");
+  for(std::size_t i = 0; i < normals.size(); i += 3)
+  {
+    EXPECT_NEAR(std::hypot(normals[i], normals[i + 1], normals[i + 2]), 1, 1e-6);
+    EXPECT_NEAR(
+      std::hypot(normals[i] + pose[i], normals[i + 1] + pose[i + 1], normals[i + 2] + pose[i + 2]),
+      1, 1e-6);
+    EXPECT_GT(normals[i] * points[i] + normals[i + 1] * points[i + 1]
+                + normals[i + 2] * points[i + 2],
+              1.4);
+  }
+}
+
+// Differences of large scenes are integers; all shapes are right up to 1 / 65 000 of the largest one.
+TEST(Gltf, large_scenes_are_quantized)
+{
+  const Mesh_file mesh = mesh_of(Canonical_pose_test::plane_grid_soup(501, 501, 2, 1));
+  const Shown_surface scene = scene_of(mesh);
+  const std::string bytes = written(scene);
+  EXPECT_EQ(json_of(bytes)["extensionsRequired"], json({"KHR_mesh_quantization"}));
+  expect_near(read(bytes), mesh, 1e-6);
+  const json node = json_of(bytes)["nodes"][0];
+  const double unit = node["scale"][0];
+  const std::vector<float> points = numbers<float>(bytes, "POSITION");
+  for(int shape = 0; shape < 2; ++shape)
+  {
+    const std::vector<std::int16_t> differences = numbers<std::int16_t>(bytes, "POSITION", shape);
+    ASSERT_EQ(differences.size(), points.size());
+    for(std::size_t i = 0; i < points.size(); ++i)
+      ASSERT_NEAR(unit * (points[i] + differences[i]) + node["translation"][i % 3].get<double>(),
+                  scene.other_shapes[shape].points(i / 3, i % 3), 2. / 65000);
+  }
+}
+
+// A vertex between two parts has a copy in each; _VERTEX leads back.
+TEST(Gltf, parts_split_vertices)
+{
+  Shown_surface surface = scene_of(ball());
+  surface.other_shapes.clear();
+  surface.mesh.points.push_back({9, 9, 9});
+  surface.origins.push_back(surface.origins.size());
+  for(const std::vector<std::size_t>& face : surface.mesh.faces)
+    surface.part_of_face.push_back(surface.mesh.points[face[0]][0] > 0);
+  const std::string bytes = written(surface);
+  expect_near(read(bytes), surface.mesh, 1e-6);
+  const std::vector<float> labels = numbers<float>(bytes, "_LABEL");
+  const std::vector<std::uint8_t> colors = numbers<std::uint8_t>(bytes, "COLOR_0");
+  EXPECT_GT(labels.size(), surface.mesh.points.size());
+  EXPECT_EQ(labels.back(), -1); // of no face
+  for(std::size_t i = 0; i < labels.size(); ++i)
+    for(std::size_t j = 0; j < i; ++j)
+      EXPECT_EQ(labels[i] == labels[j], std::memcmp(&colors[4 * i], &colors[4 * j], 4) == 0);
+}
+
+TEST(Gltf, values_are_attributes)
+{
+  Shown_surface surface = scene_of(ball());
+  const Eigen::Index n = static_cast<Eigen::Index>(surface.mesh.points.size());
+  surface.values = {{"distance", Eigen::VectorXd::LinSpaced(n, -1, 1e300)}};
+  const std::vector<float> values = numbers<float>(written(surface), "_DISTANCE");
+  EXPECT_EQ(values[0], -1);
+  for(const float value : values)
+    EXPECT_TRUE(std::isfinite(value));
+}
+
+// Whatever is in a file: it is read, or it is refused. The seed is fixed, so that this can be repeated.
+TEST(Gltf, damaged_files_are_refused)
+{
+  const std::string bytes = written(ball());
+  for(std::size_t length = 0; length < bytes.size(); length += length < 3000 ? 1 : 997)
+    EXPECT_THROW(read(bytes.substr(0, length)), std::invalid_argument) << length;
+  EXPECT_THROW_WITH(read(bytes + "x"), std::invalid_argument, "goes on for 1 bytes");
+  std::mt19937 random(16);
+  int refused = 0;
+  for(int i = 0; i < 2000; ++i)
+  {
+    std::string damaged = bytes;
+    for(int k = 0; k < 3; ++k)
+      damaged[random() % (i % 2 == 0 ? 2500 : damaged.size())] = static_cast<char>(random());
+    try
+    {
+      read(damaged);
+    }
+    catch(const std::invalid_argument&)
+    {
+      ++refused;
+    }
+  }
+  EXPECT_GT(refused, 1000);
+}
+
+TEST(Gltf, unsupported_content_is_refused_by_name)
+{
+  const std::string bytes = written(ball());
+  const auto expect_refusal
+    = [&](const std::string& path, const json& value, const std::string& message) {
+        json model = json_of(bytes);
+        model[json::json_pointer(path)] = value;
+        EXPECT_THROW_WITH(read(with_json(bytes, model)), std::invalid_argument, message);
+      };
+  const std::string primitive = "/meshes/0/primitives/0/";
+  expect_refusal("/extensionsRequired", {"KHR_draco_mesh_compression"},
+                 "the extension 'KHR_draco_mesh_compr' is required, but not supported");
+  expect_refusal(primitive + "mode", 5,
+                 "the primitive consists of triangle strips, but triangles are needed");
+  expect_refusal(primitive + "mode", 9, "unknown mode 9");
+  expect_refusal(primitive + "indices", 77, "out of bounds");
+  expect_refusal(primitive + "attributes", {{"POSITION", 77}},
+                 "the accessor of POSITION does not exist");
+  expect_refusal(primitive + "attributes", {{"NORMAL", 1}}, "has no attribute POSITION");
+  expect_refusal("/meshes/1", json_of(bytes)["meshes"][0], "there are 2 meshes, but one is needed");
+  expect_refusal("/meshes/0/primitives/1", json_of(bytes)["meshes"][0]["primitives"][0],
+                 "there are 2 primitives");
+  expect_refusal("/nodes/1", {{"mesh", 0}}, "the mesh occurs in nodes 0 and 1");
+  expect_refusal("/nodes/0/children", {0}, "the nodes form a cycle");
+  expect_refusal("/nodes/0/skin", 0, "the mesh has a skin");
+  expect_refusal("/nodes/0/scale", {1e300, 1, 1}, "vertex");
+  expect_refusal("/accessors/0/count", 1000000000000000,
+                 "the accessor of POSITION is longer than its buffer view");
+  expect_refusal("/accessors/0/type", "VEC2", "does not have 3 components");
+  expect_refusal("/accessors/2/componentType", 5126, "the indices are not unsigned integers");
+  expect_refusal("/accessors/2/count", 7, "the number of corners, 7, is no multiple of 3");
+  expect_refusal("/bufferViews/0/byteLength", 4000000000,
+                 "has a buffer view that is longer than its buffer");
+  expect_refusal("/bufferViews/0/extensions", {{"EXT_meshopt_compression", {{"a", 1}}}},
+                 "needs the extension EXT_meshopt_compression");
+  expect_refusal("/buffers/0/byteLength", 4000000000, "not valid glTF");
+  expect_refusal("/buffers/0/uri", "../b.bin",
+                 "a buffer is in '../b.bin', which is not beside this file");
+  expect_refusal("/buffers/0/uri", "https://a.b/c.bin", "which is not beside this file");
+  const json part = {{"bufferView", 0}, {"componentType", 5125}};
+  expect_refusal("/accessors/0/sparse", {{"count", 1}, {"indices", part}, {"values", part}},
+                 "is sparse");
+  json deep = 1;
+  for(int i = 0; i < 100; ++i)
+    deep = json::array({deep});
+  expect_refusal("/extras", deep, "nested more than 64 levels deep");
+  std::string brackets(1000000, '[');
+  EXPECT_THROW_WITH(read(brackets), std::invalid_argument, "levels deep");
+}
+
+TEST(Gltf, nodes_move_the_mesh)
+{
+  const Mesh_file mesh = ball();
+  const std::string bytes = written(mesh);
+  json model = json_of(bytes);
+  const double half = std::sqrt(0.5);
+  model["nodes"][0] = {{"mesh", 0},
+                       {"translation", {1, 2, 3}},
+                       {"rotation", {0, 0, half, half}},
+                       {"scale", {2, 3, 4}}};
+  model["nodes"][1]
+    = {{"children", {0}}, {"matrix", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 10, 20, 30, 1}}};
+  const Mesh_file moved = read(with_json(bytes, model));
+  for(std::size_t v = 0; v < mesh.points.size(); ++v)
+  {
+    EXPECT_NEAR(moved.points[v][0], 11 - 3 * mesh.points[v][1], 1e-5);
+    EXPECT_NEAR(moved.points[v][1], 22 + 2 * mesh.points[v][0], 1e-5);
+    EXPECT_NEAR(moved.points[v][2], 33 + 4 * mesh.points[v][2], 1e-5);
+  }
+}

@@ -1,0 +1,37 @@
+# Values that the tool writes with surfaces and tetrahedral meshes, see test_tool.cmake: properties of PLY, arrays of
+# VTK.
+
+expect_exit(0 pose ball.off --rounds 0 -o out/pose.ply)
+file(READ ${WORK}/out/pose.ply ply)
+expect_match("${ply}" "property double strain\nelement face 20\n")
+expect_match("${ply}" "end_header\n[^ \n]+ [^ \n]+ [^ \n]+ 0\\.[0-9]+\n")
+expect_exit(0 compare out/pose.ply ball.off) # values are skipped
+
+expect_exit(0 geodesics two_balls.off --source 0 -o out/distances.ply)
+file(READ ${WORK}/out/distances.ply ply)
+expect_match("${ply}" "property uchar red\n.*property double distance\nelement face")
+expect_match("${ply}" "end_header\n0 1 1.7 68 1 84 0\n")
+expect_match("${ply}" " 128 128 128 -1\n") # no path
+expect_exit(0 geodesics ball.off --source 0 --source 3 -o out/distances.ply)
+file(READ ${WORK}/out/distances.ply ply)
+expect_match("${ply}" "property double distance_0\nproperty double distance_1\nelement face")
+
+expect_exit(0 pose ball.mesh -o out/pose.vtu)
+expect_exit(0 pose ball.mesh -o out/pose.mesh)
+file(READ ${WORK}/out/pose.vtu vtu)
+expect_match("${vtu}" "<Piece NumberOfPoints=\"13\" NumberOfCells=\"20\">")
+expect_match("${vtu}" "Name=\"label\" NumberOfComponents=\"1\" format=\"ascii\">\n5\n5\n")
+expect_match("${vtu}" "Name=\"strain\" NumberOfComponents=\"1\" format=\"ascii\">\n0\\.[0-9]+\n")
+file(STRINGS ${WORK}/out/pose.mesh lines)
+list(GET lines 4 line)
+string(REGEX REPLACE " 5$" "" line "${line}")
+string(FIND "${vtu}" "\n${line}\n" position) # the same numbers
+if(position EQUAL -1)
+  fail("out/pose.vtu should contain the point ${line}.")
+endif()
+
+expect_refusal("a tetrahedral mesh (.mesh, .vtu)" pose ball.off -o out/a.vtu)
+expect_refusal("written, but not read" check out/pose.vtu)
+foreach(format IN ITEMS off obj stl mesh vtu)
+  expect_refusal("cannot show values" geodesics ball.off --source 0 -o out/a.${format})
+endforeach()
