@@ -101,7 +101,7 @@ public:
     const fs::path path(name);
     const bool is_elsewhere = path.is_absolute() || name.find(':') != std::string::npos
                               || std::find(path.begin(), path.end(), "..") != path.end();
-    if(is_elsewhere)
+    if(is_elsewhere && m_defect.empty()) // tinygltf tries several paths
       m_defect = "a buffer is in " + Text_cursor::shown(name) + ", which is not beside this file";
     return !is_elsewhere;
   }

@@ -326,11 +326,13 @@ TEST(Gltf, unsupported_content_is_refused_by_name)
   expect_refusal("/nodes/1", {{"mesh", 0}}, "the mesh occurs in nodes 0 and 1");
   expect_refusal("/nodes/0/children", {0}, "the nodes form a cycle");
   expect_refusal("/nodes/0/skin", 0, "the mesh has a skin");
-  expect_refusal("/nodes/0/scale", {1e300, 1, 1}, "vertex");
+  expect_refusal("/nodes/0",
+                 {{"mesh", 0}, {"translation", {1e308, 0, 0}}, {"scale", {1e308, 1, 1}}},
+                 "has a coordinate that is not finite");
   expect_refusal("/accessors/0/count", 1000000000000000,
                  "the accessor of POSITION is longer than its buffer view");
   expect_refusal("/accessors/0/type", "VEC2", "does not have 3 components");
-  expect_refusal("/accessors/2/componentType", 5126, "the indices are not unsigned integers");
+  expect_refusal("/accessors/2/componentType", 5122, "the indices are not unsigned integers");
   expect_refusal("/accessors/2/count", 7, "the number of corners, 7, is no multiple of 3");
   expect_refusal("/bufferViews/0/byteLength", 4000000000,
                  "has a buffer view that is longer than its buffer");
