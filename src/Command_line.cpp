@@ -9,6 +9,7 @@
 
 #include "Command_line.h"
 #include "Mesh_file.h"
+#include "option_values.h"
 
 #include <CLI/CLI.hpp>
 
@@ -16,7 +17,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
-#include <map>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -26,8 +26,6 @@
 namespace Canonical_pose_tool {
 
 namespace {
-
-using Options = CGAL::Canonical_pose_3::Options;
 
 // Arguments that are converted to options of the library.
 struct Raw_arguments
@@ -466,27 +464,11 @@ void add_compare(CLI::App& command, Arguments& arguments)
 void take(const Raw_arguments& raw, Arguments& arguments)
 {
   Options& options = arguments.options;
-  const std::map<std::string, Options::Body> bodies = {{"auto", Options::Body::AUTOMATIC},
-                                                       {"lattice", Options::Body::LATTICE},
-                                                       {"tetgen", Options::Body::TETGEN},
-                                                       {"mesh", Options::Body::MESH_3}};
-  const std::map<std::string, Options::Components> components
-    = {{"refuse", Options::Components::REFUSE},
-       {"largest", Options::Components::LARGEST},
-       {"each", Options::Components::EACH}};
-  const std::map<std::string, Options::Kernel> kernels
-    = {{"classical", Options::Kernel::CLASSICAL},
-       {"gaussian", Options::Kernel::GAUSSIAN},
-       {"gaussian-uncentred", Options::Kernel::UNCENTERED_GAUSSIAN}};
-  const std::map<std::string, Options::Solver> solvers = {{"auto", Options::Solver::AUTOMATIC},
-                                                          {"eigen", Options::Solver::EIGEN},
-                                                          {"cholmod", Options::Solver::CHOLMOD}};
-  options.body = bodies.at(arguments.body);
-  options.components = components.at(raw.components);
-  options.kernel = kernels.at(raw.kernel);
-  options.solver = solvers.at(raw.solver);
-  if(raw.frame == "canonical")
-    options.frame = Options::Frame::CANONICAL;
+  options.body = BODIES.at(arguments.body);
+  options.components = COMPONENTS.at(raw.components);
+  options.frame = FRAMES.at(raw.frame);
+  options.kernel = KERNELS.at(raw.kernel);
+  options.solver = SOLVERS.at(raw.solver);
   if(arguments.geodesics == "wavefront")
     options.geodesics = Options::Geodesics::WAVEFRONT;
   if(!raw.paper_weights.empty())

@@ -14,70 +14,32 @@
 #include "Output_files.h"
 #include "Report.h"
 #include "commands.h"
-#include "compute_pose.h"
+#include "compute_parts.h"
 #include "exact_geodesics.h"
 #include "shown_results.h"
 
-#include <CGAL/Canonical_pose_3/consensus_segmentation.h>
-#include <CGAL/Canonical_pose_3/k_means_segmentation.h>
-#include <CGAL/Canonical_pose_3/segmentation_parts.h>
-#include <CGAL/Canonical_pose_3/sweep_segmentation.h>
-
 #include <cstddef>
-#include <exception>
 #include <filesystem>
 #include <iostream>
 #include <optional>
 #include <stdexcept>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace Canonical_pose_tool {
 
 namespace {
 
-using CGAL::Canonical_pose_3::Segmentation_options;
-
-// The pose in a file or, if there is none, the canonical one. No pose if it cannot be computed.
-Point_matrix pose_of(const Mesh_file& input, const Arguments& arguments,
-                     Segmentation_report& report)
+std::vector<std::size_t> parts_of(const Mesh_file& input, const Arguments& arguments,
+                                  Segmentation_report& report, Stage_clock& clock)
 {
+  Segmentation_input segmentation{input, arguments.method, std::nullopt, arguments.options,
+                                  arguments.number_of_parts};
   if(!arguments.pose.empty())
-    return matrix_of(points_of(read_mesh_file(arguments.pose)));
-  Options options = arguments.options;
+    segmentation.pose = matrix_of(points_of(read_mesh_file(arguments.pose)));
   if(arguments.geodesics == "exact")
-    options.landmark_fields_function = exact_landmark_fields();
-  try
-  {
-    return compute_pose(input, options).pose;
-  }
-  catch(const std::exception& error)
-  {
-    report.warnings.push_back(std::string("the pose does not vote: ") + error.what());
-    return Point_matrix(0, 3);
-  }
-}
-
-// The part of each face.
-std::vector<std::size_t> compute_parts(const Mesh_file& input, const Point_matrix& points,
-                                       const Arguments& arguments, Segmentation_report& report,
-                                       Stage_clock& clock)
-{
-  namespace CP = CGAL::Canonical_pose_3;
-  Segmentation_options options;
-  options.number_of_parts = arguments.number_of_parts;
-  options.random_seed = arguments.options.random_seed;
-  options.number_of_threads = arguments.options.number_of_threads;
-  const bool needs_pose = arguments.method != "sweep" || !arguments.pose.empty();
-  const Point_matrix pose = needs_pose ? pose_of(input, arguments, report) : Point_matrix(0, 3);
-  report.stages.emplace_back("pose", clock.lap());
-  if(arguments.method == "kmeans")
-    return CP::k_means_parts(pose.rows() > 0 ? pose : points, input.faces, options);
-  report.tree = arguments.method == "sweep"
-                  ? CP::sweep_segmentation_tree(points, input.faces, pose, options)
-                  : CP::consensus_segmentation_tree(points, input.faces, pose, options);
-  return report.tree->parts();
+    segmentation.options.landmark_fields_function = exact_landmark_fields();
+  return compute_parts(segmentation, report, clock);
 }
 
 // The faces of a part, with their vertices.
@@ -184,13 +146,9 @@ void run_segment(const Arguments& arguments)
   const Mesh_file input = read_mesh_file(arguments.input);
   if(input.is_tetrahedral)
     throw std::invalid_argument("a surface is needed, but this is a tetrahedral mesh");
-  const Point_matrix points = matrix_of(points_of(input));
   Segmentation_report report;
-  report.method = arguments.method;
   report.stages.emplace_back("read", clock.lap());
-  const std::vector<std::size_t> parts = compute_parts(input, points, arguments, report, clock);
-  report.parts = CGAL::Canonical_pose_3::segmentation_parts(points, input.faces, parts);
-  report.stages.emplace_back("segmentation", clock.lap());
+  const std::vector<std::size_t> parts = parts_of(input, arguments, report, clock);
   write_parts(input, parts, report.parts.size(), arguments, report, clock);
   folder.keep();
   if(arguments.quiet)

@@ -1,0 +1,51 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_TOOL_OPTION_VALUES_H
+#define CGAL_CANONICAL_POSE_3_TOOL_OPTION_VALUES_H
+
+#include <CGAL/Canonical_pose_3/Options.h>
+
+#include <map>
+#include <string>
+
+// The names of the values that options can have, on the command line and in Python.
+
+namespace Canonical_pose_tool {
+
+using CGAL::Canonical_pose_3::Options;
+
+template <class Value>
+using Option_values = std::map<std::string, Value>;
+
+inline const Option_values<Options::Body> BODIES = {{"auto", Options::Body::AUTOMATIC},
+                                                    {"lattice", Options::Body::LATTICE},
+                                                    {"tetgen", Options::Body::TETGEN},
+                                                    {"mesh", Options::Body::MESH_3}};
+
+inline const Option_values<Options::Components> COMPONENTS
+  = {{"refuse", Options::Components::REFUSE},
+     {"largest", Options::Components::LARGEST},
+     {"each", Options::Components::EACH}};
+
+inline const Option_values<Options::Frame> FRAMES
+  = {{"input", Options::Frame::INPUT}, {"canonical", Options::Frame::CANONICAL}};
+
+inline const Option_values<Options::Kernel> KERNELS
+  = {{"classical", Options::Kernel::CLASSICAL},
+     {"gaussian", Options::Kernel::GAUSSIAN},
+     {"gaussian-uncentred", Options::Kernel::UNCENTERED_GAUSSIAN}};
+
+inline const Option_values<Options::Solver> SOLVERS = {{"auto", Options::Solver::AUTOMATIC},
+                                                       {"eigen", Options::Solver::EIGEN},
+                                                       {"cholmod", Options::Solver::CHOLMOD}};
+
+} // namespace Canonical_pose_tool
+
+#endif // CGAL_CANONICAL_POSE_3_TOOL_OPTION_VALUES_H

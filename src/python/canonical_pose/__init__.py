@@ -1,0 +1,560 @@
+# Copyright (c) 2026 The Canonical_pose_3 authors.
+#
+# This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+# distribution.
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# Author(s) : The Canonical_pose_3 authors
+
+"""Detail-preserving canonical poses of 3D shapes.
+
+A surface is given by ``vertices``, an array of n x 3 coordinates in any unit, and ``faces``, an
+array of m x k indices of vertices from 0 (k = 3 for triangles), or a sequence of faces with
+different numbers of corners. A tetrahedral mesh has ``cells``, m x 4, instead. Surfaces may have
+holes, self-intersections and other defects, which are repaired internally; `check` lists them.
+
+Lengths that are returned are in the unit of the vertices. Results are the same, bit for bit, as
+those of the program ``canonical-pose`` with the options of the same names, and do not depend on the
+number of threads. Reports have the form of its JSON reports. Matrices that are returned are in
+Fortran order, in which they were computed, and are not copied.
+
+Functions raise `ValueError` if an argument does not fit, with a message that names the defect and
+the element; `RuntimeError` if something fails on the way; and `TypeError` for arguments of wrong
+types. They run without the lock of the interpreter, so several can run in threads. Ctrl+C stops a
+registration after the current iteration.
+"""
+
+import json as _json
+
+import numpy as _numpy
+
+from canonical_pose import _core
+
+__version__ = _core.version
+__all__ = [
+    "DescriptorIndex", "HeatSolver", "Registrar",
+    "check", "compare", "describe", "geodesics", "pose", "segment", "target",
+]
+
+
+def pose(vertices, faces=None, *, cells=None, return_target=False,
+         detail_length=0.1, landmarks=80, rounds=None, body="auto", spacing=None,
+         geodesics="heat", kernel="classical", tikhonov=0., iterations=500, paper_weights=None,
+         injective=None, components="refuse", solver="auto", seed=0, threads=0,
+         matching_weights=None, stiffness=None, given_target=None, given_distances=None,
+         spring=None, direction=None, handle=None, symmetric=None):
+    """Bring a shape into its canonical pose.
+
+    Parameters
+    ----------
+    vertices : array, n x 3
+        Positions, in any unit.
+    faces : array of integers, m x k, or sequence of sequences
+        The faces of a surface.
+    cells : array of integers, m x 4
+        The cells of a tetrahedral mesh, instead of `faces`.
+    return_target : bool
+        Whether the target of the registration is returned, too.
+    detail_length : float
+        Details smaller than this keep their shape; as a fraction of the largest distance.
+    landmarks : int
+        Number of landmarks.
+    rounds : int
+        How often distances are measured again on the pose, at most. By default 3, or 0 with
+        `given_target`, `paper_weights` or the uncentered kernel.
+    body : "auto", "lattice", "tetgen" or "mesh"
+        The elastic body inside a surface.
+    spacing : float
+        Spacing of the lattice, as a fraction of the largest distance; by default, it depends on
+        the thickness of the shape.
+    geodesics : "heat", "wavefront" or "exact"
+        How distances are computed.
+    kernel : "classical", "gaussian" or "gaussian-uncentred"
+        The kernel of the target.
+    tikhonov : float
+        Weight, without unit, that holds an iteration near the one before.
+    iterations : int
+        Maximum number of iterations.
+    paper_weights : pair of floats
+        Alpha, in the inverse of the unit of the vertices, and beta, as in the paper. They replace
+        `detail_length` and `tikhonov`.
+    injective : bool
+        Whether no cell may be inverted. By default, true except with `paper_weights`.
+    components : "refuse", "largest" or "each"
+        What to do if there is more than one connected component.
+    solver : "auto", "eigen" or "cholmod"
+        The linear solver.
+    seed : int
+        0, or the seed that draws the first landmark.
+    threads : int
+        Maximum number of threads; 0 for no limit.
+    matching_weights : array, n
+        Nonnegative factors of the weights of the vertices, without unit.
+    stiffness : array, n (surface) or m (tetrahedral mesh)
+        Positive factors of the stiffness, without unit.
+    given_target : array, n x 3
+        The target to be used, in the unit of the vertices. For a tetrahedral mesh, that of the
+        vertices of its boundary.
+    given_distances : array, n x l
+        The distances to l landmarks to be used, in the unit of the vertices, as `geodesics`
+        returns them.
+    spring : sequence of (i, j, length) or (i, j, length, stiffness)
+        Springs between two vertices; `length` in the unit of the vertices.
+    direction : sequence of (i, j, x, y, z) or (i, j, x, y, z, stiffness)
+        Vectors to vertex i from vertex j, in the unit of the vertices.
+    handle : sequence of (i, x, y, z) or (i, x, y, z, stiffness)
+        Positions of vertices, in the unit of the vertices.
+    symmetric : sequence of (i, j) or (i, j, stiffness)
+        Vertices that mirror each other.
+
+    Returns
+    -------
+    pose : array, n x 3
+        The positions of the vertices in the canonical pose, in the unit of the vertices.
+    report : dict
+        The report; seconds per stage, energies and the like.
+    target : array, n x 3
+        Only if `return_target`. For a tetrahedral mesh, that of the vertices of its boundary.
+
+    Examples
+    --------
+    >>> vertices = [[x, y, z] for x in range(7) for y in (0, 1) for z in (0, 1)]
+    >>> rings = [[4 * x + i for i in (0, 1, 3, 2)] for x in range(7)]
+    >>> faces = [[a[i], b[i], b[i - 1], a[i - 1]] for a, b in zip(rings, rings[1:])
+    ...          for i in range(4)] + [rings[0][::-1], rings[-1]]
+    >>> pose, report = canonical_pose.pose(vertices, faces, detail_length=0.1)
+    >>> pose.shape
+    (28, 3)
+    >>> report["registration"]["converged"]
+    True
+    """
+    result, target_points, report = _core.pose(vertices, faces, cells, dict(
+        detail_length=detail_length, landmarks=landmarks, rounds=rounds, body=body,
+        spacing=spacing, geodesics=geodesics, kernel=kernel, tikhonov=tikhonov,
+        iterations=iterations, paper_weights=paper_weights, injective=injective,
+        components=components, solver=solver, seed=seed, threads=threads,
+        matching_weights=matching_weights, stiffness=stiffness, given_target=given_target,
+        given_distances=given_distances, spring=spring, direction=direction, handle=handle,
+        symmetric=symmetric))
+    report = _json.loads(report)
+    return (result, report, target_points) if return_target else (result, report)
+
+
+def target(vertices, faces, **options):
+    """Compute the first target of a surface, without a registration.
+
+    It is the embedding of the vertices by multidimensional scaling of their distances, in the
+    position of the surface. `pose` refines it in its rounds; see there, `return_target`.
+
+    Parameters
+    ----------
+    vertices : array, n x 3
+        Positions, in any unit.
+    faces : array of integers, m x k, or sequence of sequences
+        The faces.
+    **options
+        As for `pose`; `landmarks`, `geodesics`, `kernel`, `components`, `seed`,
+        `given_distances`, `solver` and `threads` are used.
+
+    Returns
+    -------
+    target : array, n x 3
+        The target of each vertex, in the unit of the vertices. Vertices that belong to no face, or
+        to a component that is not posed, keep their position.
+    report : dict
+        The report as of `pose`, without body and registration.
+
+    Examples
+    --------
+    >>> vertices = [[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 5)]
+    >>> faces = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]]
+    >>> target, report = canonical_pose.target(vertices, faces, landmarks=8)
+    >>> target.shape, report["target"]["landmarks"]
+    ((8, 3), 8)
+    """
+    result, report = _core.target(vertices, faces, options)
+    return result, _json.loads(report)
+
+
+def geodesics(vertices, faces, source, *, geodesics="heat", threads=0):
+    """Measure distances along a surface.
+
+    Parameters
+    ----------
+    vertices : array, n x 3
+        Positions, in any unit.
+    faces : array of integers, m x k, or sequence of sequences
+        The faces. Each vertex must belong to one.
+    source : int, or array of s integers
+        The vertex, or the vertices, from which distances are measured.
+    geodesics : "heat", "wavefront" or "exact"
+        How distances are computed. Heat is fast, with a mean error of 1 to 5 percent.
+    threads : int
+        Maximum number of threads; 0 for no limit.
+
+    Returns
+    -------
+    distances : array, n, or n x s if `source` is an array
+        Distances in the unit of the vertices; infinite if there is no path.
+
+    See also `HeatSolver`, for many sources one after the other.
+
+    Examples
+    --------
+    >>> vertices = [[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)]
+    >>> faces = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]]
+    >>> canonical_pose.geodesics(vertices, faces, 0, geodesics="exact").round(2)[[0, 1, 7]]
+    array([0.  , 1.  , 2.24])
+    >>> canonical_pose.geodesics(vertices, faces, [0, 7]).shape
+    (8, 2)
+    """
+    sources, is_single = _sources(source)
+    distances = _core.geodesics(vertices, faces, sources,
+                                dict(geodesics=geodesics, threads=threads))
+    return distances[:, 0] if is_single else distances
+
+
+def check(vertices, faces=None, *, cells=None):
+    """Tell what is wrong with a surface, or with the boundary of a tetrahedral mesh, if anything.
+
+    Parameters
+    ----------
+    vertices : array, n x 3
+        Positions, in any unit.
+    faces : array of integers, m x k, or sequence of sequences
+        The faces.
+    cells : array of integers, m x 4
+        The cells of a tetrahedral mesh, instead of `faces`.
+
+    Returns
+    -------
+    report : dict
+        ``"input"`` with numbers of elements and of defects, ``"first_defect"`` (None if there is
+        none), and ``"defects"``, with examples.
+
+    Examples
+    --------
+    >>> report = canonical_pose.check([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]],
+    ...                               [[0, 2, 1], [0, 1, 3], [1, 2, 3]])
+    >>> report["input"]["boundary_edges"]
+    3
+    """
+    return _json.loads(_core.check(vertices, faces, cells))
+
+
+def compare(pose, other, *more):
+    """Tell how much poses of corresponding vertices differ.
+
+    Neither position, orientation nor scale matter: poses are scaled to a radius of gyration of 1
+    and moved onto each other.
+
+    Parameters
+    ----------
+    pose, other, *more : arrays, n x 3
+        Positions, in any unit, which may differ between the poses.
+
+    Returns
+    -------
+    proper : float
+        The root mean square distance of corresponding vertices, without unit; the mean over all
+        pairs of poses.
+    reflected : float
+        The same, if mirror images are considered to be the same pose.
+
+    Examples
+    --------
+    >>> pose = [[0, 0, 0], [1, 0, 0], [0, 2, 0], [0, 0, 3]]
+    >>> proper, reflected = canonical_pose.compare(pose, [[-x, y, z] for x, y, z in pose])
+    >>> round(proper, 3), round(reflected, 3)
+    (0.414, 0.0)
+    """
+    return _core.compare([pose, other, *more])
+
+
+def segment(vertices, faces, *, parts="auto", method="consensus", pose=None, **options):
+    """Divide a surface into parts, such as limbs, head and trunk.
+
+    Parameters
+    ----------
+    vertices : array, n x 3
+        Positions, in any unit.
+    faces : array of integers, m x k, or sequence of sequences
+        The faces.
+    parts : int or "auto"
+        Number of parts.
+    method : "consensus", "sweep" or "kmeans"
+        Sweep is fast, kmeans is that of the paper.
+    pose : array, n x 3
+        The pose to be used, in any unit; otherwise it is computed, if the method needs it.
+    **options
+        As for `pose`; but each component is posed by default.
+
+    Returns
+    -------
+    part_of_face : array of integers, m
+        The part of each face, from 0.
+    report : dict
+        Among others, areas, neighbors and joints of the parts, and the hierarchy of parts.
+
+    Examples
+    --------
+    >>> vertices = [[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 5)]
+    >>> faces = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]]
+    >>> part_of_face, report = canonical_pose.segment(vertices, faces, parts=1)
+    >>> part_of_face
+    array([0, 0, 0, 0, 0, 0])
+    """
+    if method not in ("consensus", "sweep", "kmeans"):
+        raise ValueError(f"option method is {method!r}, but must be one of consensus, kmeans, sweep")
+    if parts == "auto":
+        parts = 0
+    elif parts < 1:
+        raise ValueError(f"option parts is {parts}, but must be >= 1, or 'auto'")
+    part_of_face, report = _core.segment(vertices, faces, parts, method, pose,
+                                         {"components": "each", **options})
+    return part_of_face, _json.loads(report)
+
+
+def describe(vertices, faces, *, descriptor=None, pose=None, **options):
+    """Describe a surface by numbers, for search.
+
+    Parameters
+    ----------
+    vertices : array, n x 3
+        Positions, in any unit.
+    faces : array of integers, m x k, or sequence of sequences
+        The faces.
+    descriptor : string, or sequence of strings
+        The descriptors: "heat-kernel-quantiles", "shape-dna", "shape-distribution-d2" and
+        "views"; by default, all.
+    pose : array, n x 3
+        The pose to be used, in any unit; otherwise it is computed, if a descriptor needs it.
+    **options
+        As for `pose`; but each component is posed by default.
+
+    Returns
+    -------
+    descriptors : dict
+        For each name a dict of ``"version"``, an integer, and ``"values"``, an array without unit.
+
+    See also `DescriptorIndex`.
+
+    Examples
+    --------
+    >>> vertices = [[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 5)]
+    >>> faces = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]]
+    >>> described = canonical_pose.describe(vertices, faces, descriptor="views", pose=vertices)
+    >>> list(described), described["views"]["version"]
+    (['views'], 1)
+    """
+    names = [] if descriptor is None else [descriptor] if isinstance(descriptor, str) else descriptor
+    return _core.describe(vertices, faces, list(names), pose, {"components": "each", **options})
+
+
+class HeatSolver:
+    """Measures distances along a surface, from many sources: it is prepared once.
+
+    Parameters
+    ----------
+    vertices : array, n x 3
+        Positions, in any unit.
+    faces : array of integers, m x k, or sequence of sequences
+        The faces. Each vertex must belong to one.
+    time_step_factor : float
+        The time step by the square of the mean edge length; the larger, the smoother the distances.
+
+    Examples
+    --------
+    >>> vertices = [[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)]
+    >>> faces = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]]
+    >>> solver = canonical_pose.HeatSolver(vertices, faces)
+    >>> solver.distances(0).shape, solver.distances([0, 7]).shape
+    ((8,), (8, 2))
+    """
+
+    def __init__(self, vertices, faces, *, time_step_factor=1.):
+        self._core = _core.Heat_solver(vertices, faces, time_step_factor)
+
+    def distances(self, source):
+        """Return the distances of all vertices.
+
+        Parameters
+        ----------
+        source : int, or array of s integers
+            The vertex, or the vertices, from which distances are measured.
+
+        Returns
+        -------
+        distances : array, n, or n x s if `source` is an array
+            Distances in the unit of the vertices; infinite if there is no path. The same numbers
+            as those of `geodesics`.
+        """
+        sources, is_single = _sources(source)
+        result = self._core.distances(sources)
+        return result[:, 0] if is_single else result
+
+    def distance_to_nearest(self, sources):
+        """Return the distance of each vertex from the nearest of the sources.
+
+        Parameters
+        ----------
+        sources : array of s integers
+            The vertices from which distances are measured.
+
+        Returns
+        -------
+        distances : array, n
+            Distances in the unit of the vertices; infinite if there is no path.
+        """
+        return self._core.distance_to_nearest(sources)
+
+
+class Registrar:
+    """Pulls a surface toward one target after the other: body and matrix are prepared once.
+
+    Parameters
+    ----------
+    vertices : array, n x 3
+        Positions, in any unit.
+    faces : array of integers, m x k, or sequence of sequences
+        The faces.
+    **options
+        As for `pose`, but for those of rounds and constraints, and `paper_weights`.
+
+    Attributes
+    ----------
+    target : array, n x 3
+        The first target, see the function `target`, in the unit of the vertices.
+    body_vertices : array, N x 3
+        The vertices of the elastic body at rest, in the unit of the vertices.
+    body_cells : array of integers, M x 4
+        Its cells.
+
+    Examples
+    --------
+    >>> vertices = [[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 5)]
+    >>> faces = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]]
+    >>> registrar = canonical_pose.Registrar(vertices, faces, landmarks=8)
+    >>> pose, report = registrar.register(registrar.target)
+    >>> pose.shape, report["inverted"]
+    ((8, 3), 0)
+    """
+
+    def __init__(self, vertices, faces, **options):
+        for name in ("rounds", "paper_weights", "spring", "direction", "handle", "symmetric"):
+            if name in options:
+                raise TypeError(f"a registrar has no option {name}")
+        self._core = _core.Registrar(vertices, faces, options)
+
+    @property
+    def target(self):
+        return self._core.target()
+
+    @property
+    def body_vertices(self):
+        return self._core.body_vertices()
+
+    @property
+    def body_cells(self):
+        return self._core.body_cells()
+
+    def set_detail_length(self, detail_length):
+        """Set the detail length, as a fraction of the largest distance."""
+        self._core.set_detail_length(detail_length)
+
+    def register(self, target, *, warm=False):
+        """Pull the surface toward a target.
+
+        Parameters
+        ----------
+        target : array, n x 3
+            The target of each vertex, in the unit of the vertices.
+        warm : bool
+            Whether to start where the registration before ended.
+
+        Returns
+        -------
+        pose : array, n x 3
+            The positions of the vertices, in the unit of the vertices.
+        report : dict
+            ``"iterations"``, ``"converged"``, energies, the number of ``"inverted"`` cells and
+            ``"volume_ratio"``.
+        """
+        return self._core.register(target, warm)
+
+
+class DescriptorIndex:
+    """Searches shapes by one of the descriptors of `describe`.
+
+    Parameters
+    ----------
+    descriptor : string
+        Its name.
+
+    Examples
+    --------
+    >>> index = canonical_pose.DescriptorIndex("shape-distribution-d2")
+    >>> vertices = [[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 5)]
+    >>> faces = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]]
+    >>> described = canonical_pose.describe(vertices, faces, descriptor="shape-distribution-d2",
+    ...                                     pose=vertices)
+    >>> values = described["shape-distribution-d2"]["values"]
+    >>> index.insert(values)
+    0
+    >>> index.nearest(values, 1)
+    (array([0]), array([0.]))
+    """
+
+    def __init__(self, descriptor):
+        self._core = _core.Descriptor_index(descriptor)
+
+    def __len__(self):
+        return len(self._core)
+
+    def insert(self, values):
+        """Add a shape by the values of its descriptor, and return its number, from 0."""
+        return self._core.insert(values)
+
+    def values(self, shape):
+        """Return the values of a shape."""
+        return self._core.values(shape)
+
+    def distances(self, query=None):
+        """Return the distances of all shapes, without unit.
+
+        Parameters
+        ----------
+        query : array
+            The values of another shape. None for the distances of all pairs.
+
+        Returns
+        -------
+        distances : array, n, or n x n without `query`
+        """
+        return self._core.all_distances() if query is None else self._core.distances(query)
+
+    def nearest(self, query, number=10):
+        """Return the shapes nearest to a query.
+
+        Parameters
+        ----------
+        query : array
+            The values of another shape.
+        number : int
+            At most as many shapes are returned.
+
+        Returns
+        -------
+        shapes : array of integers
+            Their numbers, the nearest one first.
+        distances : array
+            Their distances, without unit.
+        """
+        return self._core.nearest(query, number)
+
+
+def _sources(source):
+    """Return sources as a sequence, and whether there is a single one."""
+    is_single = _numpy.ndim(source) == 0
+    return [source] if is_single else source, is_single

@@ -1,0 +1,271 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+// The compiled part of the module: everything that crosses from Python to the library and back.
+// The functions that users call, with their defaults and documentation, are in
+// canonical_pose/__init__.py.
+
+#include "Descriptor_index.h"
+#include "Keywords.h"
+#include "arrays.h"
+#include "solvers.h"
+
+#include "Cgal_types.h"
+#include "Report.h"
+#include "compute_parts.h"
+#include "compute_pose.h"
+#include "descriptors.h"
+#include "exact_geodesics.h"
+
+#include <CGAL/Canonical_pose_3/geodesic_distances.h>
+#include <CGAL/Canonical_pose_3/pose_difference.h>
+
+#include <CGAL/assertions_behaviour.h>
+
+#include <pybind11/eigen.h>
+#include <pybind11/stl.h>
+
+#include <algorithm>
+#include <optional>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace Canonical_pose_python;
+using Canonical_pose_tool::Stage_clock;
+namespace tool = Canonical_pose_tool;
+
+// CGAL prints its errors; here they are exceptions.
+void do_not_print(const char*, const char*, const char*, int, const char*) {}
+
+template <class... Arguments>
+std::string report_of(const Arguments&... arguments)
+{
+  std::ostringstream out;
+  tool::write_report(out, arguments...);
+  return out.str();
+}
+
+py::tuple pose(const py::object& vertices, const py::object& faces, const py::object& cells,
+               const py::dict& keywords)
+{
+  const Mesh_file input = mesh_of(vertices, faces, cells);
+  const Options options = options_of(keywords);
+  if(input.is_tetrahedral && options.body != Options::Body::AUTOMATIC)
+    throw std::invalid_argument("option body: a tetrahedral mesh is its own body");
+  Stage_clock clock;
+  Result result = without_lock([&] { return tool::compute_pose(input, options); });
+  return py::make_tuple(std::move(result.pose), std::move(*result.target),
+                        report_of(result.summary, clock.total()));
+}
+
+py::tuple target(const py::object& vertices, const py::object& faces, const py::dict& keywords)
+{
+  const Mesh_file input = surface_of(vertices, faces);
+  const Options options = options_of(keywords);
+  Stage_clock clock;
+  Result result = without_lock([&] { return first_target(input, options); });
+  return py::make_tuple(std::move(*result.target), report_of(result.summary, clock.total()));
+}
+
+Eigen::MatrixXd geodesics(const py::object& vertices, const py::object& faces,
+                          const py::object& sources, const py::dict& keywords)
+{
+  const Mesh_file input = surface_of(vertices, faces);
+  const Options options = options_of(keywords);
+  const std::vector<std::size_t> source_vertices
+    = vertices_of(sources, input.points.size(), "source");
+  const bool is_exact = static_cast<bool>(options.landmark_fields_function);
+  return without_lock([&] {
+    return CGAL::Canonical_pose_3::geodesic_distances(
+      tool::matrix_of(tool::points_of(input)), input.faces, source_vertices, options,
+      is_exact ? tool::exact_distances : CGAL::Canonical_pose_3::Distances_function());
+  });
+}
+
+std::string check(const py::object& vertices, const py::object& faces, const py::object& cells)
+{
+  const Mesh_file input = mesh_of(vertices, faces, cells);
+  return without_lock([&] {
+    Stage_clock clock;
+    const auto diagnosis = tool::diagnosis_of(input);
+    const double seconds = clock.lap();
+    using Stages = std::vector<CGAL::Canonical_pose_3::Registration_summary::Stage>;
+    return report_of(diagnosis, Stages{{"diagnosis", seconds}}, clock.total());
+  });
+}
+
+std::pair<double, double> compare(const std::vector<py::object>& poses)
+{
+  std::vector<Point_matrix> matrices;
+  for(const py::object& pose : poses)
+    matrices.push_back(point_matrix_of(pose, "pose " + std::to_string(matrices.size())));
+  return without_lock([&] {
+    return std::make_pair(CGAL::Canonical_pose_3::mean_pose_difference(matrices, false),
+                          CGAL::Canonical_pose_3::mean_pose_difference(matrices, true));
+  });
+}
+
+// The given pose, if there is one.
+std::optional<Point_matrix> pose_of(const py::object& values, const Mesh_file& surface)
+{
+  if(values.is_none())
+    return std::nullopt;
+  Point_matrix pose = point_matrix_of(values, "pose");
+  if(pose.rows() != static_cast<Eigen::Index>(surface.points.size()))
+    throw std::invalid_argument("the pose has " + std::to_string(pose.rows())
+                                + " vertices, but the surface has "
+                                + std::to_string(surface.points.size()));
+  return pose;
+}
+
+py::tuple segment(const py::object& vertices, const py::object& faces,
+                  const std::size_t number_of_parts, const std::string& method,
+                  const py::object& given_pose, const py::dict& keywords)
+{
+  const Mesh_file surface = surface_of(vertices, faces);
+  const tool::Segmentation_input input{surface, method, pose_of(given_pose, surface),
+                                       options_of(keywords), number_of_parts};
+  Stage_clock clock;
+  tool::Segmentation_report report;
+  std::vector<std::size_t> parts
+    = without_lock([&] { return tool::compute_parts(input, report, clock); });
+  return py::make_tuple(array_of(std::move(parts)), report_of(report, 0., clock.total()));
+}
+
+py::dict describe(const py::object& vertices, const py::object& faces,
+                  const std::vector<std::string>& names, const py::object& given_pose,
+                  const py::dict& keywords)
+{
+  const std::vector<tool::Descriptor> chosen = tool::descriptors(names);
+  const Mesh_file surface = surface_of(vertices, faces);
+  const Options options = options_of(keywords);
+  std::optional<Point_matrix> pose = pose_of(given_pose, surface);
+  std::vector<Eigen::VectorXd> values = without_lock([&] {
+    const Point_matrix points = tool::matrix_of(tool::points_of(surface));
+    std::vector<Eigen::VectorXd> result;
+    for(const tool::Descriptor& descriptor : chosen)
+    {
+      if(descriptor.needs_pose && !pose)
+        pose = tool::compute_pose(surface, options).pose;
+      result.push_back(descriptor.values(descriptor.needs_pose ? *pose : points, surface.faces));
+    }
+    return result;
+  });
+  py::dict result;
+  for(std::size_t i = 0; i < chosen.size(); ++i)
+    result[chosen[i].name.c_str()]
+      = py::dict(py::arg("version") = chosen[i].version, py::arg("values") = std::move(values[i]));
+  return result;
+}
+
+// Sources of a solver.
+std::vector<std::size_t> sources_of(const Heat_solver& solver, const py::object& sources)
+{
+  return vertices_of(sources, solver.number_of_vertices(), "source");
+}
+
+py::tuple registered(Registrar& registrar, const py::object& target, const bool is_warm)
+{
+  const Point_matrix points = point_matrix_of(target, "target");
+  Result result = without_lock([&] { return registrar.registered_to(points, is_warm); });
+  const auto& summary = result.summary;
+  py::dict report(
+    py::arg("iterations") = summary.iterations, py::arg("converged") = summary.converged(),
+    py::arg("energy") = summary.energy, py::arg("energy_match") = summary.energy_match,
+    py::arg("energy_arap") = summary.energy_arap, py::arg("inverted") = summary.inverted,
+    py::arg("volume_ratio") = summary.volume_ratio);
+  return py::make_tuple(std::move(result.pose), std::move(report));
+}
+
+} // namespace
+
+PYBIND11_MODULE(_core, module)
+{
+  CGAL::set_error_handler(do_not_print);
+  CGAL::set_warning_handler(do_not_print);
+  module.attr("version") = CANONICAL_POSE_VERSION;
+  module.def("pose", &pose);
+  module.def("target", &target);
+  module.def("geodesics", &geodesics);
+  module.def("check", &check);
+  module.def("compare", &compare);
+  module.def("segment", &segment);
+  module.def("describe", &describe);
+
+  py::class_<Heat_solver>(module, "Heat_solver")
+    .def(py::init([](const py::object& vertices, const py::object& faces,
+                     const double time_step_factor) {
+      const Mesh_file surface = surface_of(vertices, faces);
+      return without_lock([&] { return std::make_unique<Heat_solver>(surface, time_step_factor); });
+    }))
+    .def("distances",
+         [](const Heat_solver& self, const py::object& sources) {
+           const std::vector<std::size_t> vertices = sources_of(self, sources);
+           return without_lock([&] { return self.distances(vertices); });
+         })
+    .def("distance_to_nearest", [](const Heat_solver& self, const py::object& sources) {
+      const std::vector<std::size_t> vertices = sources_of(self, sources);
+      return without_lock([&] { return self.distance_to_nearest(vertices); });
+    });
+
+  py::class_<Registrar>(module, "Registrar")
+    .def(
+      py::init([](const py::object& vertices, const py::object& faces, const py::dict& keywords) {
+        const Mesh_file surface = surface_of(vertices, faces);
+        const Options options = options_of(keywords);
+        return without_lock([&] { return std::make_unique<Registrar>(surface, options); });
+      }))
+    .def("register", &registered)
+    .def("set_detail_length",
+         [](Registrar& self, const double detail_length) {
+           without_lock([&] { self.set_detail_length(detail_length); });
+         })
+    .def("target", &Registrar::target, py::return_value_policy::reference_internal)
+    .def("body_vertices", &Registrar::body_points, py::return_value_policy::reference_internal)
+    .def("body_cells", [](const py::object& self) {
+      const auto& cells = self.cast<const Registrar&>().body_cells();
+      py::array_t<int> result({static_cast<py::ssize_t>(cells.size()), py::ssize_t(4)},
+                              cells.front().data(), self);
+      result.attr("setflags")(py::arg("write") = false);
+      return result;
+    });
+
+  py::class_<Descriptor_index>(module, "Descriptor_index")
+    .def(py::init(&make_descriptor_index))
+    .def("__len__",
+         [](const Descriptor_index& self) { return without_lock([&] { return self.size(); }); })
+    .def("insert",
+         [](Descriptor_index& self, const py::object& values) {
+           const Eigen::VectorXd vector = vector_of(values, "values");
+           return without_lock([&] { return self.insert(vector); });
+         })
+    .def("values",
+         [](const Descriptor_index& self, const std::size_t shape) {
+           return without_lock([&] { return self.values(shape); });
+         })
+    .def("distances",
+         [](const Descriptor_index& self, const py::object& query) {
+           const Eigen::VectorXd values = vector_of(query, "query");
+           return without_lock([&] { return self.distances(values); });
+         })
+    .def(
+      "all_distances",
+      [](const Descriptor_index& self) { return without_lock([&] { return self.distances(); }); })
+    .def("nearest",
+         [](const Descriptor_index& self, const py::object& query, const std::size_t number) {
+           const Eigen::VectorXd values = vector_of(query, "query");
+           auto [shapes, distances] = without_lock([&] { return self.nearest(values, number); });
+           return py::make_tuple(array_of(std::move(shapes)), std::move(distances));
+         });
+}

@@ -1,0 +1,207 @@
+# Copyright (c) 2026 The Canonical_pose_3 authors.
+#
+# This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+# distribution.
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# Author(s) : The Canonical_pose_3 authors
+"""Kinds of input, threads, signals, memory, documentation and types."""
+
+import ast
+import doctest
+import inspect
+import os
+import pathlib
+import signal
+import threading
+import time
+
+import numpy as np
+import pytest
+
+import canonical_pose
+from conftest import make_tube
+
+
+def test_kinds_of_arrays(tube):
+    vertices, faces = tube
+    expected = canonical_pose.geodesics(vertices, faces, 0).tobytes()
+    wide = np.zeros((len(vertices), 7))
+    wide[:, ::3] = vertices
+    for values in (vertices.tolist(), np.asfortranarray(vertices), wide[:, ::3],
+                   np.ma.array(vertices), vertices.astype(">f8")):
+        assert canonical_pose.geodesics(values, faces, 0).tobytes() == expected
+    for indices in (faces.tolist(), [tuple(face) for face in faces], list(faces),
+                    np.asfortranarray(faces), faces.astype(np.uint8), faces.astype(">i4")):
+        assert canonical_pose.geodesics(vertices, indices, 0).tobytes() == expected
+    exact = canonical_pose.geodesics(vertices, faces, 0, geodesics="exact")
+    single = canonical_pose.geodesics(vertices.astype(np.float32), faces, 0, geodesics="exact")
+    np.testing.assert_allclose(single, exact, rtol=1e-5)
+
+
+def test_polygons(box):
+    vertices, faces = box
+    triangulated = [*faces[:-1].tolist(), [1, 5, 7], [1, 7, 3]]
+    assert canonical_pose.check(vertices, triangulated)["input"] == {
+        **canonical_pose.check(vertices, faces)["input"], "faces": 7}
+    assert len(canonical_pose.segment(vertices, triangulated, parts=1)[0]) == 7
+
+
+def test_input_is_not_changed_and_output_is_not_copied(tube):
+    vertices, faces = (array.copy() for array in tube)
+    pose, _ = canonical_pose.pose(vertices, faces)
+    assert (vertices == tube[0]).all() and (faces == tube[1]).all()
+    assert pose.flags.f_contiguous and pose.flags.writeable and not pose.flags.owndata
+
+
+def wait_and_interrupt(seconds):
+    time.sleep(seconds)
+    os.kill(os.getpid(), signal.SIGINT)
+
+
+@pytest.mark.parametrize("function", [canonical_pose.pose, canonical_pose.segment,
+                                      canonical_pose.describe])
+def test_interrupt(function, figure):
+    vertices, faces = figure
+    # Never converges; so what stops it is the signal.
+    options = dict(iterations=10**9, tikhonov=1e6, rounds=0, landmarks=10)
+    started = time.monotonic()
+    thread = threading.Thread(target=wait_and_interrupt, args=(2.5,))
+    thread.start()
+    with pytest.raises(KeyboardInterrupt):
+        function(vertices, faces, **options)
+        time.sleep(5) # if it was already done
+    thread.join()
+    assert time.monotonic() - started < 4
+
+
+def test_interrupt_of_a_registrar(figure):
+    registrar = canonical_pose.Registrar(*figure, iterations=10**9, tikhonov=1e6)
+    thread = threading.Thread(target=wait_and_interrupt, args=(1,))
+    thread.start()
+    with pytest.raises(KeyboardInterrupt):
+        registrar.register(registrar.target)
+    thread.join()
+
+
+def test_other_exceptions_of_signals(figure):
+    def fail(*_):
+        raise LookupError("alarm")
+    before = signal.signal(signal.SIGALRM, fail)
+    try:
+        signal.setitimer(signal.ITIMER_REAL, 1.5)
+        with pytest.raises(LookupError, match="alarm"):
+            canonical_pose.pose(*figure, iterations=10**9, tikhonov=1e6, rounds=0)
+    finally:
+        signal.signal(signal.SIGALRM, before)
+
+
+def test_lock_is_released(figure):
+    count = 0
+    is_done = False
+
+    def counts():
+        nonlocal count
+        while not is_done:
+            count += 1
+            time.sleep(.001)
+    thread = threading.Thread(target=counts)
+    thread.start()
+    before = count
+    canonical_pose.pose(*figure)
+    assert count > before + 50
+    is_done = True
+    thread.join()
+
+
+def test_calls_in_threads(tube):
+    expected = canonical_pose.pose(*tube)[0].tobytes()
+    results = []
+    threads = [threading.Thread(target=lambda: results.append(canonical_pose.pose(*tube)[0]))
+               for _ in range(4)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert [pose.tobytes() for pose in results] == 4 * [expected]
+
+
+def resident_megabytes():
+    with open("/proc/self/statm") as file:
+        return int(file.read().split()[1]) * os.sysconf("SC_PAGE_SIZE") / 2**20
+
+
+@pytest.mark.skipif(not os.path.exists("/proc/self/statm"), reason="needs /proc")
+def test_memory_does_not_grow():
+    vertices, faces = make_tube(8, 6)
+    bad = faces.copy()
+    bad[3, 0] = -1
+
+    def call(number):
+        for _ in range(number):
+            pose, _ = canonical_pose.pose(vertices, faces, rounds=0, landmarks=10, iterations=5)
+            canonical_pose.segment(vertices, faces, method="sweep")
+            canonical_pose.describe(vertices, faces, pose=pose, descriptor="shape-distribution-d2")
+            canonical_pose.HeatSolver(vertices, faces).distances([0, 1, 2])
+            canonical_pose.check(vertices, faces)
+            with pytest.raises(ValueError):
+                canonical_pose.pose(vertices, bad)
+    call(50)
+    before = resident_megabytes()
+    call(200)
+    assert resident_megabytes() - before < 4
+
+
+def public_functions():
+    for name in canonical_pose.__all__:
+        value = getattr(canonical_pose, name)
+        yield name, value
+        if inspect.isclass(value):
+            for method, function in vars(value).items():
+                if inspect.isfunction(function) and not method.startswith("_"):
+                    yield f"{name}.{method}", function
+
+
+def test_documentation():
+    finder = doctest.DocTestFinder()
+    runner = doctest.DocTestRunner(optionflags=doctest.NORMALIZE_WHITESPACE)
+    tests = {test.name: test for test in finder.find(
+        canonical_pose, extraglobs={"canonical_pose": canonical_pose})}
+    for name, value in public_functions():
+        assert inspect.getdoc(value), name
+        if "." not in name:
+            assert tests[f"canonical_pose.{name}"].examples, name
+    for test in tests.values():
+        runner.run(test)
+    assert runner.summarize(verbose=False).failed == 0
+
+
+def test_types():
+    """The types have the functions and parameters of the module."""
+    folder = pathlib.Path(canonical_pose.__file__).parent
+    assert (folder / "py.typed").exists()
+    tree = ast.parse((folder / "__init__.pyi").read_text())
+    typed, options = {}, set()
+    for node in tree.body:
+        if isinstance(node, ast.ClassDef):
+            if node.name == "_Options":
+                options = {item.target.id for item in node.body}
+            for item in node.body:
+                if isinstance(item, ast.FunctionDef):
+                    typed[f"{node.name}.{item.name}"] = item.args
+        elif isinstance(node, ast.FunctionDef):
+            typed[node.name] = node.args
+    for name, value in public_functions():
+        function = value.__init__ if inspect.isclass(value) else value
+        arguments = typed[name + ".__init__" if inspect.isclass(value) else name]
+        names = [argument.arg for argument in arguments.args + arguments.kwonlyargs]
+        parameters = inspect.signature(function).parameters
+        expected = [p.name for p in parameters.values()
+                    if p.kind in (p.POSITIONAL_OR_KEYWORD, p.KEYWORD_ONLY)]
+        if name == "pose":
+            assert set(expected) - set(names) == options
+            continue
+        assert names == expected, name
+        assert (arguments.kwarg is not None) == any(
+            p.kind == p.VAR_KEYWORD for p in parameters.values()), name
