@@ -31,6 +31,10 @@
 #include <pybind11/eigen.h>
 #include <pybind11/stl.h>
 
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#endif
+
 #include <algorithm>
 #include <optional>
 #include <sstream>
@@ -152,6 +156,12 @@ py::dict describe(const py::object& vertices, const py::object& faces,
   const Options options = options_of(keywords);
   std::optional<Point_matrix> pose = pose_of(given_pose, surface);
   std::vector<Eigen::VectorXd> values = without_lock([&] {
+#ifdef CGAL_LINKED_WITH_TBB
+    std::optional<tbb::global_control> limit; // descriptors have no options of their own
+    if(options.number_of_threads > 0)
+      limit.emplace(tbb::global_control::max_allowed_parallelism,
+                    static_cast<std::size_t>(options.number_of_threads));
+#endif
     const Point_matrix points = tool::matrix_of(tool::points_of(surface));
     std::vector<Eigen::VectorXd> result;
     for(const tool::Descriptor& descriptor : chosen)
@@ -242,7 +252,7 @@ PYBIND11_MODULE(_core, module)
     });
 
   py::class_<Descriptor_index>(module, "Descriptor_index")
-    .def(py::init(&make_descriptor_index))
+    .def(py::init<const std::string&>())
     .def("__len__",
          [](const Descriptor_index& self) { return without_lock([&] { return self.size(); }); })
     .def("insert",

@@ -41,9 +41,9 @@ __all__ = [
 def pose(vertices, faces=None, *, cells=None, return_target=False,
          detail_length=0.1, landmarks=80, rounds=None, body="auto", spacing=None,
          geodesics="heat", kernel="classical", tikhonov=0., iterations=500, paper_weights=None,
-         injective=None, components="refuse", solver="auto", seed=0, threads=0,
-         matching_weights=None, stiffness=None, given_target=None, given_distances=None,
-         spring=None, direction=None, handle=None, symmetric=None):
+         injective=None, frame="input", components="refuse", solver="auto", seed=0,
+         threads=0, matching_weights=None, stiffness=None, given_target=None,
+         given_distances=None, spring=None, direction=None, handle=None, symmetric=None):
     """Bring a shape into its canonical pose.
 
     Parameters
@@ -81,6 +81,8 @@ def pose(vertices, faces=None, *, cells=None, return_target=False,
         `detail_length` and `tikhonov`.
     injective : bool
         Whether no cell may be inverted. By default, true except with `paper_weights`.
+    frame : "input" or "canonical"
+        The position of pose and target: near the input, or in the principal axes of the pose.
     components : "refuse", "largest" or "each"
         What to do if there is more than one connected component.
     solver : "auto", "eigen" or "cholmod"
@@ -133,7 +135,7 @@ def pose(vertices, faces=None, *, cells=None, return_target=False,
         detail_length=detail_length, landmarks=landmarks, rounds=rounds, body=body,
         spacing=spacing, geodesics=geodesics, kernel=kernel, tikhonov=tikhonov,
         iterations=iterations, paper_weights=paper_weights, injective=injective,
-        components=components, solver=solver, seed=seed, threads=threads,
+        frame=frame, components=components, solver=solver, seed=seed, threads=threads,
         matching_weights=matching_weights, stiffness=stiffness, given_target=given_target,
         given_distances=given_distances, spring=spring, direction=direction, handle=handle,
         symmetric=symmetric))
@@ -420,7 +422,7 @@ class Registrar:
     faces : array of integers, m x k, or sequence of sequences
         The faces.
     **options
-        As for `pose`, but for those of rounds and constraints, and `paper_weights`.
+        As for `pose`, but for constraints, `rounds`, `frame` and `paper_weights`.
 
     Attributes
     ----------
@@ -442,7 +444,7 @@ class Registrar:
     """
 
     def __init__(self, vertices, faces, **options):
-        for name in ("rounds", "paper_weights", "spring", "direction", "handle", "symmetric"):
+        for name in ("rounds", "frame", "paper_weights", "spring", "direction", "handle", "symmetric"):
             if name in options:
                 raise TypeError(f"a registrar has no option {name}")
         self._core = _core.Registrar(vertices, faces, options)

@@ -17,6 +17,7 @@ _Report = dict[str, Any]
 _Body = Literal["auto", "lattice", "tetgen", "mesh"]
 _Geodesics = Literal["heat", "wavefront", "exact"]
 _Kernel = Literal["classical", "gaussian", "gaussian-uncentred"]
+_Frame = Literal["input", "canonical"]
 _Components = Literal["refuse", "largest", "each"]
 _Solver = Literal["auto", "eigen", "cholmod"]
 _Constraints = Sequence[Sequence[float]] | None
@@ -33,6 +34,7 @@ class _Options(TypedDict, total=False):
     iterations: int
     paper_weights: tuple[float, float] | None
     injective: bool | None
+    frame: _Frame
     components: _Components
     solver: _Solver
     seed: int

@@ -44,7 +44,8 @@ def shape(request, tmp_path):
     {},
     {"detail_length": .2, "landmarks": 20, "rounds": 1, "iterations": 40, "seed": 7, "threads": 1},
     {"kernel": "gaussian-uncentred", "solver": "eigen", "injective": False},
-    {"geodesics": "wavefront", "spacing": .05, "components": "each", "body": "lattice"},
+    {"geodesics": "wavefront", "spacing": .05, "components": "each", "body": "lattice",
+     "frame": "canonical"},
 ])
 def test_pose(tool, shape, tmp_path, options):
     vertices, faces, path = shape
