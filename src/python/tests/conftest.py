@@ -10,7 +10,8 @@
 """Shapes for the tests, and the tool to compare with.
 
 CANONICAL_POSE_TOOL is the path of the program, CANONICAL_POSE_FIGURE that of a figure with limbs as
-make_figure writes it; without them, the tests that need them are skipped.
+make_figure writes it, and CANONICAL_POSE_LIBRARY that of the example canonical_pose, which calls the
+library; without them, the tests that need them are skipped.
 """
 
 import os

@@ -9,6 +9,8 @@
 """What does not fit is an exception with a message; nothing is printed."""
 
 import inspect
+import os
+import subprocess
 
 import numpy as np
 import pytest
@@ -171,8 +173,6 @@ def test_unknown_options(tube):
 
 
 def test_options_have_the_names_of_the_tool(tool):
-    import os
-    import subprocess
     usage = subprocess.run([os.environ["CANONICAL_POSE_TOOL"], "pose", "--help"],
                            capture_output=True, text=True, check=True).stdout
     names = set(inspect.signature(canonical_pose.pose).parameters)

@@ -31,8 +31,12 @@ else()
   get_filename_component(directory "${modules}/../.." ABSOLUTE)
   set(ENV{PYTHONPATH} ${directory})
 endif()
-run(${PYTHON} -B -c
-  "import canonical_pose as c; print(c.__file__, c.__version__, c.check([[0,0,0],[1,0,0],[0,1,0]],[[0,1,2]])['input'])")
+file(WRITE ${WORK}/import.py
+"import canonical_pose
+report = canonical_pose.check([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
+print(canonical_pose.__file__, canonical_pose.__version__, report['input'])
+")
+run(${PYTHON} -B import.py)
 string(FIND "${output}" "${WORK}/" position)
 if(NOT position EQUAL 0 OR NOT output MATCHES " ${VERSION} .*'faces': 1")
   message(FATAL_ERROR "imported: ${output}")

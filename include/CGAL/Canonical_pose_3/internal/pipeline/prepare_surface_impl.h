@@ -25,6 +25,7 @@
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 #include <CGAL/Canonical_pose_3/pose_steps.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <numeric>
 #include <stdexcept>
@@ -37,6 +38,16 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 namespace internal {
+
+// Polygons with the smallest corner first, like those of `index_polygons()`: so a soup and a mesh have
+// the same pose, bit for bit.
+inline std::vector<std::vector<std::size_t>>
+with_smallest_corners_first(std::vector<std::vector<std::size_t>> polygons)
+{
+  for(std::vector<std::size_t>& corners : polygons)
+    std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+  return polygons;
+}
 
 // The components with the given indices of a surface, in one pass over it.
 inline std::vector<Surface_component_3>
@@ -146,7 +157,8 @@ prepare_surface(const Point_matrix& points, const std::vector<std::vector<std::s
   const internal::Thread_limit limit(options.number_of_threads);
   internal::check_options(options, static_cast<std::size_t>(points.rows()));
   internal::check_factors(options.stiffness, points.rows(), "stiffness", "vertex", false);
-  const internal::Examined_surface examined = internal::examine_surface(points, polygons);
+  const internal::Examined_surface examined
+    = internal::examine_surface(points, internal::with_smallest_corners_first(polygons));
   const Diagnosis_3& diagnosis = examined.diagnosis;
   const Repaired_surface_3& surface = examined.surface;
   const std::vector<std::size_t> posed
