@@ -19,6 +19,7 @@
 #include <CGAL/Canonical_pose_3/consensus_segmentation.h>
 #include <CGAL/Canonical_pose_3/geodesic_distances.h>
 #include <CGAL/Canonical_pose_3/k_means_segmentation.h>
+#include <CGAL/Canonical_pose_3/repair_surface.h>
 #include <CGAL/Canonical_pose_3/sweep_segmentation.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -28,6 +29,7 @@
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <stdexcept>
@@ -121,30 +123,29 @@ inline Parts geodesic_k_means(const Posed_mesh& shape, const std::size_t k)
   return result;
 }
 
-/// CGAL's segmentation by shape diameters, with its default options. Of its numbers of clusters, from
-/// 2 to 10, the one is chosen whose number of parts is nearest to `k`; 5 if k is 0.
+/// CGAL's segmentation by shape diameters, with its default options, of the repaired mesh; faces that
+/// the repair removes belong to the first part. Of its numbers of clusters, from 2 to 10, the one is
+/// chosen whose number of parts is nearest to `k`; 5 if k is 0.
 inline Parts diameter_segmentation(const Posed_mesh& shape, const std::size_t k)
 {
   using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
+  const CGAL::Canonical_pose_3::Repaired_surface_3 surface
+    = CGAL::Canonical_pose_3::repair_surface(shape.points, shape.mesh.faces);
   Mesh mesh;
-  for(Eigen::Index v = 0; v < shape.points.rows(); ++v)
-    mesh.add_vertex({shape.points(v, 0), shape.points(v, 1), shape.points(v, 2)});
-  for(const std::vector<std::size_t>& face : shape.mesh.faces)
-  {
-    std::vector<Mesh::Vertex_index> corners;
-    for(const std::size_t v : face)
-      corners.emplace_back(static_cast<Mesh::size_type>(v));
-    if(mesh.add_face(corners) == Mesh::null_face())
-      throw std::invalid_argument("the mesh is not manifold");
-  }
+  for(Eigen::Index v = 0; v < surface.points.rows(); ++v)
+    mesh.add_vertex({surface.points(v, 0), surface.points(v, 1), surface.points(v, 2)});
+  for(const std::array<std::size_t, 3>& t : surface.triangles)
+    mesh.add_face(Mesh::Vertex_index(static_cast<Mesh::size_type>(t[0])),
+                  Mesh::Vertex_index(static_cast<Mesh::size_type>(t[1])),
+                  Mesh::Vertex_index(static_cast<Mesh::size_type>(t[2])));
   auto diameters = mesh.add_property_map<Mesh::Face_index, double>("f:diameter").first;
   auto ids = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:part").first;
   CGAL::sdf_values(mesh, diameters);
   const auto segmentation = [&](const std::size_t number_of_clusters) {
     CGAL::segmentation_from_sdf_values(mesh, diameters, ids, number_of_clusters);
-    Parts parts;
-    for(const Mesh::Face_index f : mesh.faces())
-      parts.push_back(ids[f]);
+    Parts parts(shape.mesh.faces.size(), 0);
+    for(const Mesh::Face_index f : mesh.faces()) // in the order of the triangles
+      parts[surface.face_of_triangle[f]] = ids[f];
     return parts;
   };
   Parts best = segmentation(5);

@@ -10,7 +10,8 @@
 // Consistency: whether a shape has the same parts in all poses.
 //
 // How to read: one line per method: the share of the area of faces whose part is the same in two
-// meshes, after the best matching of the parts, as mean over all pairs of meshes and as least one.
+// meshes, after the best matching of the parts, as mean over all pairs of meshes and as least one; and
+// the mean number of parts, which is not always the requested one.
 //
 // Usage: part_consistency_benchmark [options] mesh files
 //   mesh files           of the same shape, with the same faces
@@ -73,8 +74,10 @@ void run(const Segmentation_method& method, const std::vector<Posed_mesh>& shape
   for(const Posed_mesh& shape : shapes)
     parts.push_back(method.segmentation(shape, number_of_parts));
   const Eigen::VectorXd areas = Segmentation_comparison(shapes.front().mesh).areas();
-  double sum = 0, least = 1;
+  double sum = 0, least = 1, total_number_of_parts = 0;
   std::size_t number_of_pairs = 0;
+  for(const Parts& own : parts)
+    total_number_of_parts += static_cast<double>(*std::max_element(own.begin(), own.end()) + 1);
   for(std::size_t i = 0; i < parts.size(); ++i)
     for(std::size_t j = 0; j < i; ++j)
     {
@@ -83,8 +86,9 @@ void run(const Segmentation_method& method, const std::vector<Posed_mesh>& shape
       least = (std::min)(least, share);
       ++number_of_pairs;
     }
-  std::printf("%-24s%8.3f%8.3f\n", method.name.c_str(), sum / static_cast<double>(number_of_pairs),
-              least);
+  std::printf("%-24s%8.3f%8.3f%8.1f\n", method.name.c_str(),
+              sum / static_cast<double>(number_of_pairs), least,
+              total_number_of_parts / static_cast<double>(parts.size()));
   std::fflush(stdout);
 }
 
@@ -97,16 +101,19 @@ int main(int argc, char** argv)
     Argument_list arguments(argc, argv);
     const auto number_of_parts = static_cast<std::size_t>(arguments.take_number("--parts", 8));
     const auto methods = chosen_methods(arguments.take_text("--methods"), number_of_parts > 0);
+    const bool needs_pose
+      = std::any_of(methods.begin(), methods.end(),
+                    [](const Segmentation_method& method) { return method.needs_pose; });
     std::vector<Posed_mesh> shapes;
     for(const std::string& file : arguments.rest())
     {
-      shapes.emplace_back(Canonical_pose_tool::read_mesh_file(file), true);
+      shapes.emplace_back(Canonical_pose_tool::read_mesh_file(file), needs_pose);
       if(shapes.back().mesh.faces.size() != shapes.front().mesh.faces.size())
         throw std::invalid_argument(file + " has other faces");
     }
     if(shapes.size() < 2)
       throw std::invalid_argument("at least two meshes are needed");
-    std::printf("%s\n%-24s%8s%8s\n", setting().c_str(), "method", "mean", "least");
+    std::printf("%s\n%-24s%8s%8s%8s\n", setting().c_str(), "method", "mean", "least", "parts");
     std::fflush(stdout);
     bool all_done = true;
     for(const Segmentation_method& method : methods)

@@ -8,6 +8,8 @@
 // Author(s) : The Canonical_pose_3 authors
 
 #include <CGAL/Canonical_pose_3/consensus_segmentation.h>
+#include <CGAL/Canonical_pose_3/internal/segmentation/Part_hierarchy.h>
+#include <CGAL/Canonical_pose_3/internal/segmentation/Segmented_surface.h>
 #include <CGAL/Canonical_pose_3/k_means_segmentation.h>
 #include <CGAL/Canonical_pose_3/segmentation_parts.h>
 #include <CGAL/Canonical_pose_3/sweep_segmentation.h>
@@ -224,6 +226,32 @@ TEST_P(Segmentation, large_surfaces_are_simplified)
     for(const auto& neighbor : part.neighbors)
       measured += neighbor.boundary_length / 2; // each boundary belongs to two parts
   EXPECT_NEAR(measured, length_of_necks, .1 * length_of_necks);
+}
+
+// Votes that are all the same agree, even if they are not the only ones possible; votes that divide the
+// balls in two at random places do not.
+TEST(Part_hierarchy, agreement_is_that_of_votes)
+{
+  const Polygon_soup soup = row_of_balls();
+  const CP::internal::Segmented_surface surface(soup.points, soup.polygons, no_pose());
+  const CP::internal::Face_graph graph = surface.graph();
+  const CP::internal::Patches patches
+    = CP::internal::farthest_point_patches(graph, CP::internal::edge_distances(graph), 60, 0);
+  const auto n = static_cast<Eigen::Index>(patches.size());
+  const auto x = [&](const Eigen::Index p) {
+    return centroid_x(soup, patches.centers[static_cast<std::size_t>(p)]);
+  };
+  Eigen::MatrixXd same(n, n), by_chance(n, n);
+  for(Eigen::Index i = 0; i < n; ++i)
+    for(Eigen::Index j = 0; j < n; ++j)
+    {
+      same(i, j) = ball_of(x(i)) == ball_of(x(j)) ? 1 : 0;
+      by_chance(i, j) = 1 - std::abs(x(i) - x(j)) / length;
+    }
+  using CP::internal::Part_hierarchy;
+  EXPECT_NEAR(Part_hierarchy(graph, patches, same).agreement(3), 1, 1e-9);
+  EXPECT_LT(Part_hierarchy(graph, patches, by_chance).agreement(3), .4);
+  EXPECT_LT(Part_hierarchy(graph, patches, Eigen::MatrixXd::Constant(n, n, .5)).agreement(3), .1);
 }
 
 TEST_P(Segmentation, each_component_has_a_part)

@@ -36,11 +36,10 @@ namespace internal {
 class Part_hierarchy
 {
 public:
-  Part_hierarchy(const Face_graph& graph, const Patches& patches,
-                 const Eigen::MatrixXd& similarities)
-    : m_graph(graph), m_patches(patches), m_similarities(similarities),
+  Part_hierarchy(const Face_graph& graph, const Patches& patches, Eigen::MatrixXd similarities)
+    : m_graph(graph), m_patches(patches), m_similarities(std::move(similarities)),
       m_areas(patch_areas(graph, patches)),
-      m_linkage(similarities, m_areas, Eigen::MatrixXd::Ones(m_areas.size(), m_areas.size()))
+      m_linkage(m_similarities, m_areas, Eigen::MatrixXd::Ones(m_areas.size(), m_areas.size()))
   {
     while(m_linkage.merge_two())
     {}
@@ -59,6 +58,26 @@ public:
     result.leaf_of_face = pieces(clusters(number_of_leaves), part_of_face);
     merge_leaves(part_of_face, result);
     return result;
+  }
+
+  // How well the votes agree with the clusters that they lead to, on whether two points of the surface
+  // belong to the same part: 1 if all votes are the same, about 0 if it is chance. (Cohen's kappa.)
+  double agreement(const std::size_t number_of_parts) const
+  {
+    const std::vector<std::size_t> known = clusters(number_of_parts);
+    const std::size_t k = number_of_clusters(known);
+    const Eigen::MatrixXd means = mean_similarities(known, k);
+    Eigen::MatrixXd members = Eigen::MatrixXd::Zero(m_areas.size(), static_cast<Eigen::Index>(k));
+    for(std::size_t p = 0; p < known.size(); ++p)
+      members(static_cast<Eigen::Index>(p),
+              static_cast<Eigen::Index>(nearest_cluster(p, known, means)))
+        = m_areas[static_cast<Eigen::Index>(p)];
+    const double total = m_areas.sum() * m_areas.sum();
+    const double votes = m_areas.dot(m_similarities * m_areas) / total;
+    const double together = members.colwise().sum().squaredNorm() / total;
+    const double both = (m_similarities * members).cwiseProduct(members).sum() / total;
+    const double chance = votes + together - 2 * votes * together;
+    return chance > 0 ? 1 - (votes + together - 2 * both) / chance : 1;
   }
 
 private:
@@ -102,25 +121,32 @@ private:
   std::vector<std::size_t> pieces(const std::vector<std::size_t>& cluster_of_patch,
                                   const std::vector<std::size_t>& part_of_face) const
   {
-    std::size_t k = 0;
-    for(const std::size_t cluster : cluster_of_patch)
-      if(cluster != NONE)
-        k = (std::max)(k, cluster + 1);
+    const std::size_t k = number_of_clusters(cluster_of_patch);
     const Eigen::MatrixXd means = mean_similarities(cluster_of_patch, k);
     std::vector<std::size_t> region_of_face(m_graph.number_of_faces());
     for(std::size_t f = 0; f < region_of_face.size(); ++f)
-      region_of_face[f] = k * part_of_face[f] + nearest_cluster(f, cluster_of_patch, means);
+      region_of_face[f] = k * part_of_face[f]
+                          + nearest_cluster(m_patches.patch_of_face[f], cluster_of_patch, means);
     refine_boundaries(part_of_face, k, means, region_of_face);
     return connected_pieces(m_graph, without_specks(connected_pieces(m_graph, region_of_face),
                                                     part_of_face, LEAST_AREA))
       .region_of_face;
   }
 
-  std::size_t nearest_cluster(const std::size_t face,
-                              const std::vector<std::size_t>& cluster_of_patch,
-                              const Eigen::MatrixXd& means) const
+  static std::size_t number_of_clusters(const std::vector<std::size_t>& cluster_of_patch)
   {
-    const std::size_t patch = m_patches.patch_of_face[face];
+    std::size_t result = 0;
+    for(const std::size_t cluster : cluster_of_patch)
+      if(cluster != NONE)
+        result = (std::max)(result, cluster + 1);
+    return result;
+  }
+
+  // The cluster of the patch, or the most similar one if there is none.
+  static std::size_t nearest_cluster(const std::size_t patch,
+                                     const std::vector<std::size_t>& cluster_of_patch,
+                                     const Eigen::MatrixXd& means)
+  {
     if(cluster_of_patch[patch] != NONE)
       return cluster_of_patch[patch];
     Eigen::Index nearest;
@@ -236,7 +262,7 @@ private:
 
   const Face_graph& m_graph;
   const Patches& m_patches;
-  const Eigen::MatrixXd& m_similarities;
+  const Eigen::MatrixXd m_similarities;
   const Eigen::VectorXd m_areas;
   Average_linkage m_linkage; // of the patches
 };

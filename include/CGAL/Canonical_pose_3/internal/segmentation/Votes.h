@@ -85,7 +85,7 @@ public:
     return result / static_cast<double>(votes.size());
   }
 
-  static constexpr double COST_LIMIT = 2; // of cuts, if the number of parts is not given
+  static constexpr double COST_LIMIT = 2.1; // of cuts, if the number of parts is not given
 
 private:
   static constexpr std::size_t NUMBER_OF_SWEEPS = 12, NUMBER_OF_SIGHTS = 8;

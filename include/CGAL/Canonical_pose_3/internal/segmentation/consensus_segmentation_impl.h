@@ -27,6 +27,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -73,6 +74,21 @@ inline bool is_intact(const Viewed_surface& pose, const Viewed_surface& surface,
               >= least_share * signed_volume(surface.graph.points, closed_triangles);
 }
 
+// The hierarchy of the parts if their number is not given: the typical one of the votes, or half as
+// many as long as the votes do not agree.
+inline Segmentation_tree_3 tree_with_agreement(const Face_graph& graph, const Patches& patches,
+                                               const Votes& votes, const unsigned int seed)
+{
+  constexpr double least_agreement = .4;
+  for(std::size_t number = votes.typical_number_of_parts(seed);;
+      number = (std::max)(number / 2, std::size_t(2)))
+  {
+    const Part_hierarchy hierarchy(graph, patches, votes.similarities(number, seed));
+    if(number <= 2 || hierarchy.agreement(number) >= least_agreement)
+      return hierarchy.tree(number);
+  }
+}
+
 } // namespace internal
 
 CGAL_CANONICAL_POSE_3_INLINE Segmentation_tree_3 consensus_segmentation_tree(
@@ -102,11 +118,12 @@ CGAL_CANONICAL_POSE_3_INLINE Segmentation_tree_3 consensus_segmentation_tree(
   }
 
   const Votes votes(geometries, patches, log_thickness);
-  const std::size_t number_of_parts = options.number_of_parts > 0
-                                        ? options.number_of_parts
-                                        : votes.typical_number_of_parts(options.random_seed);
-  const Eigen::MatrixXd similarities = votes.similarities(number_of_parts, options.random_seed);
-  Segmentation_tree_3 tree = Part_hierarchy(graph, patches, similarities).tree(number_of_parts);
+  Segmentation_tree_3 tree
+    = options.number_of_parts > 0
+        ? Part_hierarchy(graph, patches,
+                         votes.similarities(options.number_of_parts, options.random_seed))
+            .tree(options.number_of_parts)
+        : tree_with_agreement(graph, patches, votes, options.random_seed);
   tree.leaf_of_face = surface.labels_of_faces(tree.leaf_of_face);
   return tree;
 }
