@@ -47,7 +47,7 @@ bool is_mesh_file(const fs::path& path)
   std::string extension = path.extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](const unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  static const std::set<std::string> known = {".off", ".obj", ".ply", ".stl"};
+  static const std::set<std::string> known = {".off", ".obj", ".ply", ".stl", ".glb"};
   return known.count(extension) > 0;
 }
 
