@@ -2,5 +2,5 @@ MathJax.Hub.Config({
   messageStyle: "none",
   showMathMenu: false,
   menuSettings: { inTabOrder: false },
-  SVG: { linebreaks: { automatic: true } }
+  SVG: { scale: 88, linebreaks: { automatic: true } }
 });
