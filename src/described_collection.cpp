@@ -21,12 +21,12 @@ namespace Canonical_pose_tool {
 
 namespace {
 
-// "NAME" or "NAME:WEIGHT"
-double take_weight(std::string& name)
+// Removes the weight of "NAME:WEIGHT".
+std::optional<double> take_weight(std::string& name)
 {
   const std::size_t colon = name.rfind(':');
   if(colon == std::string::npos)
-    return 1;
+    return std::nullopt;
   char* end = nullptr;
   const std::string text = name.substr(colon + 1);
   const double weight = std::strtod(text.c_str(), &end);
@@ -51,22 +51,23 @@ std::vector<Weighted_descriptor> chosen_descriptors(const Arguments& arguments,
   if(arguments.descriptors.empty())
   {
     const auto stored = database.descriptors();
-    for(Descriptor& descriptor : descriptors({}))
+    for(const Descriptor& descriptor : descriptors({}))
       if(std::find(stored.begin(), stored.end(),
                    std::make_pair(descriptor.name, descriptor.version))
          != stored.end())
-        result.push_back({std::move(descriptor), 1});
+        result.push_back({descriptor, descriptor.weight});
     if(result.empty())
       throw std::invalid_argument("the database '" + arguments.database
                                   + "' has no described shape");
   }
   for(std::string name : arguments.descriptors)
   {
-    const double weight = take_weight(name);
+    const std::optional<double> weight = take_weight(name);
     if(std::any_of(result.begin(), result.end(),
                    [&](const Weighted_descriptor& w) { return w.descriptor.name == name; }))
       throw std::invalid_argument("the descriptor '" + name + "' is given twice");
-    result.push_back({descriptors({name}).front(), weight});
+    const Descriptor descriptor = descriptors({name}).front();
+    result.push_back({descriptor, weight.value_or(descriptor.weight)});
   }
   return result;
 }

@@ -24,12 +24,13 @@ namespace Canonical_pose_tool {
 namespace {
 
 template <class Model>
-Descriptor descriptor_of(const bool needs_pose)
+Descriptor descriptor_of(const bool needs_pose, const double weight)
 {
   const Model model;
   return {Model::name(),
           Model::version(),
           needs_pose,
+          weight,
           model,
           static_cast<Eigen::Index>(model.size()),
           [model](const Eigen::VectorXd& query, const Eigen::Ref<const Eigen::MatrixXd>& others) {
@@ -42,11 +43,11 @@ std::vector<Descriptor> all_descriptors()
   namespace CP = CGAL::Canonical_pose_3;
   return {
 #ifdef CANONICAL_POSE_WITH_SPECTRA
-    descriptor_of<CP::Heat_kernel_quantiles_3>(false),
-    descriptor_of<CP::Shape_dna_3>(false),
+    descriptor_of<CP::Heat_kernel_quantiles_3>(false, 4),
+    descriptor_of<CP::Shape_dna_3>(false, 0.25),
 #endif
-    descriptor_of<CP::Shape_distribution_d2_3>(true),
-    descriptor_of<CP::View_descriptor_3>(true),
+    descriptor_of<CP::Shape_distribution_d2_3>(true, 1),
+    descriptor_of<CP::View_descriptor_3>(true, 2),
   };
 }
 

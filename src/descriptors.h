@@ -26,6 +26,7 @@ struct Descriptor
   std::string name;
   int version;
   bool needs_pose;
+  double weight; // among others, if the user gives none; see the manual on how it was chosen
   // Throws std::invalid_argument if the surface cannot be described.
   std::function<Eigen::VectorXd(const CGAL::Canonical_pose_3::Point_matrix& points,
                                 const std::vector<std::vector<std::size_t>>& polygons)>

@@ -13,6 +13,7 @@
 #include "Output_files.h"
 #include "commands.h"
 #include "described_collection.h"
+#include "read_classes.h"
 
 #include <CGAL/Canonical_pose_3/Descriptor_index_3.h>
 #include <CGAL/Canonical_pose_3/Retrieval_evaluation.h>
@@ -21,7 +22,6 @@
 #include <array>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <map>
 #include <sstream>
@@ -44,30 +44,6 @@ struct Named_evaluation
   std::string name;
   Retrieval_evaluation evaluation;
 };
-
-// The class of each stem.
-std::map<std::string, std::string> read_classes(const std::string& path)
-{
-  std::ifstream in(path);
-  if(!in)
-    throw std::invalid_argument("the classes '" + path + "' cannot be read");
-  std::map<std::string, std::string> result;
-  std::size_t number = 0;
-  for(std::string line; std::getline(in, line);)
-  {
-    ++number;
-    std::istringstream words(line);
-    std::string stem, name, more;
-    if(!(words >> stem))
-      continue;
-    const auto where = [&] { return "'" + path + "', line " + std::to_string(number); };
-    if(!(words >> name) || words >> more)
-      throw std::invalid_argument(where() + " is not a stem and a class");
-    if(!result.emplace(stem, name).second)
-      throw std::invalid_argument(where() + ": '" + stem + "' already has a class");
-  }
-  return result;
-}
 
 // The shapes that have a class, in the order of their stems.
 struct Classified_shapes
