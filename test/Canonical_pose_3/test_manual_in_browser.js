@@ -78,14 +78,12 @@ async function findDefects() {
   await new Promise(resolve => hub.Queue(resolve));
 
   const defects = [];
-  const formulas = hub.getAllJax();
-  for (const formula of formulas) {
+  const hasError = element => element && (element.type == 'merror' || (element.data || []).some(hasError));
+  for (const formula of hub.getAllJax()) {
     const shown = document.getElementById(formula.inputID + '-Frame');
-    if (!shown || !shown.querySelector('svg') || shown.querySelector('.merror, [data-mml-node=merror]'))
+    if (!shown || !shown.querySelector('svg') || hasError(formula.root))
       defects.push('a formula is not shown: ' + formula.originalText);
   }
-  if (document.querySelector('.MathJax_Error, .noError'))
-    defects.push('a formula has an error');
 
   const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
   for (let node = walker.nextNode(); node; node = walker.nextNode())
@@ -125,7 +123,8 @@ async function main(program, folder, screenshots) {
     for (const page of pages)
       for (const width of widths) {
         const defects = [];
-        const loaded = new Promise(resolve => {
+        const loaded = new Promise((resolve, reject) => {
+          setTimeout(() => reject(new Error(page + ' has not been loaded within a minute')), 60000).unref();
           browser.onEvent = (method, params) => {
             if (method == 'Page.loadEventFired')
               resolve();
