@@ -38,7 +38,9 @@ void run_jobs(const std::vector<Shape_job>& jobs, const std::size_t number_of_wo
 {
   struct Running
   {
-    explicit Running(const Shape_job& job) : job(&job), process(job.arguments, job.limits) {}
+    explicit Running(const Shape_job& started)
+      : job(&started), process(started.arguments, started.limits)
+    {}
 
     const Shape_job* job;
     Child_process process;

@@ -42,7 +42,10 @@ file(WRITE ${PROJECT_BINARY_DIR}/changelog "canonical-pose-3 (${PROJECT_VERSION}
 ")
 execute_process(COMMAND gzip -9nf ${PROJECT_BINARY_DIR}/changelog COMMAND_ERROR_IS_FATAL ANY)
 
-set(about "Whether bent or straight, sitting or standing, a shape ends up in nearly the same\npose: it is pulled toward the multidimensional scaling embedding of its geodesic\ndistances, while an as-rigid-as-possible energy preserves its details.")
+set(about "Whether bent or straight, sitting or standing, a shape ends up in nearly the
+same pose: it is pulled toward the multidimensional scaling embedding of its
+geodesic distances, while an as-rigid-as-possible energy preserves its
+details.")
 set(libraries libcgal-dev libeigen3-dev)
 foreach(library IN ITEMS "CHOLMOD:libsuitesparse-dev" "TBB:libtbb-dev" "TetGen:libtet1.5-dev")
   string(REPLACE ":" ";" library ${library})
@@ -54,18 +57,26 @@ foreach(library IN ITEMS "CHOLMOD:libsuitesparse-dev" "TBB:libtbb-dev" "TetGen:l
 endforeach()
 add_debian_package(development libcanonical-pose-3-dev libdevel
   "detail-preserving canonical poses of 3D shapes (C++ library)"
-  "${about}\n.\nThis package contains the headers, an extension of CGAL, and a static library of\nwhat takes long to compile."
+  "${about}\n.\nThis package contains the headers, an extension of CGAL, and a static library\nof what takes long to compile."
   ${libraries})
 if(TARGET canonical-pose)
   add_debian_package(tools canonical-pose math
     "detail-preserving canonical poses of 3D shapes (tool)"
-    "${about}\n.\nThis package contains the command canonical-pose, which computes poses, segments\nshapes, and searches collections of shapes.")
+    "${about}\n.\nThis package contains the command canonical-pose, which computes poses,\nsegments shapes, and searches collections of shapes.")
 endif()
 if(TARGET canonical_pose_python)
   add_debian_package(python python3-canonical-pose python
     "detail-preserving canonical poses of 3D shapes (Python module)"
     "${about}\n.\nThis package contains the module canonical_pose for Python 3."
     python3 python3-numpy)
+  # What the interpreter has compiled belongs to no package.
+  file(WRITE ${PROJECT_BINARY_DIR}/prerm "#!/bin/sh
+set -e
+rm -rf /usr/lib/python3/dist-packages/canonical_pose/__pycache__
+")
+  file(CHMOD ${PROJECT_BINARY_DIR}/prerm
+    PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA ${PROJECT_BINARY_DIR}/prerm)
 endif()
 
 include(CPack)
