@@ -319,6 +319,14 @@ void add_describe(CLI::App& command, Arguments& arguments, Raw_arguments& raw)
   add_pose_options(command, arguments, raw);
 }
 
+void add_page(CLI::App& command, Arguments& arguments)
+{
+  command.add_option("SCENE", arguments.inputs, "scenes, or other surfaces (.glb)")->required();
+  command.add_option("-o,--output", arguments.output, "the page (.html)")
+    ->required()
+    ->check(path());
+}
+
 // Adds the options of `pose`, and remembers those that are given and matter for results.
 void add_recorded_pose_options(CLI::App& command, Arguments& arguments, Raw_arguments& raw)
 {
@@ -505,6 +513,8 @@ std::optional<int> parse_command_line(const int argc, char* argv[], Arguments& a
   CLI::App* const segment = app.add_subcommand("segment", "divides a surface into parts");
   CLI::App* const describe
     = app.add_subcommand("describe", "describes a surface by numbers, for search");
+  CLI::App* const page
+    = app.add_subcommand("page", "makes a page for browsers that shows scenes (.glb)");
   CLI::App* const compare = app.add_subcommand(
     "compare", "tells how much poses differ, whatever their position and scale");
   CLI::App* const collection
@@ -522,6 +532,7 @@ std::optional<int> parse_command_line(const int argc, char* argv[], Arguments& a
   add_pose(*pose, arguments, raw);
   add_segment(*segment, arguments, raw);
   add_describe(*describe, arguments, raw);
+  add_page(*page, arguments);
   add_check(*check, arguments);
   add_geodesics(*geodesics, arguments);
   try
@@ -545,8 +556,9 @@ std::optional<int> parse_command_line(const int argc, char* argv[], Arguments& a
       {std::make_pair(pose, Command::POSE), std::make_pair(check, Command::CHECK),
        std::make_pair(geodesics, Command::GEODESICS), std::make_pair(compare, Command::COMPARE),
        std::make_pair(segment, Command::SEGMENT), std::make_pair(describe, Command::DESCRIBE),
-       std::make_pair(collection, Command::COLLECTION), std::make_pair(shape, Command::SHAPE),
-       std::make_pair(search, Command::SEARCH), std::make_pair(evaluate, Command::EVALUATE)})
+       std::make_pair(page, Command::PAGE), std::make_pair(collection, Command::COLLECTION),
+       std::make_pair(shape, Command::SHAPE), std::make_pair(search, Command::SEARCH),
+       std::make_pair(evaluate, Command::EVALUATE)})
     if(*parsed)
       arguments.command = command;
   return std::nullopt;

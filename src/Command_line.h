@@ -29,6 +29,7 @@ struct Arguments
     COMPARE,
     SEGMENT,
     DESCRIBE,
+    PAGE,
     COLLECTION,
     SHAPE,
     SEARCH,
@@ -37,7 +38,7 @@ struct Arguments
 
   Command command = Command::POSE;
   std::string input;
-  std::string output; // POSE, DISTANCES, or OUT of SEGMENT and DESCRIBE
+  std::string output; // POSE, DISTANCES, or OUT of SEGMENT and DESCRIBE, PAGE
   std::string target; // this and the next six: empty if not requested
   std::string scene;
   std::string report;
@@ -53,8 +54,8 @@ struct Arguments
   std::vector<std::string> descriptors; // names, of DESCRIBE
   std::string method = "consensus";     // this and the next: of SEGMENT
   std::size_t number_of_parts = 0;      // 0: automatic
+  std::vector<std::string> inputs;      // of PAGE and COLLECTION
   // Of COLLECTION and its kin.
-  std::vector<std::string> inputs;
   std::string database;
   std::string pose_folder;
   std::vector<std::string> pose_words; // the options of `pose` that were given, as words

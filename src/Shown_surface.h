@@ -46,6 +46,13 @@ struct Legend
   double minimum, maximum;
 };
 
+// A number that is shown beside a surface.
+struct Figure
+{
+  std::string name;
+  double value;
+};
+
 // A surface with all that a file can show of it. What is empty is not shown.
 struct Shown_surface
 {
@@ -55,6 +62,7 @@ struct Shown_surface
   std::vector<Color> vertex_colors;
   std::optional<Legend> legend;
   std::vector<std::size_t> part_of_face;
+  std::vector<Figure> figures;
   std::vector<Other_shape> other_shapes; // the last one is that to which an animation leads
 };
 

@@ -65,6 +65,12 @@ int main(int argc, char* argv[])
       run_describe(arguments);
     else if(arguments.command == Arguments::Command::GEODESICS)
       run_geodesics(arguments);
+    else if(arguments.command == Arguments::Command::PAGE)
+#ifdef CANONICAL_POSE_WITH_PAGE
+      run_page(arguments);
+#else
+      throw std::runtime_error("pages are not available in this build, without npm");
+#endif
 #ifdef CANONICAL_POSE_WITH_COLLECTIONS
     else if(arguments.command == Arguments::Command::COLLECTION)
       run_collection(arguments);

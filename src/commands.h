@@ -21,6 +21,7 @@ void run_check(const Arguments& arguments);
 void run_geodesics(const Arguments& arguments);
 void run_compare(const Arguments& arguments);
 void run_segment(const Arguments& arguments);
+void run_page(const Arguments& arguments);
 void run_describe(const Arguments& arguments);
 void run_collection(const Arguments& arguments);
 void run_shape(const Arguments& arguments);

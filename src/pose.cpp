@@ -136,7 +136,7 @@ void run_pose(Arguments& arguments)
     write_mesh(out, format_of(arguments.target), with_points(surface, *result.target));
   });
   files.write(arguments.scene, [&](std::ostream& out) {
-    write_glb(out, shown_pose(input, *result.target, result.pose));
+    write_glb(out, shown_pose(input, *result.target, result.pose, summary));
   });
   summary.add_seconds("write", clock.lap());
   files.write(arguments.report,

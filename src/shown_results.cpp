@@ -47,6 +47,12 @@ Eigen::VectorXd strains(const Mesh_file& input, const Point_matrix& pose)
            : CP::vertex_strains(rest, pose, CP::triangulate_polygons(rest, input.faces).triangles);
 }
 
+std::vector<Figure> figures_of(const Mesh_file& mesh)
+{
+  return {{"vertices", static_cast<double>(mesh.points.size())},
+          {"faces", static_cast<double>(mesh.faces.size())}};
+}
+
 void color_by(Shown_surface& surface, const std::string& name, const Eigen::VectorXd& values,
               const double maximum)
 {
@@ -90,6 +96,7 @@ Shown_surface shown_distances(const Mesh_file& input, const Eigen::MatrixXd& dis
     surface.values.push_back({distances.cols() == 1 ? "distance" : "distance_" + std::to_string(k),
                               distances.col(k).unaryExpr(finite)});
   const Eigen::VectorXd nearest = distances.rowwise().minCoeff().unaryExpr(finite);
+  surface.figures = figures_of(input);
   color_by(surface, "distance", nearest, nearest.maxCoeff());
   return surface;
 }
@@ -101,11 +108,15 @@ Shown_surface shown_parts(const Mesh_file& input, const std::vector<std::size_t>
   surface.origins.resize(input.points.size());
   std::iota(surface.origins.begin(), surface.origins.end(), std::size_t(0));
   surface.part_of_face = part_of_face;
+  surface.figures = figures_of(input);
+  const std::size_t parts
+    = part_of_face.empty() ? 0 : *std::max_element(part_of_face.begin(), part_of_face.end()) + 1;
+  surface.figures.push_back({"parts", static_cast<double>(parts)});
   return surface;
 }
 
 Shown_surface shown_pose(const Mesh_file& input, const Point_matrix& target,
-                         const Point_matrix& pose)
+                         const Point_matrix& pose, const CP::Registration_summary& summary)
 {
   Shown_surface surface;
   if(input.is_tetrahedral)
@@ -128,6 +139,11 @@ Shown_surface shown_pose(const Mesh_file& input, const Point_matrix& target,
   }
   surface.other_shapes = {{"target", target}, {"pose", pose_of_surface}};
   surface.values = {{"strain", strain}};
+  surface.figures = figures_of(surface.mesh);
+  surface.figures.push_back({"stress", summary.target.stress});
+  surface.figures.push_back({"energy", summary.energy});
+  surface.figures.push_back({"median_edge_strain", summary.median_edge_strain});
+  surface.figures.push_back({"inverted", static_cast<double>(summary.inverted)});
   color_by(surface, "strain", strain, LARGEST_SHOWN_STRAIN);
   return surface;
 }

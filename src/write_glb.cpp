@@ -343,13 +343,20 @@ private:
       legend["map"] = Value(std::string("viridis"));
       extras["legend"] = Value(legend);
     }
+    if(!m_surface.figures.empty())
+    {
+      Value::Object figures;
+      for(const Figure& figure : m_surface.figures)
+        figures[figure.name] = Value(figure.value);
+      extras["figures"] = Value(figures);
+    }
     return Value(extras);
   }
 
   void add_node()
   {
     tinygltf::Mesh mesh;
-    if(!m_surface.other_shapes.empty() || m_surface.legend)
+    if(!m_surface.other_shapes.empty() || m_surface.legend || !m_surface.figures.empty())
       mesh.extras = extras();
     mesh.weights.assign(m_surface.other_shapes.size(), 0);
     mesh.primitives.push_back(m_primitive);

@@ -1,69 +1,12 @@
 // Opens the pages of the manual in Chromium, without a network, at the widths of a desktop and of a phone:
 //   node test_manual_in_browser.js CHROMIUM FOLDER [--screenshots FOLDER]
 // A page fails if the browser reports an error, a request leaves the machine, a formula or command of doxygen is not
-// rendered, a picture is missing, or the page scrolls sideways. Chromium is controlled by a pipe (--remote-debugging-pipe).
+// rendered, a picture is missing, or the page scrolls sideways.
 'use strict';
-const fs = require('fs'), os = require('os'), path = require('path');
-const { pathToFileURL } = require('url');
-const { spawn } = require('child_process');
+const fs = require('fs'), path = require('path');
+const Browser = require('./Browser.js');
 
 const widths = [1300, 400];
-
-class Browser {
-  constructor(program, profile) {
-    this.process = spawn(program, ['--headless=new', '--no-sandbox', '--disable-gpu', '--disable-dev-shm-usage',
-      '--host-resolver-rules=MAP * ~NOTFOUND', '--no-first-run', '--hide-scrollbars', '--remote-debugging-pipe',
-      '--user-data-dir=' + profile, 'about:blank'], { stdio: ['ignore', 'ignore', 'ignore', 'pipe', 'pipe'] });
-    this.process.on('error', error => this.fail(error));
-    this.process.on('exit', () => this.fail(new Error('Chromium has ended')));
-    this.number = 0;
-    this.answers = new Map();
-    this.onEvent = () => {};
-    let text = '';
-    this.process.stdio[4].setEncoding('utf8');
-    this.process.stdio[4].on('data', data => {
-      const messages = (text + data).split('\0');
-      text = messages.pop();
-      messages.forEach(message => this.receive(JSON.parse(message)));
-    });
-  }
-
-  receive(message) {
-    const answer = this.answers.get(message.id);
-    if (!answer)
-      return this.onEvent(message.method, message.params);
-    this.answers.delete(message.id);
-    if (message.error)
-      answer.reject(new Error(message.error.message));
-    else
-      answer.resolve(message.result);
-  }
-
-  fail(error) {
-    this.answers.forEach(answer => answer.reject(error));
-    this.answers.clear();
-  }
-
-  send(method, params = {}) {
-    const id = ++this.number;
-    this.process.stdio[3].write(JSON.stringify({ id, method, params, sessionId: this.session }) + '\0');
-    return new Promise((resolve, reject) => this.answers.set(id, { resolve, reject }));
-  }
-
-  async open() {
-    const { targetId } = await this.send('Target.createTarget', { url: 'about:blank' });
-    this.session = (await this.send('Target.attachToTarget', { targetId, flatten: true })).sessionId;
-    for (const domain of ['Page', 'Runtime', 'Log', 'Network'])
-      await this.send(domain + '.enable');
-  }
-
-  async evaluate(expression) {
-    const answer = await this.send('Runtime.evaluate', { expression, awaitPromise: true, returnByValue: true });
-    if (answer.exceptionDetails)
-      throw new Error(answer.exceptionDetails.exception.description);
-    return answer.result.value;
-  }
-}
 
 // Runs in the page.
 async function findDefects() {
@@ -115,47 +58,24 @@ async function main(program, folder, screenshots) {
   const pages = fs.readdirSync(folder).filter(name => name.endsWith('.html')).sort();
   if (!pages.includes('index.html'))
     throw new Error('there is no manual in ' + folder);
-  const profile = fs.mkdtempSync(path.join(os.tmpdir(), 'manual_in_browser_'));
-  const browser = new Browser(program, profile);
+  const browser = new Browser(program);
   let failures = 0;
   try {
     await browser.open();
     for (const page of pages)
       for (const width of widths) {
-        const defects = [];
-        const loaded = new Promise((resolve, reject) => {
-          setTimeout(() => reject(new Error(page + ' has not been loaded within a minute')), 60000).unref();
-          browser.onEvent = (method, params) => {
-            if (method == 'Page.loadEventFired')
-              resolve();
-            else if (method == 'Runtime.exceptionThrown')
-              defects.push('error: ' + params.exceptionDetails.exception.description);
-            else if (method == 'Runtime.consoleAPICalled' && params.type == 'error')
-              defects.push('console: ' + params.args.map(value => value.value).join(' '));
-            else if (method == 'Log.entryAdded' && params.entry.level == 'error')
-              defects.push('console: ' + params.entry.text + ' ' + (params.entry.url || ''));
-            else if (method == 'Network.requestWillBeSent' && !/^(file|data|blob|about):/.test(params.request.url))
-              defects.push('request: ' + params.request.url);
-          };
-        });
-        await browser.send('Emulation.setDeviceMetricsOverride',
-          { width, height: 900, deviceScaleFactor: 1, mobile: false });
-        await browser.send('Page.navigate', { url: pathToFileURL(path.join(folder, page)).href });
-        await loaded;
+        const defects = await browser.load(path.join(folder, page), width);
         defects.push(...await browser.evaluate('(' + findDefects + ')()'));
         for (const scheme of screenshots ? ['light', 'dark'] : []) {
-          await browser.send('Emulation.setEmulatedMedia', { features: [{ name: 'prefers-color-scheme', value: scheme }] });
-          const { data } = await browser.send('Page.captureScreenshot', { captureBeyondViewport: true });
-          fs.writeFileSync(path.join(screenshots, page + '-' + width + '-' + scheme + '.png'), data, 'base64');
+          await browser.prefer('prefers-color-scheme', scheme);
+          fs.writeFileSync(path.join(screenshots, page + '-' + width + '-' + scheme + '.png'),
+            await browser.screenshot({ captureBeyondViewport: true }), 'base64');
         }
         defects.forEach(defect => console.log(page + ', ' + width + ' pixels: ' + defect));
         failures += defects.length > 0;
       }
   } finally {
-    const ended = new Promise(resolve => browser.process.once('exit', resolve));
-    browser.process.kill();
-    await ended;
-    fs.rmSync(profile, { recursive: true, force: true, maxRetries: 5 });
+    await browser.close();
   }
   console.log(pages.length + ' pages at ' + widths.join(' and ') + ' pixels, ' + failures + ' with defects');
   return failures;

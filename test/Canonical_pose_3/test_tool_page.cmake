@@ -1,0 +1,43 @@
+# Pages for browsers from outside, see test_tool.cmake; test_page_in_browser.js looks at them.
+
+run_tool(page scene.glb -o out/page.html)
+if(stderr MATCHES "not available in this build")
+  expect_refusal("pages are not available in this build" page scene.glb -o out/page.html)
+  message(STATUS "The tool was built without pages: they are not tested")
+  return()
+endif()
+
+expect_exit(0 pose ball.off --rounds 0 -o out/a.off --scene out/scene.glb)
+file(COPY ${WORK}/out/scene.glb DESTINATION ${WORK})
+expect_exit(0 page out/scene.glb out/scene.glb -o out/page.html)
+expect_exit(0 page out/scene.glb out/scene.glb -o out/again.html)
+expect_same_bytes(out/page.html out/again.html)
+
+# The page is one file that contains the scenes as they are, and refers to nothing else.
+file(READ ${WORK}/out/page.html page)
+string(REGEX MATCHALL "class=\"scene\" data-name=\"scene\">[A-Za-z0-9+/=]+</script>" scenes "${page}")
+list(LENGTH scenes number)
+expect_match("${number}" "^2$")
+if(page MATCHES "(src|href)=\"?[a-z]*:?//")
+  fail("out/page.html refers to ${CMAKE_MATCH_0}.")
+endif()
+find_program(BASE64 base64)
+if(BASE64)
+  list(GET scenes 0 scene)
+  string(REGEX REPLACE ".*>([A-Za-z0-9+/=]+)<.*" "\\1" scene "${scene}")
+  file(WRITE ${WORK}/scene.txt "${scene}")
+  execute_process(COMMAND ${BASE64} -d scene.txt OUTPUT_FILE decoded.glb WORKING_DIRECTORY ${WORK}
+    COMMAND_ERROR_IS_FATAL ANY)
+  expect_same_bytes(out/scene.glb decoded.glb)
+endif()
+configure_file(${WORK}/out/scene.glb "${WORK}/a&<\"b.glb" COPYONLY)
+expect_exit(0 page "a&<\"b.glb" -o out/page.html)
+file(READ ${WORK}/out/page.html page)
+expect_match("${page}" "data-name=\"a&amp;&lt;&quot;b\">")
+
+expect_exit(2 page -o out/page.html)
+expect_exit(2 page scene.glb)
+expect_refusal("'ball.off' is not a .glb file" page scene.glb ball.off -o out/page.html)
+expect_refusal("'missing.glb': it cannot be opened: No such file" page missing.glb -o out/page.html)
+expect_refusal("'words.glb': the file is truncated" page scene.glb words.glb -o out/page.html)
+expect_refusal("no such directory" page scene.glb -o out/nowhere/page.html)
