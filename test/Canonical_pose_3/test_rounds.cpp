@@ -8,7 +8,8 @@
 // Author(s) : The Canonical_pose_3 authors
 
 // Which image of the target is chosen after the rounds does not depend on the one they start from; a body that
-// collapses to a target that is inside out is registered once more, exactly as with a larger detail length.
+// collapses to a target that is inside out is registered twice more, exactly as with larger detail lengths; one of
+// both is kept.
 // A person is decided by chirality, an animal by volume.
 #include "../../examples/Canonical_pose_3/Articulated_animal.h"
 #include "../../examples/Canonical_pose_3/Articulated_figure.h"
@@ -130,7 +131,7 @@ TEST(Collapsed_body, is_registered_with_a_larger_detail_length)
     changed.volume_ratio_limit = 1.15;
     return steps.registered_pose(target, changed);
   };
-  const CP::Result soft = result_for(0.5), stiff = result_for(3);
+  const CP::Result soft = result_for(0.5), softer = result_for(1.5), stiff = result_for(3);
   EXPECT_LT(soft.summary.volume_ratio, 0.5);
   EXPECT_TRUE(is_collapsed(soft.summary));
   EXPECT_GT(stiff.summary.volume_ratio, 0.5);
@@ -139,6 +140,8 @@ TEST(Collapsed_body, is_registered_with_a_larger_detail_length)
   options.volume_ratio_limit = 1.15;
   const CP::Result result = steps.registered_pose(target, options);
   ASSERT_EQ(result.summary.rounds.size(), 1u);
-  EXPECT_EQ(result.summary.rounds[0].energy, stiff.summary.energy);
-  EXPECT_GT(result.summary.iterations, soft.summary.iterations + stiff.summary.iterations);
+  EXPECT_TRUE(result.summary.rounds[0].energy == stiff.summary.energy
+              || result.summary.rounds[0].energy == softer.summary.energy);
+  EXPECT_GT(result.summary.iterations,
+            2 * soft.summary.iterations + softer.summary.iterations + stiff.summary.iterations);
 }

@@ -84,7 +84,7 @@ private:
   static constexpr double SMALLEST_SPACING = 1. / 120, LARGEST_SPACING = 1. / 60;
   static constexpr double LARGEST_NUMBER_OF_SAMPLES = 5e6, LARGEST_NUMBER_OF_PARTS = 1e6;
   static constexpr double LARGEST_NUMBER_OF_CUBES = 2e7; // in the bounding box of the surface
-  static constexpr double SUITABLE_NUMBER_OF_CUBES = 7000;
+  static constexpr double SUITABLE_NUMBER_OF_CUBES = 4000;
 
   static void check(const Geodesic_bounds& bounds, const double spacing)
   {

@@ -44,9 +44,39 @@ public:
   {}
 
   // Refines `first`; ends when the target is inside out, if that is of no use. Returns the target,
-  // and the last pose that was measured. `before`: for times and iterations.
+  // and the last pose that was measured. After a collapse, the stress has several minima within
+  // reach: a softer body may find a lower one. `before`: for times and iterations.
   Registered_body operator()(const Registration_summary& before, const Target_3& first,
                              const bool ends_inside_out = false) const
+  {
+    constexpr double stiff = 3, softer = 1.5;
+    bool has_collapsed = false;
+    Registered_body result = refined(before, first, ends_inside_out, stiff, has_collapsed);
+    if(!has_collapsed || !Surface_registration::is_complete(result))
+      return result;
+    Registered_body other = refined(result.summary, first, ends_inside_out, softer, has_collapsed);
+    if(Surface_registration::is_complete(other) && has_lower_stress(other.summary, result.summary))
+      return other;
+    take_costs(result.summary, other.summary);
+    if(other.summary.termination == Registration_summary::CANCELED)
+      result.summary.termination = Registration_summary::CANCELED;
+    return result;
+  }
+
+private:
+  static constexpr double SMALLEST_CHANGE = 1e-3;
+
+  static bool has_lower_stress(const Registration_summary& summary,
+                               const Registration_summary& reference)
+  {
+    return !summary.rounds.empty()
+           && (reference.rounds.empty()
+               || summary.rounds.back().stress < reference.rounds.back().stress);
+  }
+
+  // `stiff`: the factor of the detail length of a body that collapses.
+  Registered_body refined(const Registration_summary& before, const Target_3& first,
+                          const bool ends_inside_out, const double stiff, bool& has_collapsed) const
   {
     Registered_body current{before, {}, first};
     current.summary.rounds.clear();
@@ -55,9 +85,10 @@ public:
     {
       Real_timer timer;
       timer.start();
-      Registered_body measured = m_registration.measured(current);
+      Registered_body measured = m_registration.measured(current, stiff);
       if(!Surface_registration::is_complete(measured))
         return measured;
+      has_collapsed = has_collapsed || measured.is_stiff;
       const Point_matrix pose = m_registration.pose(measured);
       Target_3 target;
       try
@@ -86,9 +117,6 @@ public:
     }
     return current;
   }
-
-private:
-  static constexpr double SMALLEST_CHANGE = 1e-3;
 
   const Surface_registration& m_registration;
   const Refinement m_refined;

@@ -200,10 +200,10 @@ public:
 
   // Registers in the same way, to measure distances. A target that is partly inside out squeezes a
   // soft body flat; so a body that collapses starts again as a stiff one, whose target will be right
-  // side out.
-  Registered_body measured(const Registered_body& previous) const
+  // side out. `stiff`: its factor of the detail length.
+  Registered_body measured(const Registered_body& previous, const double stiff) const
   {
-    constexpr double soft = 0.5, stiff = 3;
+    constexpr double soft = 0.5;
     Registered_body result
       = registered(previous, measurement_options(m_registration_options, soft));
     if(!is_complete(result) || !is_collapsed(result.summary))

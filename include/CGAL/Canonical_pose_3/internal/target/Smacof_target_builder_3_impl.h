@@ -182,7 +182,7 @@ public:
 
 private:
   static constexpr int MOST_ITERATIONS = 20;
-  static constexpr double TOLERANCE = 1e-5;
+  static constexpr double TOLERANCE = 1e-4;
 
   // The energy at x, and half its gradient and Gauss-Newton Hessian.
   double energy(const Eigen::Vector3d& x, Eigen::Matrix3d& hessian, Eigen::Vector3d& gradient) const
