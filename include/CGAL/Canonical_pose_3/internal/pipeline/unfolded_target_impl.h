@@ -41,8 +41,8 @@ CGAL_CANONICAL_POSE_3_INLINE Target_3 unfolded_target(const Surface_component_3&
   const internal::Thread_limit limit(options.number_of_threads);
   const internal::Body_view view(body.body);
   const Eigen::VectorXd shares = vertex_area_shares(surface.points, surface.triangles);
-  Registration_options registration_options
-    = internal::measurement_options(Registration_options(), 1);
+  Registration_options registration_options;
+  registration_options.injective = false;
   registration_options.number_of_iterations = options.registration.number_of_iterations;
   const std::unique_ptr<internal::Arap_registration> registration
     = internal::make_arap_registration(
@@ -54,8 +54,7 @@ CGAL_CANONICAL_POSE_3_INLINE Target_3 unfolded_target(const Surface_component_3&
   if(!registration->register_to_target(pose, Registration_visitor()).is_usable())
     throw std::runtime_error("the body cannot be unfolded: numbers are not finite");
   Target_3 target;
-  target.points
-    = internal::rows_at(Point_matrix(view.embedding() * pose), body.surface_vertices);
+  target.points = internal::rows_at(Point_matrix(view.embedding() * pose), body.surface_vertices);
   target.points *= internal::root_of_area(surface.points, surface.triangles)
                    / internal::root_of_area(target.points, surface.triangles);
   target.points = align_target(target.points, surface.points, shares);
