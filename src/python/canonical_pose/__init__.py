@@ -41,8 +41,7 @@ __all__ = [
 def pose(vertices, faces=None, *, cells=None, return_target=False,
          detail_length=0.1, landmarks=80, rounds=None, body="auto", spacing=None,
          geodesics="heat", target_mode="mds", kernel="classical", tikhonov=0., iterations=500,
-         paper_weights=None,
-         injective=None, frame="input", components="refuse", contacts="keep",
+         paper_weights=None, injective=None, frame="input", components="refuse", contacts="keep",
          solver="auto", seed=0, threads=0, matching_weights=None, stiffness=None, given_target=None,
          given_distances=None, spring=None, direction=None, handle=None, symmetric=None):
     """Bring a shape into its canonical pose.
@@ -140,8 +139,7 @@ def pose(vertices, faces=None, *, cells=None, return_target=False,
     result, target_points, report = _core.pose(vertices, faces, cells, dict(
         detail_length=detail_length, landmarks=landmarks, rounds=rounds, body=body,
         spacing=spacing, geodesics=geodesics, target_mode=target_mode, kernel=kernel,
-        tikhonov=tikhonov,
-        iterations=iterations, paper_weights=paper_weights, injective=injective,
+        tikhonov=tikhonov, iterations=iterations, paper_weights=paper_weights, injective=injective,
         frame=frame, components=components, contacts=contacts, solver=solver, seed=seed,
         threads=threads,
         matching_weights=matching_weights, stiffness=stiffness, given_target=given_target,
