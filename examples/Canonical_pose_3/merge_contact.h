@@ -35,9 +35,8 @@ inline std::vector<std::size_t> cut_disc(const std::vector<std::array<double, 3>
                                          Triangles& triangles)
 {
   const auto position = [&](const std::size_t v) { return Eigen::Vector3d(points[v].data()); };
-  const auto is_near = [&](const std::size_t v) {
-    return (position(v) - position(center)).norm() <= radius;
-  };
+  const auto is_near
+    = [&](const std::size_t v) { return (position(v) - position(center)).norm() <= radius; };
   std::vector<bool> is_inside(points.size(), false);
   is_inside[center] = true;
   for(bool grows = true; grows;)
@@ -98,7 +97,8 @@ inline detail::Triangles merge_contact(const std::vector<std::array<double, 3>>&
   {
     const std::size_t v = a[i % a.size()], w = b[j % b.size()];
     const std::size_t after_v = a[(i + 1) % a.size()], after_w = b[(j + 1) % b.size()];
-    if((i < a.size() ? distance(after_v, w) : never) < (j < b.size() ? distance(v, after_w) : never))
+    if((i < a.size() ? distance(after_v, w) : never)
+       < (j < b.size() ? distance(v, after_w) : never))
     {
       triangles.push_back({{v, after_v, w}});
       ++i;
