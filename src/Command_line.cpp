@@ -31,7 +31,7 @@ namespace {
 struct Raw_arguments
 {
   std::string kernel = "classical", components = "refuse", solver = "auto", frame = "input",
-              paper_weights, parts = "auto";
+              target_mode = "mds", contacts = "keep", paper_weights, parts = "auto";
   std::vector<std::string> springs, directions, handles, symmetric_pairs;
 };
 
@@ -192,6 +192,12 @@ void add_pose_options(CLI::App& command, Arguments& arguments, Raw_arguments& ra
                 "spacing of the lattice by the largest distance")
     ->check(number(true));
   command
+    .add_option("--target-mode", raw.target_mode,
+                "target by scaling of distances, or by moving vertices away from each other, which "
+                "needs none: mds, unfold")
+    ->check(CLI::IsMember({"mds", "unfold"}))
+    ->capture_default_str();
+  command
     .add_option("--kernel", raw.kernel,
                 "kernel of the target: classical, gaussian, gaussian-uncentred")
     ->check(CLI::IsMember({"classical", "gaussian", "gaussian-uncentred"}))
@@ -225,14 +231,20 @@ void add_pose_options(CLI::App& command, Arguments& arguments, Raw_arguments& ra
       "inverted cells are allowed")
     ->excludes("--injective");
   command
-    .add_option("--rounds", options.number_of_rounds,
-                "how often distances are measured again on the pose, at most; by default 3, or 0 "
-                "with --given-target, --paper-weights or the uncentered kernel")
+    .add_option(
+      "--rounds", options.number_of_rounds,
+      "how often distances are measured again on the pose, at most; by default 3, or 0 "
+      "with --given-target, --paper-weights, --target-mode unfold or the uncentered kernel")
     ->check(number(false));
   command
     .add_option("--components", raw.components,
                 "more than one connected component: refuse, largest, each")
     ->check(CLI::IsMember({"refuse", "largest", "each"}))
+    ->capture_default_str();
+  command
+    .add_option("--contacts", raw.contacts,
+                "handles of a surface that look like false contacts of its parts: keep, cut")
+    ->check(CLI::IsMember({"keep", "cut"}))
     ->capture_default_str();
   command.add_option("--solver", raw.solver, "linear solver: auto, eigen, cholmod")
     ->check(CLI::IsMember({"auto", "eigen", "cholmod"}))
@@ -477,6 +489,8 @@ void take(const Raw_arguments& raw, Arguments& arguments)
   options.frame = FRAMES.at(raw.frame);
   options.kernel = KERNELS.at(raw.kernel);
   options.solver = SOLVERS.at(raw.solver);
+  options.contacts = CONTACTS.at(raw.contacts);
+  options.target_mode = TARGET_MODES.at(raw.target_mode);
   if(arguments.geodesics == "wavefront")
     options.geodesics = Options::Geodesics::WAVEFRONT;
   if(!raw.paper_weights.empty())
@@ -487,6 +501,8 @@ void take(const Raw_arguments& raw, Arguments& arguments)
                                  "ALPHA must be positive, and BETA not negative");
     options.paper_weights = CGAL::Canonical_pose_3::Paper_weights{weights[0], weights[1]};
   }
+  if(options.target_mode == Options::Target_mode::UNFOLDING && !arguments.given_target.empty())
+    throw CLI::ValidationError("--target-mode", "unfold excludes --given-target");
   take_constraints(raw, options);
   if(raw.parts != "auto")
   {

@@ -34,6 +34,9 @@ inline const Option_values<Options::Components> COMPONENTS
      {"largest", Options::Components::LARGEST},
      {"each", Options::Components::EACH}};
 
+inline const Option_values<Options::Contacts> CONTACTS
+  = {{"keep", Options::Contacts::KEEP}, {"cut", Options::Contacts::CUT}};
+
 inline const Option_values<Options::Frame> FRAMES
   = {{"input", Options::Frame::INPUT}, {"canonical", Options::Frame::CANONICAL}};
 
@@ -45,6 +48,9 @@ inline const Option_values<Options::Kernel> KERNELS
 inline const Option_values<Options::Solver> SOLVERS = {{"auto", Options::Solver::AUTOMATIC},
                                                        {"eigen", Options::Solver::EIGEN},
                                                        {"cholmod", Options::Solver::CHOLMOD}};
+
+inline const Option_values<Options::Target_mode> TARGET_MODES
+  = {{"mds", Options::Target_mode::MDS}, {"unfold", Options::Target_mode::UNFOLDING}};
 
 } // namespace Canonical_pose_tool
 

@@ -13,6 +13,7 @@
 // A procedural person; the arms are stretched sideways in the rest pose.
 
 #include "Articulated_shape.h"
+#include "merge_contact.h"
 
 namespace Canonical_pose_examples {
 
@@ -199,7 +200,29 @@ public:
   }
 
   static std::vector<Named_pose> named_poses();
+
+  /// A pose in which the left palm nearly touches the left knee.
+  static Joint_angles hand_on_knee();
+
+  /// The triangles of `hand_on_knee()` with the hand merged with the knee, see `merge_contact()`.
+  Triangles merged_triangles() const
+  {
+    return merge_contact(points(hand_on_knee()), triangles(), nearest_vertex({0.79, 1.388, 0}),
+                         nearest_vertex({0.122, 0.545, 0.062}), 0.02);
+  }
 };
+
+inline Articulated_figure::Joint_angles Articulated_figure::hand_on_knee()
+{
+  Joint_angles angles;
+  angles.left_arm = {-35, 53, -21, 44, -26};
+  angles.right_arm = {-62, 5, 0, 12, 0};
+  angles.left_leg = {93, -5, 110, 0};
+  angles.right_leg = {10, 4, 15, 0};
+  angles.spine = {16, 0, -15};
+  angles.neck = {-8, 0, 0};
+  return angles;
+}
 
 /// Five poses that differ in all joints.
 inline std::vector<Articulated_figure::Named_pose> Articulated_figure::named_poses()

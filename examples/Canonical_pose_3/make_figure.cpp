@@ -37,6 +37,7 @@ int print_usage(bool was_asked_for)
   std::ostream& out = was_asked_for ? std::cout : std::cerr;
   out << "usage: make_figure [--shape person|animal] [--vertices N] [--pose NAME] output.off\n"
          "Default: person, 10000, standing. N: 2000 to 2000000.\n"
+         "NAME of a person can also be hand-on-knee, or merged: the same with a false contact.\n"
          "NAME of a person: ";
   print_names<Articulated_figure>(out);
   out << "NAME of an animal: ";
@@ -56,20 +57,35 @@ typename Shape::Joint_angles angles_of(const std::string& name)
 }
 
 template <class Shape>
+void write(const std::string& path, const typename Shape::Points& points,
+           const typename Shape::Triangles& triangles)
+{
+  std::ofstream out(path);
+  out.precision(17);
+  out << "OFF\n" << points.size() << ' ' << triangles.size() << " 0\n";
+  for(const auto& p : points)
+    out << p[0] << ' ' << p[1] << ' ' << p[2] << '\n';
+  for(const auto& t : triangles)
+    out << "3 " << t[0] << ' ' << t[1] << ' ' << t[2] << '\n';
+  if(!out.flush())
+    throw std::runtime_error("cannot write " + path);
+}
+
+template <class Shape>
 void write(const std::string& path, std::size_t number_of_vertices, const std::string& pose)
 {
   const auto angles = angles_of<Shape>(pose);
   const Shape shape(number_of_vertices);
-  std::ofstream out(path);
-  out.precision(17);
-  const auto points = shape.points(angles);
-  out << "OFF\n" << points.size() << ' ' << shape.triangles().size() << " 0\n";
-  for(const auto& p : points)
-    out << p[0] << ' ' << p[1] << ' ' << p[2] << '\n';
-  for(const auto& t : shape.triangles())
-    out << "3 " << t[0] << ' ' << t[1] << ' ' << t[2] << '\n';
-  if(!out.flush())
-    throw std::runtime_error("cannot write " + path);
+  write<Shape>(path, shape.points(angles), shape.triangles());
+}
+
+void write_person(const std::string& path, std::size_t number_of_vertices, const std::string& pose)
+{
+  if(pose != "hand-on-knee" && pose != "merged")
+    return write<Articulated_figure>(path, number_of_vertices, pose);
+  const Articulated_figure figure(number_of_vertices);
+  write<Articulated_figure>(path, figure.points(Articulated_figure::hand_on_knee()),
+                            pose == "merged" ? figure.merged_triangles() : figure.triangles());
 }
 
 } // namespace
@@ -92,7 +108,7 @@ try
     return print_usage(output == "--help");
   const std::size_t number_of_vertices = std::strtoul(options["--vertices"].c_str(), nullptr, 10);
   if(options["--shape"] == "person")
-    write<Articulated_figure>(output, number_of_vertices, options["--pose"]);
+    write_person(output, number_of_vertices, options["--pose"]);
   else if(options["--shape"] == "animal")
     write<Articulated_animal>(output, number_of_vertices, options["--pose"]);
   else

@@ -17,3 +17,4 @@
 #include <CGAL/Canonical_pose_3/internal/pipeline/prepare_surface_impl.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/refined_target_impl.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/registered_pose_impl.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/unfolded_target_impl.h>

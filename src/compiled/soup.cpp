@@ -7,6 +7,7 @@
 //
 // Author(s) : The Canonical_pose_3 authors
 
+#include <CGAL/Canonical_pose_3/internal/soup/cut_contacts_impl.h>
 #include <CGAL/Canonical_pose_3/internal/soup/diagnose_impl.h>
 #include <CGAL/Canonical_pose_3/internal/soup/examine_surface_impl.h>
 #include <CGAL/Canonical_pose_3/internal/soup/repair_surface_impl.h>

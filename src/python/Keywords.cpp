@@ -222,8 +222,10 @@ Options options_of(const py::dict& values)
   keywords.take_choice("body", Canonical_pose_tool::BODIES, options.body);
   keywords.take_choice("kernel", Canonical_pose_tool::KERNELS, options.kernel);
   keywords.take_choice("components", Canonical_pose_tool::COMPONENTS, options.components);
+  keywords.take_choice("contacts", Canonical_pose_tool::CONTACTS, options.contacts);
   keywords.take_choice("frame", Canonical_pose_tool::FRAMES, options.frame);
   keywords.take_choice("solver", Canonical_pose_tool::SOLVERS, options.solver);
+  keywords.take_choice("target_mode", Canonical_pose_tool::TARGET_MODES, options.target_mode);
   keywords.take_integer("landmarks", 1, options.number_of_landmarks);
   keywords.take_integer("seed", 0, options.random_seed);
   keywords.take_integer("threads", 0, options.number_of_threads);

@@ -38,13 +38,22 @@ Point_matrix points_of_mesh(const Mesh_file& mesh)
   return Canonical_pose_tool::matrix_of(Canonical_pose_tool::points_of(mesh));
 }
 
+CP::Target_3 first_target(const CP::Prepared_surface_3::Component& component,
+                          const CP::Coarse_surface_3& coarse, const CP::Landmark_fields_3& fields)
+{
+  const auto& [surface, options] = component;
+  if(options.target_mode == Options::Target_mode::MDS)
+    return CP::mds_target(surface, coarse, fields, options);
+  return CP::unfolded_target(surface, CP::surface_body(surface, coarse, fields, options), options);
+}
+
 // What comes before the registration of a component.
 struct Steps
 {
   explicit Steps(const CP::Prepared_surface_3::Component& component)
     : coarse(CP::coarse_surface(component.surface, component.options)),
       fields(CP::landmark_fields(coarse, component.options)),
-      target(CP::mds_target(component.surface, coarse, fields, component.options))
+      target(first_target(component, coarse, fields))
   {}
 
   CP::Coarse_surface_3 coarse;

@@ -17,6 +17,7 @@
 #include <CGAL/Canonical_pose_3/Mds_kernel.h>
 #include <CGAL/Canonical_pose_3/Registration_options.h>
 #include <CGAL/Canonical_pose_3/Registration_progress.h>
+#include <CGAL/Canonical_pose_3/Unfolding.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
@@ -110,10 +111,18 @@ struct Method_options
   /// attached; or pose each one.
   enum class Components { REFUSE, LARGEST, EACH };
 
+  /// how to handle handles of a surface that look like false contacts of its parts: keep them, or cut
+  /// them, see `cut_contacts()`. The latter requires the lattice, or a body of `make_body`.
+  enum class Contacts { KEEP, CUT };
+
   /// position of the result: as near as possible to the input, or in the `canonical_frame()` of the
   /// pose, with the areas of the input as weights, so that poses of several shapes can be compared or
   /// shown without alignment.
   enum class Frame { INPUT, CANONICAL };
+
+  /// how the target is computed: by multidimensional scaling of distances, see `mds_target()`, or by
+  /// unfolding, without distances, see `unfolded_target()`.
+  enum class Target_mode { MDS, UNFOLDING };
 
   /// linear solver. `AUTOMATIC` is CHOLMOD if the package was configured with it, otherwise Eigen.
   enum class Solver { AUTOMATIC, EIGEN, CHOLMOD };
@@ -148,11 +157,17 @@ struct Method_options
   /// if set, a model of `MdsKernel` that replaces `kernel`.
   std::optional<Mds_kernel> mds_kernel;
 
+  /// how the target is computed.
+  Target_mode target_mode = Target_mode::MDS;
+
+  /// the parameter of the unfolding.
+  Unfolding unfolding;
+
   /// maximum number of rounds before the final registration. In a round, the body is registered
   /// with half the detail length, and distances are measured again on this pose, where limbs are
   /// straight and distances depend less on the posture; they lead to the `refined_target()`. The
-  /// default is 3; for a given target, with `paper_weights`, and with the uncentered kernel, it is
-  /// 0. Nonnegative.
+  /// default is 3; for a given target, with `paper_weights`, with the uncentered kernel, and when
+  /// unfolding, it is 0. Nonnegative.
   std::optional<int> number_of_rounds;
 
   /// whether to choose the mirror image of the target that would be chosen otherwise, see
@@ -171,6 +186,9 @@ struct Method_options
 
   /// the components of a surface or a complex.
   Components components = Components::REFUSE;
+
+  /// the false contacts of a surface.
+  Contacts contacts = Contacts::KEEP;
 
   /// the position of the pose, the target and the followers. Given targets and constraints refer to
   /// the frame of the input in any case.

@@ -29,7 +29,7 @@ struct Registration_progress
   int iteration;
   /// the energy \f$ E \f$, the sum of the next three.
   double energy;
-  /// its matching term.
+  /// its matching term, or its unfolding term.
   double energy_match;
   /// its as-rigid-as-possible term.
   double energy_arap;

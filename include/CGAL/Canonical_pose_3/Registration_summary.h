@@ -48,7 +48,8 @@ struct Registration_summary
   /// describes the target of the registration.
   struct Target
   {
-    std::string kernel;         ///< name of the kernel; `"given"` for a given target.
+    /// name of the kernel; `"given"` for a given target, `"unfolding"` if there was none.
+    std::string kernel;
     std::size_t landmarks = 0;  ///< number of landmarks.
     double covering_radius = 0; ///< largest distance of a vertex to its nearest landmark.
     /// stress over the landmarks, see `Landmark_mds_target_builder_3::stress()`.
@@ -94,7 +95,7 @@ struct Registration_summary
   int iterations = 0;
   /// the energy \f$ E \f$ of the result, dimensionless.
   double energy = 0;
-  /// its matching term.
+  /// its matching term, or its unfolding term, which is negative.
   double energy_match = 0;
   /// its as-rigid-as-possible term.
   double energy_arap = 0;

@@ -49,6 +49,9 @@ struct Surface_component_3
   /// the vertex of the input that each surface vertex of the body is a copy of. The same as
   /// `origins`, except for a complex, where all vertices are surface vertices.
   std::vector<std::size_t> body_origins;
+
+  /// for each false contact that was cut, a vertex of the input on the curve; see `cut_contacts()`.
+  std::vector<std::size_t> contacts;
 };
 
 } // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION

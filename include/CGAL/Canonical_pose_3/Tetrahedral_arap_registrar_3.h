@@ -13,6 +13,7 @@
 #include <CGAL/Canonical_pose_3/Registration_options.h>
 #include <CGAL/Canonical_pose_3/Registration_progress.h>
 #include <CGAL/Canonical_pose_3/Registration_summary.h>
+#include <CGAL/Canonical_pose_3/Unfolding.h>
 #include <CGAL/Canonical_pose_3/internal/body/Body_view.h>
 #include <CGAL/Canonical_pose_3/internal/energy/default_rotation_routines.h>
 #include <CGAL/Canonical_pose_3/internal/linear_algebra/Factor_base.h>
@@ -51,6 +52,13 @@ of previous iterations, using limited-memory BFGS \cgalCite{cgal:canonical-lbk-q
 corrected step does not decrease the energy sufficiently, the uncorrected one is used. All lengths
 are divided by \f$ L \f$, so neither units nor resolution matter. Without fairing, the energy never
 increases. The stopping criterion is described in `Registration_options`.
+
+After `set_unfolding()`, there is no target, and the first term of \f$ E \f$ is
+\f[ -\mu \sum_i m_i |(Bv)_i - c| / L, \qquad c = \sum_i m_i (Bv)_i \f]
+instead, which unfolds the body \cgalCite{cgal:canonical-sk-dpmun-16}. It is concave, so in a global
+step it is replaced by its linearization, and \f$ (1 + \beta) B^t M B \f$ by \f$ (\beta + \ell^2 /
+20) B^t M B \f$, the matrix of a term that keeps an iterate close to the previous one, like the
+Tikhonov term. Without constraints on positions, it keeps the centroid.
 
 \tparam ElasticBody a model of `ElasticBody_3`
 \tparam ClosestRotationTraits a model of CGAL's `DeformationClosestRotationTraits_3`. By default,
@@ -138,6 +146,13 @@ public:
   /// \throws std::invalid_argument if a coordinate is not finite.
   void set_target(const Point_matrix& target) { m_registration->set_target(target); }
 
+  /// replaces the target by the repulsion of the vertices from their centroid. The first iteration
+  /// starts at the rest pose if no other positions are given. Afterwards, `set_target()` replaces
+  /// it; after such a change, the matrix is factored anew.
+  /// \throws std::invalid_argument if the weight is out of range, or the body is not connected: then
+  ///        the energy would have no lower bound.
+  void set_unfolding(const Unfolding& unfolding) { m_registration->set_unfolding(unfolding); }
+
   /// factors the matrix or updates its factor, unless this has been done for the current
   /// constraints.
   /// \throws std::runtime_error if the matrix is not positive definite to working precision.
@@ -157,7 +172,7 @@ public:
   \returns the summary, including the energies of all iterations, the number of inverted cells and
          the volume.
 
-  \pre `set_target()` was called, and `body_points` has no row or as many as the body.
+  \pre `set_target()` or `set_unfolding()` was called, and `body_points` has no row or as many as the body.
 
   \throws std::runtime_error see `factor()`. Exceptions of the visitor propagate.
 

@@ -198,6 +198,29 @@ inline Surface_body_3 surface_body(const Surface_component_3& surface,
 /*!
 \ingroup PkgCanonicalPose3Ref
 
+\brief computes a target without distances, by unfolding the body of the surface, see `Unfolding`:
+replaces `mds_target()` if `Method_options::target_mode` is `UNFOLDING`.
+
+The body is unfolded strongly, so that hardly any bend is left, which also inflates it; the registration
+to the target then restores the details. The target is scaled such that its area is that of the surface,
+and aligned with the surface. It has the handedness of the surface.
+
+\param surface the surface.
+\param body its body.
+\param options `unfolding`, `registration.number_of_iterations`, the solver and `number_of_threads` are
+       used. The weight of the unfolding refers to the default detail length, 0.1.
+
+\throws std::invalid_argument if the weight is out of range, or the body is not connected.
+\throws std::runtime_error if the solver fails.
+
+\sa `Tetrahedral_arap_registrar_3::set_unfolding()`
+*/
+Target_3 unfolded_target(const Surface_component_3& surface, const Surface_body_3& body,
+                         const Options& options = Options());
+
+/*!
+\ingroup PkgCanonicalPose3Ref
+
 \brief registers the body of a surface to its target, then to refined targets: the sixth step of
 `canonical_pose_3()`, before `joined_result()`.
 
@@ -261,6 +284,7 @@ Result joined_result(const Prepared_surface_3& surface, const std::vector<Result
 #include <CGAL/Canonical_pose_3/internal/pipeline/prepare_surface_impl.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/refined_target_impl.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/registered_pose_impl.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/unfolded_target_impl.h>
 #endif
 
 #endif // CGAL_CANONICAL_POSE_3_POSE_STEPS_H

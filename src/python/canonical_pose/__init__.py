@@ -40,9 +40,9 @@ __all__ = [
 
 def pose(vertices, faces=None, *, cells=None, return_target=False,
          detail_length=0.1, landmarks=80, rounds=None, body="auto", spacing=None,
-         geodesics="heat", kernel="classical", tikhonov=0., iterations=500, paper_weights=None,
-         injective=None, frame="input", components="refuse", solver="auto", seed=0,
-         threads=0, matching_weights=None, stiffness=None, given_target=None,
+         geodesics="heat", target_mode="mds", kernel="classical", tikhonov=0., iterations=500,
+         paper_weights=None, injective=None, frame="input", components="refuse", contacts="keep",
+         solver="auto", seed=0, threads=0, matching_weights=None, stiffness=None, given_target=None,
          given_distances=None, spring=None, direction=None, handle=None, symmetric=None):
     """Bring a shape into its canonical pose.
 
@@ -62,7 +62,7 @@ def pose(vertices, faces=None, *, cells=None, return_target=False,
         Number of landmarks.
     rounds : int
         How often distances are measured again on the pose, at most. By default 3, or 0 with
-        `given_target`, `paper_weights` or the uncentered kernel.
+        `given_target`, `paper_weights`, `target_mode="unfold"` or the uncentered kernel.
     body : "auto", "lattice", "tetgen" or "mesh"
         The elastic body inside a surface.
     spacing : float
@@ -70,6 +70,9 @@ def pose(vertices, faces=None, *, cells=None, return_target=False,
         the thickness of the shape.
     geodesics : "heat", "wavefront" or "exact"
         How distances are computed.
+    target_mode : "mds" or "unfold"
+        Whether the target is computed by scaling of distances, or by moving the vertices away from
+        each other.
     kernel : "classical", "gaussian" or "gaussian-uncentred"
         The kernel of the target.
     tikhonov : float
@@ -85,6 +88,8 @@ def pose(vertices, faces=None, *, cells=None, return_target=False,
         The position of pose and target: near the input, or in the principal axes of the pose.
     components : "refuse", "largest" or "each"
         What to do if there is more than one connected component.
+    contacts : "keep" or "cut"
+        Whether handles of a surface that look like false contacts of its parts are cut.
     solver : "auto", "eigen" or "cholmod"
         The linear solver.
     seed : int
@@ -133,9 +138,10 @@ def pose(vertices, faces=None, *, cells=None, return_target=False,
     """
     result, target_points, report = _core.pose(vertices, faces, cells, dict(
         detail_length=detail_length, landmarks=landmarks, rounds=rounds, body=body,
-        spacing=spacing, geodesics=geodesics, kernel=kernel, tikhonov=tikhonov,
-        iterations=iterations, paper_weights=paper_weights, injective=injective,
-        frame=frame, components=components, solver=solver, seed=seed, threads=threads,
+        spacing=spacing, geodesics=geodesics, target_mode=target_mode, kernel=kernel,
+        tikhonov=tikhonov, iterations=iterations, paper_weights=paper_weights, injective=injective,
+        frame=frame, components=components, contacts=contacts, solver=solver, seed=seed,
+        threads=threads,
         matching_weights=matching_weights, stiffness=stiffness, given_target=given_target,
         given_distances=given_distances, spring=spring, direction=direction, handle=handle,
         symmetric=symmetric))

@@ -17,8 +17,10 @@ _Report = dict[str, Any]
 _Body = Literal["auto", "lattice", "tetgen", "mesh"]
 _Geodesics = Literal["heat", "wavefront", "exact"]
 _Kernel = Literal["classical", "gaussian", "gaussian-uncentred"]
+_TargetMode = Literal["mds", "unfold"]
 _Frame = Literal["input", "canonical"]
 _Components = Literal["refuse", "largest", "each"]
+_Contacts = Literal["keep", "cut"]
 _Solver = Literal["auto", "eigen", "cholmod"]
 _Constraints = Sequence[Sequence[float]] | None
 
@@ -29,6 +31,7 @@ class _Options(TypedDict, total=False):
     body: _Body
     spacing: float | None
     geodesics: _Geodesics
+    target_mode: _TargetMode
     kernel: _Kernel
     tikhonov: float
     iterations: int
@@ -36,6 +39,7 @@ class _Options(TypedDict, total=False):
     injective: bool | None
     frame: _Frame
     components: _Components
+    contacts: _Contacts
     solver: _Solver
     seed: int
     threads: int

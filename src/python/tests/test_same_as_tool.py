@@ -46,6 +46,7 @@ def shape(request, tmp_path):
     {},
     {"detail_length": .2, "landmarks": 20, "rounds": 1, "iterations": 40, "seed": 7, "threads": 1},
     {"kernel": "gaussian-uncentred", "solver": "eigen", "injective": False},
+    {"target_mode": "unfold", "contacts": "cut"},
     {"geodesics": "wavefront", "spacing": .05, "components": "each", "body": "lattice",
      "frame": "canonical"},
 ])

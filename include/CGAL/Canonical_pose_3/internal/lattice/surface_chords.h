@@ -176,6 +176,8 @@ public:
         exit = hit;
       return depth > 0 && !(exit && is_plausible(sample, *exit));
     });
+    if(exit && is_impossible(sample, *exit))
+      exit.reset();
     return exit;
   }
 
@@ -183,6 +185,13 @@ private:
   bool is_plausible(const Surface_sample& sample, const Hit& hit) const
   {
     return distance(sample, hit) <= 1.6 * hit.distance + 0.01;
+  }
+
+  // Whether the exit is certainly on another part, as at a contact that was cut, where parts have
+  // coincident borders.
+  bool is_impossible(const Surface_sample& sample, const Hit& hit) const
+  {
+    return distance(sample, hit) > 1.6 * hit.distance + 0.3;
   }
 
   // a lower bound of the geodesic distance; 0 to a cap

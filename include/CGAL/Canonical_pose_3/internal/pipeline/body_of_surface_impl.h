@@ -21,6 +21,7 @@
 #include <CGAL/Canonical_pose_3/internal/pipeline/Body_makers.h>
 #include <CGAL/Canonical_pose_3/internal/support/Thread_limit.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/body_of_surface.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/describe_fields.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/interpolated_fields.h>
 #include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
@@ -63,7 +64,7 @@ inline Surface_body_3 requested_body(const Surface_component_3& surface,
   const std::vector<Index_triangle>& triangles = surface.triangles;
   std::vector<std::string> warnings;
   const auto of_kind = [&](const char* const kind, Elastic_body_3 body) {
-    return Surface_body_3{kind, std::move(body),    fields.distances.maxCoeff(), {},
+    return Surface_body_3{kind, std::move(body),    length_scale(fields, options), {},
                           {},   std::move(warnings)};
   };
   if(options.make_body)

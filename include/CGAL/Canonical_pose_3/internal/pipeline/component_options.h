@@ -49,6 +49,17 @@ inline void check_unit(const Point_matrix& points)
   }
 }
 
+// Throws `std::invalid_argument` for options that do not apply to unfolding.
+inline void check_unfolding(const Options& options)
+{
+  options.unfolding.check();
+  if(options.given.target)
+    throw std::invalid_argument("option given.target is set, but the target is that of unfolding");
+  if(options.takes_mirror_image)
+    throw std::invalid_argument(
+      "option takes_mirror_image is set, but unfolding does not mirror a surface");
+}
+
 // Throws `std::invalid_argument` for options that do not fit an input of n vertices.
 inline void check_options(const Options& options, const std::size_t n)
 {
@@ -60,6 +71,8 @@ inline void check_options(const Options& options, const std::size_t n)
   if(options.number_of_rounds && *options.number_of_rounds < 0)
     throw std::invalid_argument("option number_of_rounds is "
                                 + std::to_string(*options.number_of_rounds) + ", but must be >= 0");
+  if(options.target_mode == Options::Target_mode::UNFOLDING)
+    check_unfolding(options);
   if(options.volume_ratio_limit && !(*options.volume_ratio_limit > 0))
     throw std::invalid_argument("option volume_ratio_limit is "
                                 + std::to_string(*options.volume_ratio_limit)

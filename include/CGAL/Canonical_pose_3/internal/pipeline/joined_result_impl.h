@@ -223,6 +223,9 @@ CGAL_CANONICAL_POSE_3_INLINE Result joined_result(const Prepared_surface_3& surf
   }
   if(const auto warning = internal::warning_of_copies(surface))
     summary->warnings.push_back(*warning);
+  for(const Prepared_surface_3::Component& component : surface.components)
+    for(const std::size_t vertex : component.surface.contacts)
+      summary->warnings.push_back("a false contact was cut at vertex " + std::to_string(vertex));
   if(!map.shared.empty())
     summary->warnings.push_back(
       std::to_string(map.shared.size()) + " vertices belong to several components, vertex "

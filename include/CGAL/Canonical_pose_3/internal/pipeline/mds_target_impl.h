@@ -106,7 +106,7 @@ CGAL_CANONICAL_POSE_3_INLINE Target_3 mds_target(const Surface_component_3& surf
     target.summary.is_handedness_certain = handedness.is_certain();
     target.points = align_target(target.points, surface.points, shares, target.summary.reflected);
   }
-  internal::describe_fields(fields, target.summary);
+  internal::describe_fields(fields, options, target.summary);
   return target;
 }
 

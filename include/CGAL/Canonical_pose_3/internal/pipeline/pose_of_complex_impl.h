@@ -21,6 +21,7 @@
 #include <CGAL/Canonical_pose_3/internal/pipeline/Complex_parts.h>
 #include <CGAL/Canonical_pose_3/internal/support/Thread_limit.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/component_options.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/describe_fields.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/pose_of_components.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/poses.h>
 #include <CGAL/Canonical_pose_3/internal/registration/check_registration.h>
@@ -30,6 +31,7 @@
 
 #include <CGAL/Real_timer.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <numeric>
@@ -88,6 +90,8 @@ CGAL_CANONICAL_POSE_3_INLINE Result pose_of_complex(const Point_matrix& points,
 {
   const Thread_limit limit(options.number_of_threads);
   check_options(options, static_cast<std::size_t>(points.rows()));
+  if(options.contacts == Options::Contacts::CUT)
+    throw std::invalid_argument("contacts of a tetrahedral complex cannot be cut");
   checked_stiffness(options.stiffness, cells.size());
   Real_timer timer;
   timer.start();
@@ -95,17 +99,21 @@ CGAL_CANONICAL_POSE_3_INLINE Result pose_of_complex(const Point_matrix& points,
   const Complex_parts parts(body.points(), body.cells(), body.cell_weights());
   const std::vector<Complex_part> posed = parts_to_pose(parts, options);
   const double seconds_for_body = timer.time();
-  const Prepared_surface_3 prepared = prepared_complex(points, parts, posed, options);
+  Options used = options;
+  if(options.target_mode == Options::Target_mode::UNFOLDING && !options.return_landmark_fields
+     && options.number_of_rounds.value_or(0) == 0)
+    used.number_of_landmarks = (std::min)(std::size_t(2), options.number_of_landmarks); // for L
+  const Prepared_surface_3 prepared = prepared_complex(points, parts, posed, used);
   const double seconds_for_diagnosis = timer.time() - seconds_for_body;
 
   Result result = pose_of_components(
-    prepared, options,
+    prepared, used,
     [&](const std::size_t c, const Coarse_surface_3&, const Landmark_fields_3& fields) {
       const std::vector<std::size_t>& vertices = posed[c].surface.body_origins;
       return Surface_body_3{
         "complex",
         Conforming_body_3(rows_at(points, vertices), parts.local_cells(posed[c]), vertices.size()),
-        fields.distances.maxCoeff(),
+        length_scale(fields, prepared.components[c].options),
         posed[c].surface_vertices,
         prepared.components[c].options.stiffness,
         {}};

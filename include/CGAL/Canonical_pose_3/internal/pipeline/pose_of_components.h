@@ -19,6 +19,7 @@
 #include <CGAL/Canonical_pose_3/Target_3.h>
 #include <CGAL/Canonical_pose_3/canonical_frame.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/fields_of_function.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/describe_fields.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/interpolated_fields.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/timed.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
@@ -59,10 +60,14 @@ Result pose_of_component(const Surface_component_3& surface, const Options& opti
     target_fields = timed(times, "geodesics", [&] {
       return fields_of_function(options.target_fields_function, coarse.surface, options);
     });
-  const Target_3 target = timed(times, "target", [&] {
-    return mds_target(surface, coarse, target_fields ? *target_fields : fields, options);
-  });
   const Surface_body_3 body = timed(times, "body", [&] { return make_body(coarse, fields); });
+  const Target_3 target = timed(times, "target", [&] {
+    if(options.target_mode == Options::Target_mode::MDS)
+      return mds_target(surface, coarse, target_fields ? *target_fields : fields, options);
+    Target_3 unfolded = unfolded_target(surface, body, options);
+    describe_fields(fields, options, unfolded.summary);
+    return unfolded;
+  });
   Result result = registered_pose(surface, coarse, target, body, options);
   for(const Registration_summary::Stage& stage : result.summary.stages)
     times.add_seconds(stage.first, stage.second);

@@ -13,6 +13,7 @@
 #include <CGAL/Canonical_pose_3/Options.h>
 #include <CGAL/Canonical_pose_3/Prepared_surface_3.h>
 #include <CGAL/Canonical_pose_3/Surface_component_3.h>
+#include <CGAL/Canonical_pose_3/cut_contacts.h>
 #include <CGAL/Canonical_pose_3/internal/support/Thread_limit.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/component_options.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/fragments.h>
@@ -165,15 +166,22 @@ prepare_surface(const Point_matrix& points, const std::vector<std::vector<std::s
     = internal::components_to_pose(surface, diagnosis, options.components);
   if(!options.make_body
      && (options.body == Options::Body::TETGEN || options.body == Options::Body::MESH_3))
+  {
     if(!diagnosis.is_clean())
       throw std::invalid_argument(diagnosis.first_defect);
+    if(options.contacts == Options::Contacts::CUT)
+      throw std::invalid_argument("contacts can only be cut if the body is the lattice");
+  }
+  std::vector<Surface_component_3> components = internal::components_of_indices(surface, posed);
+  if(options.contacts == Options::Contacts::CUT)
+    std::transform(components.begin(), components.end(), components.begin(), cut_contacts);
   internal::Vertex_map rows;
   rows.representatives = surface.representatives;
   rows.vertex_of_row.resize(surface.representatives.size());
   std::iota(rows.vertex_of_row.begin(), rows.vertex_of_row.end(), std::size_t(0));
   Prepared_surface_3 result
-    = internal::prepared(diagnosis, points, internal::components_of_indices(surface, posed),
-                         std::move(rows), internal::vertices_of_others(surface, posed), options);
+    = internal::prepared(diagnosis, points, std::move(components), std::move(rows),
+                         internal::vertices_of_others(surface, posed), options);
   if(options.stiffness.size() > 0)
     for(Prepared_surface_3::Component& component : result.components)
       component.options.stiffness

@@ -58,7 +58,7 @@ CGAL_CANONICAL_POSE_3_INLINE Target_3 refined_target(const Surface_component_3& 
                                vertex_area_shares(surface.points, surface.triangles));
   target.summary.kernel = "smacof";
   target.summary.stress = builder.stress();
-  internal::describe_fields(fields, target.summary);
+  internal::describe_fields(fields, options, target.summary);
   return target;
 }
 

@@ -43,8 +43,11 @@ inline int number_of_rounds(const Options& options, const Target_3& target)
   const bool is_uncentered = options.mds_kernel
                                ? !options.mds_kernel->is_centered()
                                : options.kernel == Options::Kernel::UNCENTERED_GAUSSIAN;
-  return options.number_of_rounds.value_or(
-    target.is_given || options.paper_weights || is_uncentered ? 0 : rounds);
+  return options.number_of_rounds.value_or(target.is_given || options.paper_weights || is_uncentered
+                                               || options.target_mode
+                                                    == Options::Target_mode::UNFOLDING
+                                             ? 0
+                                             : rounds);
 }
 
 // The target of the final registration, and the pose where it starts.

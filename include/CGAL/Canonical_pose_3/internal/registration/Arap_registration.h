@@ -13,6 +13,7 @@
 #include <CGAL/Canonical_pose_3/Registration_options.h>
 #include <CGAL/Canonical_pose_3/Registration_progress.h>
 #include <CGAL/Canonical_pose_3/Registration_summary.h>
+#include <CGAL/Canonical_pose_3/Unfolding.h>
 #include <CGAL/Canonical_pose_3/internal/body/Body_view.h>
 #include <CGAL/Canonical_pose_3/internal/energy/Rotation_routines.h>
 #include <CGAL/Canonical_pose_3/internal/linear_algebra/Factor_base.h>
@@ -41,6 +42,7 @@ public:
   virtual void add_constraint(std::unique_ptr<Registration_constraint_base> constraint) = 0;
   virtual void remove_constraint(const void* constraint) = 0;
   virtual void set_target(const Point_matrix& target) = 0;
+  virtual void set_unfolding(const Unfolding& unfolding) = 0;
   virtual void factor() = 0;
   virtual Registration_summary register_to_target(Point_matrix& body_points,
                                                   const Registration_visitor& visitor)

@@ -64,6 +64,15 @@ inline const Eigen::VectorXd& checked_stiffness(const Eigen::VectorXd& stiffness
   return stiffness;
 }
 
+// Unites the vertices of each cell.
+template <class ElasticBody>
+void unite_cells(const ElasticBody& body, Disjoint_sets& sets)
+{
+  for(const auto& cell : body.cells())
+    for(int k = 1; k < 4; ++k)
+      sets.unite(static_cast<std::size_t>(cell[0]), static_cast<std::size_t>(cell[k]));
+}
+
 // Returns for each vertex of the body whether its component has a surface vertex of positive
 // weight. The matrix of the registration is positive definite if and only if all components do.
 template <class ElasticBody>
@@ -71,10 +80,7 @@ std::vector<bool> held_vertices(const ElasticBody& body, const Eigen::VectorXd& 
 {
   const std::size_t n = static_cast<std::size_t>(body.points().rows());
   Disjoint_sets sets(n);
-  for(const auto& cell : body.cells())
-    for(int k = 1; k < 4; ++k)
-      sets.unite(static_cast<std::size_t>(cell[0]), static_cast<std::size_t>(cell[k]));
-
+  unite_cells(body, sets);
   std::vector<bool> is_held(n, false);
   const Eigen::SparseMatrix<double>& embedding = body.embedding();
   for(Eigen::Index v = 0; v < embedding.outerSize(); ++v)
@@ -109,6 +115,21 @@ void check_that_components_are_held(const ElasticBody& body, const Eigen::Vector
     throw std::invalid_argument("the component of the body with vertex "
                                 + std::to_string(loose - is_held.begin())
                                 + " carries no surface vertex of positive weight");
+}
+
+// Throws unless the cells are connected; otherwise parts without a target could move away from each
+// other without end.
+template <class ElasticBody>
+void check_that_body_is_connected(const ElasticBody& body)
+{
+  Disjoint_sets sets(static_cast<std::size_t>(body.points().rows()));
+  unite_cells(body, sets);
+  const std::size_t first = sets.representative(static_cast<std::size_t>(body.cells()[0][0]));
+  for(const auto& cell : body.cells())
+    if(sets.representative(static_cast<std::size_t>(cell[0])) != first)
+      throw std::invalid_argument("a body that is not connected cannot be unfolded: vertex "
+                                  + std::to_string(cell[0]) + " is not connected to vertex "
+                                  + std::to_string(body.cells()[0][0]));
 }
 
 // Returns the weights, scaled to sum 1.

@@ -69,11 +69,8 @@ public:
     const bool changes_matrix
       = options.detail_length != m_options.detail_length || options.tikhonov != m_options.tikhonov;
     m_options = options;
-    if(!changes_matrix)
-      return;
-    m_matrix.resize(0, 0);
-    m_factor = Updated_factor(m_factor_maker);
-    m_factored_revisions.reset();
+    if(changes_matrix)
+      forget_matrix();
   }
 
   void set_number_of_iterations(const int number_of_iterations) override
@@ -108,8 +105,20 @@ public:
   {
     CGAL_precondition(target.rows() == m_weights.size());
     check_finite(target);
+    if(m_unfolding)
+      forget_matrix();
+    m_unfolding.reset();
     m_target = target / m_length_scale;
     transposed_product(m_body.embedding(), m_weights.asDiagonal() * m_target, m_target_term);
+  }
+
+  void set_unfolding(const Unfolding& unfolding) override
+  {
+    unfolding.check();
+    check_that_body_is_connected(m_body);
+    if(!m_unfolding)
+      forget_matrix();
+    m_unfolding = unfolding;
   }
 
   void factor() override
@@ -135,7 +144,7 @@ public:
   Registration_summary register_to_target(Point_matrix& body_points,
                                           const Registration_visitor& visitor) override
   {
-    CGAL_precondition(m_target.rows() == m_weights.size());
+    CGAL_precondition(m_unfolding || m_target.rows() == m_weights.size());
     CGAL_precondition(body_points.rows() == 0 || body_points.rows() == m_body.points().rows());
     Registration_summary summary;
     summary.solver = m_factor.name();
@@ -190,13 +199,31 @@ private:
     summary.add_seconds(stage, timer.time());
   }
 
+  void forget_matrix()
+  {
+    m_matrix.resize(0, 0);
+    m_factor = Updated_factor(m_factor_maker);
+    m_factored_revisions.reset();
+  }
+
+  // The weight of the term that holds an iterate near the previous one. Without a target, it makes
+  // the matrix positive definite: the other terms do not depend on translations, so it holds the
+  // centroid. It is small compared to the smallest other eigenvalues of the matrix, which are at
+  // least about pi^2 l^2 (those of a bar), and hardly slows down the convergence.
+  double proximal_weight() const
+  {
+    constexpr double fraction = 0.05;
+    return m_options.tikhonov
+           + (m_unfolding ? fraction * m_options.detail_length * m_options.detail_length : 0);
+  }
+
   // The matrix without constraints.
   Eigen::SparseMatrix<double> assemble_matrix() const
   {
     std::vector<Eigen::Triplet<double>> entries;
     for(Eigen::Index i = 0; i < m_weights.size(); ++i)
       entries.emplace_back(static_cast<int>(i), static_cast<int>(i),
-                           (1 + m_options.tikhonov) * m_weights[i]);
+                           ((m_unfolding ? 0 : 1) + proximal_weight()) * m_weights[i]);
     return m_arap.matrix(m_options.detail_length * m_options.detail_length)
            + brought_to_body(surface_matrix(entries));
   }
@@ -246,8 +273,11 @@ private:
            && m_factor.update(m_embedding_transposed * v, d);
   }
 
+  // Where the iteration starts if no positions are given.
   Point_matrix start() const
   {
+    if(m_unfolding)
+      return m_body.points() / m_length_scale;
     Eigen::MatrixXd solution;
     m_factor.solve((1 + m_options.tikhonov) * m_target_term, solution);
     Point_matrix v = solution;
@@ -268,7 +298,9 @@ private:
     transposed_product(m_embedding_transposed, v, m_surface);
     const auto arap = m_arap.fit_rotations(v);
     summary.energy_match
-      = ((m_surface - m_target).array().square().colwise() * m_weights.array()).sum();
+      = m_unfolding ? -m_unfolding->weight
+                        * m_weights.dot((m_surface.rowwise() - centroid()).rowwise().norm())
+                    : ((m_surface - m_target).array().square().colwise() * m_weights.array()).sum();
     summary.energy_arap = m_options.detail_length * m_options.detail_length * arap.energy;
     summary.energy_constraints = 0;
     if(!m_constraints.empty())
@@ -293,11 +325,32 @@ private:
     return m_right_hand_side;
   }
 
+  // Of the surface of the last local step.
+  Eigen::RowVector3d centroid() const { return m_weights.transpose() * m_surface; }
+
+  // Half the negative gradient of the unfolding term with respect to the surface. The term is
+  // concave, so its linearization is an upper bound.
+  Point_matrix half_growth() const
+  {
+    Point_matrix directions = m_surface.rowwise() - centroid();
+    for(Eigen::Index i = 0; i < directions.rows(); ++i)
+    {
+      const double norm = directions.row(i).norm();
+      if(norm > 0)
+        directions.row(i) /= norm;
+    }
+    const Eigen::RowVector3d mean = m_weights.transpose() * directions;
+    return m_unfolding->weight / 2 * (m_weights.asDiagonal() * (directions.rowwise() - mean));
+  }
+
   // Computes the terms that do not depend on rotations.
   void find_surface_terms()
   {
-    m_right_hand_side = m_target_term;
-    if(m_options.tikhonov > 0 || !m_constraints.empty())
+    if(m_unfolding)
+      transposed_product(m_body.embedding(), half_growth(), m_right_hand_side);
+    else
+      m_right_hand_side = m_target_term;
+    if(proximal_weight() > 0 || !m_constraints.empty())
     {
       const Point_matrix points = m_surface * m_length_scale;
       Point_matrix sum = Point_matrix::Zero(points.rows(), 3), term;
@@ -306,7 +359,7 @@ private:
       sum -= m_constraint_matrix * points;
       transposed_product(
         m_body.embedding(),
-        m_options.tikhonov * (m_weights.asDiagonal() * m_surface) + sum / m_length_scale, term);
+        proximal_weight() * (m_weights.asDiagonal() * m_surface) + sum / m_length_scale, term);
       m_right_hand_side += term;
     }
   }
@@ -418,7 +471,7 @@ private:
       const bool goes_on = !std::isfinite(summary.energy) || visit(visitor, summary, step);
       const bool was_small = is_small;
       is_small = std::abs(previous - summary.energy)
-                 <= m_options.energy_tolerance * (std::max)(previous, 1e-15);
+                 <= m_options.energy_tolerance * (std::max)(std::abs(previous), 1e-15);
       if(is_small && (was_small || !direction.has_memory())
          && plain_move() <= m_options.move_tolerance)
       {
@@ -451,6 +504,7 @@ private:
   Factor_maker m_factor_maker;
   Updated_factor m_factor;
   Point_matrix m_target, m_target_term; // the target, and its term of the right-hand side
+  std::optional<Unfolding> m_unfolding; // instead of the target
   Point_matrix m_surface, m_right_hand_side;
 };
 
