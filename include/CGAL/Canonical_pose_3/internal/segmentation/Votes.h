@@ -89,7 +89,9 @@ public:
 
 private:
   static constexpr std::size_t NUMBER_OF_SWEEPS = 12, NUMBER_OF_SIGHTS = 8;
-  static constexpr std::size_t PATCHES_OF_SWEEPS = 300, MOST_PARTS = 64;
+  // Cuts around small patches are cheap, so the number of parts is determined with larger ones.
+  static constexpr std::size_t PATCHES_OF_SWEEPS = 300, PATCHES_FOR_NUMBER = 200;
+  static constexpr std::size_t MOST_PARTS = 64;
 
   struct Vote
   {
@@ -182,9 +184,10 @@ private:
              const double exponent, const std::size_t number_of_parts,
              const std::size_t first_face) const
   {
-    const Patches own = farthest_point_patches(
-      graph, concave_lengths(graph, preferences.edge_concavity), PATCHES_OF_SWEEPS, first_face);
     const bool is_given = number_of_parts > 0;
+    const Patches own
+      = farthest_point_patches(graph, concave_lengths(graph, preferences.edge_concavity),
+                               is_given ? PATCHES_OF_SWEEPS : PATCHES_FOR_NUMBER, first_face);
     const Sweep_partition parts
       = sweep_partition(patch_graph(graph, own, preferences, m_thickness_of_face), exponent,
                         (std::max)(number_of_parts, std::size_t(1)),
