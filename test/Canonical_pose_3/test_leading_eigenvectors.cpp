@@ -9,6 +9,7 @@
 
 #include <CGAL/Canonical_pose_3/Landmark_mds_target_builder_3.h>
 #include <CGAL/Canonical_pose_3/internal/linear_algebra/leading_eigenvectors.h>
+#include <CGAL/Canonical_pose_3/internal/linear_algebra/smallest_eigenpairs.h>
 
 #include <CGAL/Random.h>
 
@@ -18,6 +19,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace CP = CGAL::Canonical_pose_3;
 
@@ -56,6 +58,24 @@ void expect_leading(const Eigen::MatrixXd& matrix, const Eigen::Index count)
             1e-12 * size);
   EXPECT_LE(
     (pairs.vectors.transpose() * pairs.vectors - Eigen::MatrixXd::Identity(count, count)).norm(),
+    1e-12);
+}
+
+// The same for the smallest ones.
+void expect_smallest(const Eigen::MatrixXd& matrix, const Eigen::Index count)
+{
+  const std::optional<CP::internal::Eigenpairs> pairs
+    = CP::internal::smallest_eigenpairs(matrix, count);
+  ASSERT_TRUE(pairs);
+  const double size = matrix.norm();
+  const Eigen::VectorXd expected
+    = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(matrix, Eigen::EigenvaluesOnly).eigenvalues();
+  ASSERT_EQ(pairs->values.size(), count);
+  EXPECT_LE((pairs->values - expected.head(count)).cwiseAbs().maxCoeff(), 1e-13 * size);
+  EXPECT_LE((matrix * pairs->vectors - pairs->vectors * pairs->values.asDiagonal()).norm(),
+            1e-12 * size);
+  EXPECT_LE(
+    (pairs->vectors.transpose() * pairs->vectors - Eigen::MatrixXd::Identity(count, count)).norm(),
     1e-12);
 }
 
@@ -106,6 +126,37 @@ TEST(Leading_eigenvectors, of_low_rank)
     expect_leading(m * m.transpose(), 6);
     expect_leading(m * m.transpose() * std::ldexp(1., 300), 6);
   }
+}
+
+// Inverse iteration and the full decomposition only differ by rounding, also if eigenvalues are
+// multiple, or if the matrix splits into blocks (the path of 300 vertices, twice, without an edge
+// between them).
+TEST(Smallest_eigenpairs, of_matrices_of_all_kinds)
+{
+  for(const Eigen::Index n : {1, 2, 5, 17, 121, 300})
+  {
+    const Eigen::MatrixXd m = random_matrix(n, n);
+    expect_smallest(m + m.transpose(), (std::min)(n, Eigen::Index(60)));
+  }
+  Eigen::VectorXd values = Eigen::VectorXd::LinSpaced(300, 0, 1);
+  for(const Eigen::Index copies : {2, 40, 200})
+  {
+    values.head(copies).setConstant(-1);
+    expect_smallest(matrix_of(values), 60);
+    expect_smallest(matrix_of(values) * std::ldexp(1., 300), 60);
+  }
+  expect_smallest(Eigen::MatrixXd::Identity(300, 300), 60);
+  expect_smallest(Eigen::MatrixXd::Zero(300, 300), 60);
+  Eigen::MatrixXd paths = Eigen::MatrixXd::Zero(600, 600);
+  for(Eigen::Index i = 0; i + 1 < 600; ++i)
+    if(i != 299)
+    {
+      paths(i, i) += 1;
+      paths(i + 1, i + 1) += 1;
+      paths(i, i + 1) -= 1;
+      paths(i + 1, i) -= 1;
+    }
+  expect_smallest(paths, 60);
 }
 
 // Classical scaling is exact on Euclidean distances (see test_landmark_mds): also with more

@@ -60,9 +60,10 @@ consensus_segmentation_tree(const Point_matrix& points,
 
 Twenty segmentations, of the surface and of its pose by turns, vote on which faces belong to the same
 part: sweep cuts with different preferences (see `sweep_segmentation()`), and clusters of faces that
-see each other through the inside. Faces are merged by the share of common votes, and boundaries are
-moved such that they are short and run along concave edges. A pose with less than a fifth of the volume
-of the surface (both scaled to the same area), or of its lines of sight, does not vote.
+see each other through the inside. Votes that agree with those of other kinds count more. Faces
+are merged by the share of common votes, and boundaries are moved such that they are short and run
+along concave edges. A pose with less than a fifth of the volume of the surface (both scaled to the
+same area), or of its lines of sight, does not vote.
 
 \tparam TriangleMesh a model of `FaceListGraph`
 \tparam PoseVertexPointMap a model of `ReadablePropertyMap` with vertex descriptors of `TriangleMesh`

@@ -11,7 +11,7 @@
 #define CGAL_CANONICAL_POSE_3_INTERNAL_SEGMENTATION_LINES_OF_SIGHT_H
 
 #include <CGAL/Canonical_pose_3/internal/lattice/Surface_rays.h>
-#include <CGAL/Canonical_pose_3/internal/linear_algebra/leading_eigenvectors.h>
+#include <CGAL/Canonical_pose_3/internal/linear_algebra/smallest_eigenpairs.h>
 #include <CGAL/Canonical_pose_3/internal/segmentation/Face_graph.h>
 #include <CGAL/Canonical_pose_3/internal/segmentation/K_means.h>
 #include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
@@ -24,6 +24,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
+#include <stdexcept>
 #include <vector>
 
 namespace CGAL {
@@ -154,8 +156,11 @@ inline std::vector<std::size_t> spectral_clusters(const Eigen::MatrixXd& affinit
   const Eigen::MatrixXd weighted = roots.asDiagonal() * affinities * roots.asDiagonal();
   const Eigen::VectorXd scale
     = weighted.rowwise().sum().cwiseMax(least_degree).cwiseSqrt().cwiseInverse();
-  Eigen::MatrixXd rows
-    = largest_of_all_eigenpairs(scale.asDiagonal() * weighted * scale.asDiagonal(), k).vectors;
+  std::optional<Eigenpairs> pairs
+    = smallest_eigenpairs(-(scale.asDiagonal() * weighted * scale.asDiagonal()), k);
+  if(!pairs)
+    throw std::runtime_error("the eigenvalues of a symmetric matrix could not be computed");
+  Eigen::MatrixXd& rows = pairs->vectors;
   rows.rowwise().normalize();
   return K_means(rows, areas, static_cast<std::size_t>(k)).run(random, number_of_runs);
 }

@@ -67,29 +67,31 @@ public:
     return *median;
   }
 
-  // The share of the votes in which two patches belong to the same part.
+  // The share of the votes, by their weights, in which two patches belong to the same part.
   Eigen::MatrixXd similarities(const std::size_t number_of_parts, const unsigned int seed) const
   {
     std::vector<Vote> votes = sweeps(number_of_parts, seed);
     for(Vote& vote : sights(number_of_parts, seed))
       votes.push_back(std::move(vote));
+    const Eigen::VectorXd weights = weights_of(votes);
     const auto n = m_areas.size();
     Eigen::MatrixXd result = Eigen::MatrixXd::Zero(n, n);
-    for(const Vote& vote : votes)
+    for(std::size_t v = 0; v < votes.size(); ++v)
       for(Eigen::Index j = 0; j < n; ++j)
         for(Eigen::Index i = 0; i < n; ++i)
-          result(i, j) += vote.part_of_patch[static_cast<std::size_t>(i)]
-                              == vote.part_of_patch[static_cast<std::size_t>(j)]
-                            ? 1
-                            : 0;
-    return result / static_cast<double>(votes.size());
+          if(votes[v].part_of_patch[static_cast<std::size_t>(i)]
+             == votes[v].part_of_patch[static_cast<std::size_t>(j)])
+            result(i, j) += weights[static_cast<Eigen::Index>(v)];
+    return result;
   }
 
   static constexpr double COST_LIMIT = 2.1; // of cuts, if the number of parts is not given
 
 private:
   static constexpr std::size_t NUMBER_OF_SWEEPS = 12, NUMBER_OF_SIGHTS = 8;
-  static constexpr std::size_t PATCHES_OF_SWEEPS = 200, MOST_PARTS = 64;
+  // Cuts around small patches are cheap, so the number of parts is determined with larger ones.
+  static constexpr std::size_t PATCHES_OF_SWEEPS = 300, PATCHES_FOR_NUMBER = 200;
+  static constexpr std::size_t MOST_PARTS = 64;
 
   struct Vote
   {
@@ -110,6 +112,52 @@ private:
   const Viewed_surface& geometry(const std::size_t vote) const
   {
     return m_geometries[vote % m_geometries.size()];
+  }
+
+  // A vote counts more if it agrees with votes of other kinds: with another method, or on another
+  // geometry. Those of the same kind make the same mistakes. The weights add up to 1.
+  Eigen::VectorXd weights_of(const std::vector<Vote>& votes) const
+  {
+    constexpr double least_weight = .3;
+    const auto kind = [this](const std::size_t vote) {
+      return std::make_pair(vote < NUMBER_OF_SWEEPS,
+                            (vote < NUMBER_OF_SWEEPS ? vote : vote - NUMBER_OF_SWEEPS)
+                              % m_geometries.size());
+    };
+    Eigen::VectorXd result(static_cast<Eigen::Index>(votes.size()));
+    for(std::size_t v = 0; v < votes.size(); ++v)
+    {
+      double sum = 0;
+      std::size_t number = 0;
+      for(std::size_t other = 0; other < votes.size(); ++other)
+        if(kind(v) != kind(other))
+        {
+          sum += (std::max)(agreement(votes[v], votes[other]), 0.);
+          ++number;
+        }
+      result[static_cast<Eigen::Index>(v)] = least_weight + sum / static_cast<double>(number);
+    }
+    return result / result.sum();
+  }
+
+  // On whether two points of the surface belong to the same part: 1 if the votes are the same, about 0
+  // if it is chance. (Cohen's kappa.)
+  double agreement(const Vote& a, const Vote& b) const
+  {
+    const auto size = [](const Vote& vote) {
+      return static_cast<Eigen::Index>(
+        *std::max_element(vote.part_of_patch.begin(), vote.part_of_patch.end()) + 1);
+    };
+    Eigen::MatrixXd common = Eigen::MatrixXd::Zero(size(a), size(b));
+    for(std::size_t p = 0; p < a.part_of_patch.size(); ++p)
+      common(static_cast<Eigen::Index>(a.part_of_patch[p]),
+             static_cast<Eigen::Index>(b.part_of_patch[p]))
+        += m_areas[static_cast<Eigen::Index>(p)];
+    const double total = m_areas.sum() * m_areas.sum();
+    const double of_a = common.rowwise().sum().squaredNorm() / total;
+    const double of_b = common.colwise().sum().squaredNorm() / total;
+    const double chance = of_a + of_b - 2 * of_a * of_b;
+    return chance > 0 ? 1 - (of_a + of_b - 2 * common.squaredNorm() / total) / chance : 0;
   }
 
   std::vector<Vote> sweeps(const std::size_t number_of_parts, const unsigned int seed) const
@@ -136,9 +184,10 @@ private:
              const double exponent, const std::size_t number_of_parts,
              const std::size_t first_face) const
   {
-    const Patches own = farthest_point_patches(
-      graph, concave_lengths(graph, preferences.edge_concavity), PATCHES_OF_SWEEPS, first_face);
     const bool is_given = number_of_parts > 0;
+    const Patches own
+      = farthest_point_patches(graph, concave_lengths(graph, preferences.edge_concavity),
+                               is_given ? PATCHES_OF_SWEEPS : PATCHES_FOR_NUMBER, first_face);
     const Sweep_partition parts
       = sweep_partition(patch_graph(graph, own, preferences, m_thickness_of_face), exponent,
                         (std::max)(number_of_parts, std::size_t(1)),

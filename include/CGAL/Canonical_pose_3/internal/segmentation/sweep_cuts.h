@@ -10,7 +10,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_SEGMENTATION_SWEEP_CUTS_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_SEGMENTATION_SWEEP_CUTS_H
 
-#include <CGAL/Canonical_pose_3/internal/linear_algebra/leading_eigenvectors.h>
+#include <CGAL/Canonical_pose_3/internal/linear_algebra/smallest_eigenpairs.h>
 #include <CGAL/Canonical_pose_3/internal/segmentation/Patch_graph.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 
@@ -52,7 +52,7 @@ public:
       return;
     const Eigen::VectorXd scale = m_areas.cwiseSqrt().cwiseInverse();
     const std::optional<Eigenpairs> pairs
-      = all_eigenpairs(scale.asDiagonal() * laplacian * scale.asDiagonal());
+      = smallest_eigenpairs(scale.asDiagonal() * laplacian * scale.asDiagonal(), RELEVANT_PAIRS);
     if(!pairs)
       return;
     sweep_functions(pairs->values, scale.asDiagonal() * pairs->vectors);
@@ -65,6 +65,9 @@ public:
   const std::vector<bool>& is_on_first_side() const { return m_is_on_first_side; }
 
 private:
+  // The other eigenvectors of the Laplacian have hardly an effect on heat kernels.
+  static constexpr Eigen::Index RELEVANT_PAIRS = 60;
+
   Eigen::MatrixXd set_up(const Patch_graph& graph, const std::vector<std::size_t>& patches)
   {
     const std::size_t outside = patches.size();
@@ -143,6 +146,7 @@ private:
     });
     std::fill(m_is_inside.begin(), m_is_inside.end(), false);
     const double total = m_areas.sum();
+    const double longest = m_cost * std::pow(total / 2, m_exponent); // of a cut that is cheaper
     double boundary = 0, area = 0, cost = NONE;
     std::size_t best = 0;
     for(std::size_t i = 0; i + 1 < m_order.size(); ++i)
@@ -152,6 +156,8 @@ private:
       area += m_areas[static_cast<Eigen::Index>(patch)];
       for(const auto& [neighbor, edge_cost] : m_neighbors[patch])
         boundary += m_is_inside[neighbor] ? -edge_cost : edge_cost;
+      if(boundary > longest)
+        continue;
       const double c = (std::max)(boundary, 0.)
                        / std::pow((std::min)(area, (std::max)(total - area, 1e-15)), m_exponent);
       if(c < cost)
