@@ -14,8 +14,8 @@
 // files have the same vertices of the mean over all pairs of files: root mean square distance of
 // corresponding vertices after the best rigid motion, with or without reflection, at unit radius of
 // gyration. NN (nearest neighbor), FT (first tier) and DCG are measures of Retrieval_evaluation.h, for
-// the descriptors D2 and views. `seconds`: per file, after reading and repair. With --per-class,
-// differences of each class follow.
+// the descriptors D2 and views. `seconds` are those of the processor (all threads), per file, after
+// reading and repair. With --per-class, differences of each class follow.
 //
 // Usage: canonical_forms_benchmark [--form NAME] [--per-class] [--prefix P] CLASSES FILE...
 //   CLASSES     lines "stem class"; files of other stems are not used
@@ -23,6 +23,7 @@
 //   --prefix P  writes the forms to files with names P followed by stem_form.off
 
 #include "Argument_list.h"
+#include "Processor_clock.h"
 #include "descriptors.h" // of the tool
 #include "other_canonical_forms.h"
 #include "paper_shapes.h"
@@ -34,14 +35,16 @@
 #include <CGAL/Canonical_pose_3/pose_difference.h>
 #include <CGAL/Canonical_pose_3/surface_measures.h>
 
-#include <chrono>
+#include <algorithm>
 #include <cstddef>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <functional>
 #include <iostream>
+#include <limits>
 #include <map>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -99,8 +102,9 @@ Point_matrix least_squares(const Component& component)
     points.row(static_cast<Eigen::Index>(v))
       = start.target.points.row(static_cast<Eigen::Index>(start.coarse.vertices[v]));
   CP::Smacof_target_builder_3 builder(0);
-  builder.build(start.fields, points,
-                CP::vertex_area_shares(start.coarse.surface.points, start.coarse.surface.triangles));
+  builder.build(
+    start.fields, points,
+    CP::vertex_area_shares(start.coarse.surface.points, start.coarse.surface.triangles));
   return start.coarse.interpolated(builder.targets());
 }
 
@@ -209,8 +213,6 @@ public:
   }
 
 private:
-  using Clock = std::chrono::steady_clock;
-
   void add(const std::string& file)
   {
     const Mesh_file mesh = Canonical_pose_tool::read_mesh_file(file);
@@ -223,9 +225,9 @@ private:
     }();
     for(Row& row : m_rows)
     {
-      const auto start = Clock::now();
+      const Processor_clock clock;
       const Point_matrix points = row.form.points(component);
-      row.seconds += std::chrono::duration<double>(Clock::now() - start).count();
+      row.seconds += clock.seconds();
       for(std::size_t d = 0; d < m_descriptors.size(); ++d)
         row.values[d].push_back(m_descriptors[d].values(points, polygons));
       Point_matrix of_file = Point_matrix::Constant(static_cast<Eigen::Index>(mesh.points.size()),

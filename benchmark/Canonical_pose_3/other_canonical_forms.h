@@ -119,8 +119,8 @@ inline Point_matrix euclidean_form(const Surface_component_3& surface,
 {
   constexpr int ITERATIONS = 100;
   const Cotangent_laplacian laplacian(surface.points, surface.triangles); // for the area
-  const double mu
-    = 0.02 * std::sqrt(laplacian.area) / static_cast<double>((std::max)(features.size(), std::size_t(1)));
+  const double mu = 0.02 * std::sqrt(laplacian.area)
+                    / static_cast<double>((std::max)(features.size(), std::size_t(1)));
   std::set<std::pair<int, int>> edges;
   for(const auto& t : surface.triangles)
     for(std::size_t k = 0; k < 3; ++k)

@@ -9,7 +9,8 @@
 
 // The tables and figures of the paper, computed by this package; see the manual's page on them.
 //
-// How to read: tables in Markdown; numbers of the paper are printed beside ours.
+// How to read: tables in Markdown; numbers of the paper are printed beside ours. Seconds are those of
+// the processor, of all threads together.
 //
 // Usage: paper_benchmark COMMAND [options]
 //   noise [--verbose] FILE...    Table 1: poses of the files, whose targets are computed from noisy
@@ -53,9 +54,9 @@ int main(int argc, char** argv)
   using namespace Canonical_pose_benchmark;
   using Table = void (*)(Argument_list&);
   static const std::map<std::string, Table> tables
-    = {{"noise", print_noise_table},       {"contact", print_contact_table},
-       {"times", print_times_table},       {"scalings", print_scalings_table},
-       {"weights", print_weights_table},   {"detail", print_detail_table}};
+    = {{"noise", print_noise_table},     {"contact", print_contact_table},
+       {"times", print_times_table},     {"scalings", print_scalings_table},
+       {"weights", print_weights_table}, {"detail", print_detail_table}};
   try
   {
     const auto table = argc > 1 ? tables.find(argv[1]) : tables.end();

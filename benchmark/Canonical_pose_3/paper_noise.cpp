@@ -9,6 +9,7 @@
 
 #include "paper_tables.h"
 
+#include "Processor_clock.h"
 #include "paper_shapes.h"
 
 #include <CGAL/Canonical_pose_3/align_target.h>
@@ -24,7 +25,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -91,13 +91,12 @@ double hausdorff_distance(const Point_matrix& a, const Point_matrix& b,
 {
   using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
   namespace PMP = CGAL::Polygon_mesh_processing;
-  const Mesh meshes[2] = {CP::make_triangle_mesh<Mesh>(a, triangles),
-                          CP::make_triangle_mesh<Mesh>(b, triangles)};
+  const Mesh meshes[2]
+    = {CP::make_triangle_mesh<Mesh>(a, triangles), CP::make_triangle_mesh<Mesh>(b, triangles)};
   double result = 0;
   for(const int k : {0, 1})
-    result = (std::max)(result,
-                        PMP::max_distance_to_triangle_mesh<CGAL::Parallel_if_available_tag>(
-                          meshes[k].points(), meshes[1 - k]));
+    result = (std::max)(result, PMP::max_distance_to_triangle_mesh<CGAL::Parallel_if_available_tag>(
+                                  meshes[k].points(), meshes[1 - k]));
   return result;
 }
 
@@ -149,8 +148,7 @@ private:
   {
     fields.distances *= length_scale() / fields.distances.maxCoeff();
     const CP::Target_3 target = CP::mds_target(surface(), coarse, fields, options());
-    const CP::Result result
-      = CP::registered_pose(surface(), m_coarse, target, m_body, options());
+    const CP::Result result = CP::registered_pose(surface(), m_coarse, target, m_body, options());
     if(!result.is_usable())
       throw std::runtime_error("the registration met numbers that are not finite");
     Point_matrix pose(surface().points.rows(), 3);
@@ -183,7 +181,7 @@ void print_noise_table(Argument_list& arguments)
   std::printf(" |\n");
   for(const Method& method : methods())
   {
-    const auto start = std::chrono::steady_clock::now();
+    const Processor_clock clock;
     std::array<double, LEVELS.size()> sum{}, largest{};
     for(const std::string& file : arguments.rest())
     {
@@ -200,12 +198,10 @@ void print_noise_table(Argument_list& arguments)
         largest[i] = (std::max)(largest[i], distance);
       }
     }
-    const double seconds
-      = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     std::printf("| %s, mean |", method.name.c_str());
     for(const double s : sum)
       std::printf(" %.3f |", s / static_cast<double>(arguments.rest().size()));
-    std::printf(" %.0f |\n| %s, largest |", seconds, method.name.c_str());
+    std::printf(" %.0f |\n| %s, largest |", clock.seconds(), method.name.c_str());
     for(const double d : largest)
       std::printf(" %.3f |", d);
     std::printf(" |\n");

@@ -9,6 +9,7 @@
 
 #include "paper_tables.h"
 
+#include "Processor_clock.h"
 #include "compute_pose.h" // of the tool
 #include "paper_shapes.h"
 
@@ -18,7 +19,6 @@
 #include <CGAL/Canonical_pose_3/surface_measures.h>
 #include <CGAL/Canonical_pose_3/target_handedness.h>
 
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <string>
@@ -34,11 +34,11 @@ using Canonical_pose_examples::Articulated_figure;
 class Scalings
 {
 public:
-  // `references`: number of landmarks from whose distances stress is computed; in the plane of all
-  // vertices, classical and least squares scaling are those of all pairs of them.
+  // `references`: number of landmarks from whose distances stress is computed. If they are all
+  // vertices, classical and least squares scaling of all pairs are added.
   Scalings(const std::size_t vertices, const std::size_t references, const std::string& prefix)
-    : m_mesh(mesh_of_figure(Articulated_figure(vertices),
-                            Articulated_figure::named_poses()[1].angles)),
+    : m_mesh(
+      mesh_of_figure(Articulated_figure(vertices), Articulated_figure::named_poses()[1].angles)),
       m_surface(prepared_surface(m_mesh).components.front().surface),
       m_prefix(prefix + std::to_string(vertices) + "_")
   {
@@ -49,10 +49,10 @@ public:
 
   void print() const
   {
-    const auto start = Clock::now();
+    const Processor_clock clock;
     CP::Landmark_mds_target_builder_3<> landmark;
     landmark.build(fields(80));
-    print_row("landmark", "80", landmark.targets(), start);
+    print_row("landmark", "80", landmark.targets(), clock.seconds());
     if(m_references.landmarks.size() == static_cast<std::size_t>(m_surface.points.rows()))
       print_scalings_of_all_pairs();
     if(m_prefix.empty())
@@ -63,8 +63,6 @@ public:
   }
 
 private:
-  using Clock = std::chrono::steady_clock;
-
   CP::Landmark_fields_3 fields(const std::size_t number) const
   {
     CP::Options options;
@@ -74,20 +72,19 @@ private:
 
   void print_scalings_of_all_pairs() const
   {
-    auto start = Clock::now();
+    const Processor_clock clock;
     CP::Landmark_mds_target_builder_3<> classical;
     const CP::Landmark_fields_3 all = fields(m_references.landmarks.size());
     classical.build(all);
-    print_row("classical", "all", classical.targets(), start);
+    print_row("classical", "all", classical.targets(), clock.seconds());
     CP::Smacof_target_builder_3 least_squares(0); // from that, whose time is included
     least_squares.build(all, classical.targets(), Eigen::VectorXd::Ones(m_surface.points.rows()));
-    print_row("least_squares", "all", least_squares.targets(), start);
+    print_row("least_squares", "all", least_squares.targets(), clock.seconds());
   }
 
   void print_row(const std::string& name, const std::string& landmarks, const Point_matrix& target,
-                 const Clock::time_point start) const
+                 const double seconds) const
   {
-    const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
     std::printf("| %s | %zu | %s | %.3f | %.2f |\n", name.c_str(), m_mesh.points.size(),
                 landmarks.c_str(), stress(target), seconds);
     std::fflush(stdout);

@@ -25,8 +25,8 @@
 
 namespace Canonical_pose_benchmark {
 
-using CGAL::Canonical_pose_3::Point_matrix;
 using Canonical_pose_tool::Mesh_file;
+using CGAL::Canonical_pose_3::Point_matrix;
 
 inline std::string stem_of(const std::string& file)
 {
@@ -41,8 +41,8 @@ inline Point_matrix points_of_file(const Mesh_file& mesh)
 
 /// The largest component of a mesh, with its options.
 inline CGAL::Canonical_pose_3::Prepared_surface_3
-prepared_surface(const Mesh_file& mesh, CGAL::Canonical_pose_3::Options options
-                                        = CGAL::Canonical_pose_3::Options())
+prepared_surface(const Mesh_file& mesh,
+                 CGAL::Canonical_pose_3::Options options = CGAL::Canonical_pose_3::Options())
 {
   options.components = CGAL::Canonical_pose_3::Options::Components::LARGEST;
   return CGAL::Canonical_pose_3::prepare_surface(points_of_file(mesh), mesh.faces, options);
