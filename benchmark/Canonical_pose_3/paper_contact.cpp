@@ -67,10 +67,14 @@ std::vector<Method> methods()
   std::vector<Method> result = {{"heat", "heat distances, without rounds", {}},
                                 {"rounds", "heat distances, rounds (default)", {}},
                                 {"biharmonic", "biharmonic distances, without rounds", {}},
-                                {"biharmonic_rounds", "biharmonic distances, rounds", {}}};
+                                {"biharmonic_rounds", "biharmonic distances, rounds", {}},
+                                {"unfolding", "unfolding", {}},
+                                {"cut", "heat distances, rounds, contacts cut", {}}};
   result[0].options.number_of_rounds = result[2].options.number_of_rounds = 0;
   result[2].options.target_fields_function = result[3].options.target_fields_function
     = biharmonic_fields;
+  result[4].options.target_mode = CP::Options::Target_mode::UNFOLDING;
+  result[5].options.contacts = CP::Options::Contacts::CUT;
   return result;
 }
 
