@@ -10,17 +10,18 @@
 // Canonical forms of several authors, side by side: how much forms of one shape differ, how well
 // shapes of the same class find each other by them, and how long they take.
 //
-// How to read: a table in Markdown with a row per form. `difference` is the mean over the classes whose
-// files have the same vertices of the mean over all pairs of files: root mean square distance of
+// How to read: a table in Markdown with a row per form. NN (nearest neighbor), FT (first tier) and DCG
+// are measures of Retrieval_evaluation.h, for the descriptors D2 and views. `seconds` are those of the
+// processor (all threads), per file, after reading and repair. With --corresponding, `difference` is
+// the mean over the classes of the mean over all pairs of files: root mean square distance of
 // corresponding vertices after the best rigid motion, with or without reflection, at unit radius of
-// gyration. NN (nearest neighbor), FT (first tier) and DCG are measures of Retrieval_evaluation.h, for
-// the descriptors D2 and views. `seconds` are those of the processor (all threads), per file, after
-// reading and repair. With --per-class, differences of each class follow.
+// gyration; differences of each class follow each row.
 //
-// Usage: canonical_forms_benchmark [--form NAME] [--per-class] [--prefix P] CLASSES FILE...
-//   CLASSES     lines "stem class"; files of other stems are not used
-//   --form NAME computes this form only
-//   --prefix P  writes the forms to files with names P followed by stem_form.off
+// Usage: canonical_forms_benchmark [--form NAME] [--corresponding] [--prefix P] CLASSES FILE...
+//   CLASSES          lines "stem class"; files of other stems are not used
+//   --form NAME      computes this form only
+//   --corresponding  the files of each class have the same vertices
+//   --prefix P       writes the forms to files with names P followed by stem_form.off
 
 #include "Argument_list.h"
 #include "Processor_clock.h"
@@ -163,8 +164,9 @@ struct Row
 class Forms_benchmark
 {
 public:
-  Forms_benchmark(const std::string& form, std::string prefix)
-    : m_descriptors(Canonical_pose_tool::descriptors({"shape-distribution-d2", "views"})),
+  Forms_benchmark(const std::string& form, const bool is_corresponding, std::string prefix)
+    : m_is_corresponding(is_corresponding),
+      m_descriptors(Canonical_pose_tool::descriptors({"shape-distribution-d2", "views"})),
       m_prefix(std::move(prefix))
   {
     for(Form& each : all_forms())
@@ -180,13 +182,14 @@ public:
       add(file);
     for(Row& row : m_rows)
     {
-      add_difference(name, row);
+      if(m_is_corresponding)
+        add_difference(name, row);
       row.of_class.clear();
     }
     m_classes.insert(m_classes.end(), files.size(), m_number_of_classes++);
   }
 
-  void print(const bool per_class) const
+  void print() const
   {
     std::printf("| %zu shapes, %zu classes | difference | D2: NN | FT | DCG | views: NN | FT | DCG "
                 "| seconds |\n|---|---|---|---|---|---|---|---|---|\n",
@@ -196,8 +199,10 @@ public:
       double sum = 0;
       for(const auto& difference : row.differences)
         sum += difference.second;
-      std::printf("| %s | %.3f |", row.form.name.c_str(),
-                  sum / static_cast<double>(row.differences.size()));
+      std::printf("| %s |", row.form.name.c_str());
+      if(!row.differences.empty())
+        std::printf(" %.3f", sum / static_cast<double>(row.differences.size()));
+      std::printf(" |");
       for(std::size_t d = 0; d < m_descriptors.size(); ++d)
       {
         const CP::Retrieval_measures m
@@ -207,8 +212,7 @@ public:
       }
       std::printf(" %.2f |\n", row.seconds / static_cast<double>(m_classes.size()));
       for(const auto& [name, difference] : row.differences)
-        if(per_class)
-          std::printf("  %s: %.3f\n", name.c_str(), difference);
+        std::printf("  %s: %.3f\n", name.c_str(), difference);
     }
   }
 
@@ -240,13 +244,12 @@ private:
     }
   }
 
-  // Nothing if vertices do not correspond.
   static void add_difference(const std::string& name, Row& row)
   {
     std::vector<Eigen::Index> common;
     for(const Point_matrix& points : row.of_class)
       if(points.rows() != row.of_class.front().rows())
-        return;
+        throw std::invalid_argument("the files of " + name + " have different vertices");
     for(Eigen::Index v = 0; v < row.of_class.front().rows(); ++v)
       if(std::all_of(row.of_class.begin(), row.of_class.end(),
                      [&](const Point_matrix& points) { return points.row(v).allFinite(); }))
@@ -269,6 +272,7 @@ private:
     return result;
   }
 
+  bool m_is_corresponding;
   std::vector<Canonical_pose_tool::Descriptor> m_descriptors;
   std::string m_prefix;
   std::vector<Row> m_rows;
@@ -285,7 +289,7 @@ int main(int argc, char** argv)
     Argument_list arguments(argc, argv);
     const std::string form = arguments.take_text("--form");
     const std::string prefix = arguments.take_text("--prefix");
-    const bool per_class = arguments.take_flag("--per-class");
+    const bool is_corresponding = arguments.take_flag("--corresponding");
     if(arguments.rest().size() < 2)
       throw std::invalid_argument("the classes and files of shapes are needed");
     const std::map<std::string, std::string> classes
@@ -298,10 +302,10 @@ int main(int argc, char** argv)
         files[found->second].push_back(arguments.rest()[i]);
     }
     std::printf("%s\n", setting().c_str());
-    Forms_benchmark benchmark(form, prefix);
+    Forms_benchmark benchmark(form, is_corresponding, prefix);
     for(const auto& [name, members] : files)
       benchmark.add_class(name, members);
-    benchmark.print(per_class);
+    benchmark.print();
     return EXIT_SUCCESS;
   }
   catch(const std::exception& e)
