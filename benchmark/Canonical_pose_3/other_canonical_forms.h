@@ -112,7 +112,7 @@ inline Point_matrix fast_classical_scaling(const Surface_component_3& surface,
 /// A form by Euclidean distances in linear time, after the idea of Pickup et al. (2015): distances
 /// between a few vertices are made large, while the edges keep their lengths,
 ///   sum over edges (|e| - |e at rest|)^2 - mu sum over pairs of `features` |v_i - v_j|.
-/// Their text is not public beyond the abstract: this energy, its weight and its minimization are
+/// Only the abstract of that paper was available: this energy, its weight and its minimization are
 /// ours. Both terms have a majorant with the same constant matrix, as in SMACOF.
 inline Point_matrix euclidean_form(const Surface_component_3& surface,
                                    const std::vector<std::size_t>& features)
