@@ -111,12 +111,15 @@ Point_matrix least_squares(const Component& component)
 
 Point_matrix pose(const Component& component, const CP::Options& options)
 {
-  const Landmark_target start(component);
-  const CP::Surface_body_3 body
-    = CP::surface_body(component.surface, start.coarse, start.fields, options);
-  const CP::Result result
-    = CP::registered_pose(component.surface, start.coarse, start.target, body, options);
-  Point_matrix points(component.surface.points.rows(), 3);
+  const CP::Surface_component_3& surface = component.surface;
+  const CP::Coarse_surface_3 coarse = CP::coarse_surface(surface, options);
+  const CP::Landmark_fields_3 fields = CP::landmark_fields(coarse, options);
+  const CP::Surface_body_3 body = CP::surface_body(surface, coarse, fields, options);
+  const CP::Target_3 target = options.target_mode == CP::Options::Target_mode::UNFOLDING
+                                ? CP::unfolded_target(surface, body, options)
+                                : CP::mds_target(surface, coarse, fields, options);
+  const CP::Result result = CP::registered_pose(surface, coarse, target, body, options);
+  Point_matrix points(surface.points.rows(), 3);
   for(std::size_t v = 0; v < body.surface_vertices.size(); ++v)
     points.row(static_cast<Eigen::Index>(v))
       = result.pose.row(static_cast<Eigen::Index>(body.surface_vertices[v]));
@@ -140,6 +143,12 @@ std::vector<Form> all_forms()
     {"Euclidean distances",
      [](const Component& c) {
        return euclidean_form(c.surface, Landmark_target(c).landmarks(30));
+     }},
+    {"unfolding",
+     [](const Component& c) {
+       CP::Options options = c.options;
+       options.target_mode = CP::Options::Target_mode::UNFOLDING;
+       return pose(c, options);
      }},
     {"pose without rounds",
      [](const Component& c) {
