@@ -31,9 +31,9 @@ concave edges that cannot be contracted, computed by CGAL's package Surface Mesh
 edges count as shorter than they are, since necks of contacts have creases. True handles that fulfill
 these conditions, such as a thin ring, are cut, too.
 
-\param surface a connected surface.
-
 In a pose of the input, a vertex of the curve is halfway between its two copies.
+
+\param surface a connected surface.
 
 \returns the surface; the vertices of each curve exist twice afterwards, the copies are the last rows of
          `points`. Unchanged if there is no contact, or its boundary loops cannot be closed by its caps.
