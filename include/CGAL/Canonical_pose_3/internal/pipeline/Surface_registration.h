@@ -23,7 +23,7 @@
 #include <CGAL/Canonical_pose_3/internal/body/Body_view.h>
 #include <CGAL/Canonical_pose_3/internal/energy/default_rotation_routines.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/Options_constraints.h>
-#include <CGAL/Canonical_pose_3/internal/pipeline/closed.h>
+#include <CGAL/Canonical_pose_3/internal/soup/closed.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/solver_of_options.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/timed.h>
 #include <CGAL/Canonical_pose_3/internal/registration/Arap_registration.h>

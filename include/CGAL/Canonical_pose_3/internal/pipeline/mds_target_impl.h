@@ -21,7 +21,7 @@
 #include <CGAL/Canonical_pose_3/Target_3.h>
 #include <CGAL/Canonical_pose_3/align_target.h>
 #include <CGAL/Canonical_pose_3/internal/support/Thread_limit.h>
-#include <CGAL/Canonical_pose_3/internal/pipeline/closed.h>
+#include <CGAL/Canonical_pose_3/internal/soup/closed.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/describe_fields.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>

@@ -13,6 +13,7 @@
 #include <CGAL/Canonical_pose_3/Surface_component_3.h>
 #include <CGAL/Canonical_pose_3/cut_contacts.h>
 #include <CGAL/Canonical_pose_3/internal/soup/Indexed_mesh.h>
+#include <CGAL/Canonical_pose_3/internal/soup/closed.h>
 #include <CGAL/Canonical_pose_3/internal/soup/root_of_area.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
@@ -37,14 +38,6 @@ namespace CGAL {
 namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
-
-// The triangles of a surface, then those that close its boundary loops.
-inline std::vector<Index_triangle> triangles_and_caps(const Surface_component_3& surface)
-{
-  std::vector<Index_triangle> result = surface.triangles;
-  result.insert(result.end(), surface.caps.begin(), surface.caps.end());
-  return result;
-}
 
 // Edges, their lengths and how much they are creased.
 class Creased_mesh
@@ -291,7 +284,7 @@ inline std::optional<Surface_component_3> without_contact(const Surface_componen
 {
   constexpr double longest_loop = 0.25, shortest_detour = 0.6; // by the square root of the area
   const double size = root_of_area(surface.points, surface.triangles);
-  const Creased_mesh creased(surface.points, triangles_and_caps(surface));
+  const Creased_mesh creased(surface.points, closed(surface));
   const Indexed_mesh& mesh = creased.mesh();
   std::size_t number_of_vertices = 0;
   for(const auto v : mesh.vertices())

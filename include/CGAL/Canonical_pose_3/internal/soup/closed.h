@@ -7,8 +7,8 @@
 //
 // Author(s) : The Canonical_pose_3 authors
 
-#ifndef CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_CLOSED_H
-#define CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_CLOSED_H
+#ifndef CGAL_CANONICAL_POSE_3_INTERNAL_SOUP_CLOSED_H
+#define CGAL_CANONICAL_POSE_3_INTERNAL_SOUP_CLOSED_H
 
 #include <CGAL/Canonical_pose_3/Surface_component_3.h>
 #include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
@@ -34,4 +34,4 @@ inline std::vector<Index_triangle> closed(const Surface_component_3& surface)
 } // namespace Canonical_pose_3
 } // namespace CGAL
 
-#endif // CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_CLOSED_H
+#endif // CGAL_CANONICAL_POSE_3_INTERNAL_SOUP_CLOSED_H
