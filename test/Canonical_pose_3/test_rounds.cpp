@@ -61,6 +61,14 @@ public:
     return result;
   }
 
+  CP::Target_3 scaled_surface(const double factor) const
+  {
+    CP::Target_3 result = m_target;
+    result.points = factor * m_surface.points;
+    result.is_given = true;
+    return result;
+  }
+
   CP::Result registered_pose(const CP::Target_3& target, const CP::Options& options) const
   {
     return CP::registered_pose(m_surface, m_coarse, target, m_body, options);
@@ -144,4 +152,29 @@ TEST(Collapsed_body, is_registered_with_a_larger_detail_length)
               || result.summary.rounds[0].energy == softer.summary.energy);
   EXPECT_GT(result.summary.iterations,
             2 * soft.summary.iterations + softer.summary.iterations + stiff.summary.iterations);
+}
+
+// Hardly anything rotates towards a target that is the surface scaled: with fixed rotations, the energy
+// is quadratic, and one iteration from any pose leads to its minimum.
+TEST(Last_round, has_the_strain_of_the_full_detail_length)
+{
+  const auto steps = Steps::of<Articulated_figure>(0);
+  const CP::Target_3 target = steps.scaled_surface(1.1);
+  CP::Options options;
+  options.registration.injective = false;
+  options.number_of_rounds = 0;
+  const double full = steps.registered_pose(target, options).summary.median_edge_strain;
+  CP::Options soft_options = options;
+  soft_options.registration.detail_length /= 2;
+  const double soft = steps.registered_pose(target, soft_options).summary.median_edge_strain;
+  EXPECT_GT(soft, 1.2 * full);
+  const double tolerance = 0.1 * (soft - full);
+  options.number_of_rounds = 1;
+  const auto one = steps.registered_pose(target, options).summary.rounds;
+  ASSERT_EQ(one.size(), 1u);
+  EXPECT_NEAR(one[0].median_edge_strain, full, tolerance);
+  options.number_of_rounds = 2;
+  const auto two = steps.registered_pose(target, options).summary.rounds;
+  ASSERT_GE(two.size(), 1u);
+  EXPECT_NEAR(two[0].median_edge_strain, soft, tolerance);
 }

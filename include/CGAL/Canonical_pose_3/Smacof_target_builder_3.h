@@ -54,7 +54,7 @@ public:
   /// constructs a builder.
   /// \pre `weight_exponent` is finite, and `robust_scale` is nonnegative and finite; 0 for weights
   ///      that do not depend on residuals.
-  explicit Smacof_target_builder_3(double weight_exponent = 0.75, double robust_scale = 0);
+  explicit Smacof_target_builder_3(double weight_exponent = 1, double robust_scale = 0);
 
   /*!
   embeds the points whose distances to the landmarks are given.

@@ -86,6 +86,9 @@ private:
       Real_timer timer;
       timer.start();
       Registered_body measured = m_registration.measured(current, stiff);
+      const bool is_last = round + 1 == m_number_of_rounds;
+      if(is_last && !measured.is_stiff && Surface_registration::is_complete(measured))
+        measured = m_registration.relaxed(measured);
       if(!Surface_registration::is_complete(measured))
         return measured;
       has_collapsed = has_collapsed || measured.is_stiff;

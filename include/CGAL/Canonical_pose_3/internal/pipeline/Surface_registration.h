@@ -215,6 +215,21 @@ public:
     return result;
   }
 
+  // Takes one step with the full detail length from a pose that was registered to measure distances.
+  // Its rotations remain, so limbs stay straight, but they regain the lengths that a soft body gave
+  // up to reach the target.
+  Registered_body relaxed(const Registered_body& measured) const
+  {
+    Registered_body result = measured;
+    Registration_options options = measurement_options(m_registration_options, 1);
+    options.number_of_iterations = 1;
+    m_registration->set_options(options);
+    run(result);
+    if(result.summary.termination == Registration_summary::ITERATION_LIMIT)
+      result.summary.termination = measured.summary.termination;
+    return result;
+  }
+
   // Whether there is a pose, and the visitor did not cancel the registration.
   static bool is_complete(const Registered_body& registered)
   {
