@@ -189,7 +189,7 @@ private:
       = farthest_point_patches(graph, concave_lengths(graph, preferences.edge_concavity),
                                is_given ? PATCHES_OF_SWEEPS : PATCHES_FOR_NUMBER, first_face);
     const Sweep_partition parts
-      = sweep_partition(patch_graph(graph, own, preferences, m_thickness_of_face), exponent,
+      = sweep_partition(patch_graph(graph, own, preferences, m_thickness_of_face), {exponent, 0},
                         (std::max)(number_of_parts, std::size_t(1)),
                         is_given ? number_of_parts : MOST_PARTS, is_given ? 0 : COST_LIMIT);
     return {largest_parts(graph, own, parts), parts.number_of_parts};
