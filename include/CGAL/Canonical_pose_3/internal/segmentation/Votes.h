@@ -185,7 +185,7 @@ private:
     for_each_index(NUMBER_OF_SWEEPS, [&](const std::size_t i) {
       Boundary_preferences preferences;
       preferences.edge_concavity = .2 + .3 * evenly_spread(i, 0);
-      const double exponent = .5 + .2 * evenly_spread(i, 1);
+      const double exponent = (number_of_parts > 0 ? .5 : .6) + .2 * evenly_spread(i, 1);
       const double w = evenly_spread(i, 2) / share_with_normals;
       preferences.patch_concavity = w < 1 ? .3 + .7 * w : 0;
       preferences.thickness_ratio = i / 2 % 2 == 0 ? .4 : 0;
