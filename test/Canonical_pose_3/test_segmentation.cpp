@@ -10,6 +10,7 @@
 #include <CGAL/Canonical_pose_3/consensus_segmentation.h>
 #include <CGAL/Canonical_pose_3/internal/segmentation/Part_hierarchy.h>
 #include <CGAL/Canonical_pose_3/internal/segmentation/Segmented_surface.h>
+#include <CGAL/Canonical_pose_3/internal/segmentation/sweep_cuts.h>
 #include <CGAL/Canonical_pose_3/k_means_segmentation.h>
 #include <CGAL/Canonical_pose_3/segmentation_parts.h>
 #include <CGAL/Canonical_pose_3/sweep_segmentation.h>
@@ -26,6 +27,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -65,6 +67,43 @@ Canonical_pose_test::Triangle_soup row_of_balls_soup(const std::size_t rings,
 }
 
 Polygon_soup row_of_balls() { return polygon_soup(row_of_balls_soup(80, 24)); }
+
+// The row with a small ball at each end, of a five-hundredth of the area; the circles in which these
+// overlap with the row are much shorter than the others.
+Polygon_soup row_of_balls_with_buttons()
+{
+  const std::size_t rings_of_ball = 30, sides = 24;
+  const double small = .08, half_neck = .2, small_neck = .008;
+  std::vector<std::array<double, 2>> circles; // x and radius
+  double x = 0;
+  const auto add_ball = [&](const double radius, const double left, const double right) {
+    const double from = std::asin(left / radius), to = CGAL_PI - std::asin(right / radius);
+    x += radius * std::cos(from);
+    for(std::size_t i = circles.empty() ? 0 : 1; i <= rings_of_ball; ++i)
+    {
+      const double angle = from + (to - from) * double(i) / double(rings_of_ball);
+      circles.push_back({x - radius * std::cos(angle), radius * std::sin(angle)});
+    }
+    x = circles.back()[0];
+  };
+  add_ball(small, 0, small_neck);
+  const double start = x;
+  add_ball(1, small_neck, half_neck);
+  add_ball(1, half_neck, half_neck);
+  add_ball(1, half_neck, small_neck);
+  add_ball(small, small_neck, 0);
+  Canonical_pose_test::Triangle_soup soup
+    = Canonical_pose_test::tube_soup(circles.size(), sides, 1, 1);
+  for(std::size_t i = 0; i < circles.size(); ++i)
+    for(std::size_t j = 0; j < sides; ++j)
+    {
+      auto& p = soup.points[i * sides + j];
+      p = {{circles[i][0] - start, circles[i][1] * p[1], circles[i][1] * p[2]}};
+    }
+  soup.points[circles.size() * sides] = {{circles.front()[0] - start, 0., 0.}};
+  soup.points[circles.size() * sides + 1] = {{circles.back()[0] - start, 0., 0.}};
+  return polygon_soup(soup);
+}
 
 double centroid_x(const Polygon_soup& soup, const std::size_t f)
 {
@@ -126,6 +165,53 @@ TEST_P(Segmentation, balls_are_parts)
 {
   const Polygon_soup soup = row_of_balls();
   expect_balls(soup, tree(soup, with_parts(3)).parts());
+}
+
+// The cuts around the buttons are the cheapest ones, but they are too small for parts: neither the
+// requested number counts them, nor the one that is determined.
+TEST(Consensus_segmentation, buttons_are_no_parts)
+{
+  const Polygon_soup soup = row_of_balls_with_buttons();
+  for(const std::size_t number : {0, 3})
+  {
+    const Segmentation_tree_3 tree
+      = CP::consensus_segmentation_tree(soup.points, soup.polygons, no_pose(), with_parts(number));
+    EXPECT_EQ(tree.number_of_parts, 3u);
+    expect_balls(soup, tree.parts());
+  }
+}
+
+// A path of patches. By their costs, the cut around the small patch at the end is the best one; without
+// it, that of patches 0 and 1 from the others. The costs are exact.
+TEST(Sweep_cuts, sides_are_not_smaller_than_the_least_area)
+{
+  CP::internal::Patch_graph graph;
+  graph.areas.resize(5);
+  graph.areas << .25, .25, .25, .246, .004;
+  graph.edges = {{0, 1, .4, 4}, {1, 2, .1, 1}, {2, 3, .4, 4}, {3, 4, .001, .01}};
+  const auto partition = [&](const double least_area) {
+    return CP::internal::sweep_partition(graph, {.5, least_area}, 2, 2, 0);
+  };
+  const auto any = partition(0), large = partition(.01);
+  EXPECT_EQ(any.part_of_patch[0], any.part_of_patch[3]);
+  EXPECT_NE(any.part_of_patch[3], any.part_of_patch[4]);
+  EXPECT_NEAR(any.costs[0], .001 / std::sqrt(.004), 1e-12);
+  EXPECT_EQ(large.part_of_patch[0], large.part_of_patch[1]);
+  EXPECT_NE(large.part_of_patch[1], large.part_of_patch[2]);
+  EXPECT_EQ(large.part_of_patch[2], large.part_of_patch[4]);
+  EXPECT_NEAR(large.costs[0], .1 / std::sqrt(.5), 1e-12);
+}
+
+// A small patch that is connected to nothing is a part, but does not count.
+TEST(Sweep_cuts, small_components_do_not_count)
+{
+  CP::internal::Patch_graph graph;
+  graph.areas.resize(3);
+  graph.areas << .5, .496, .004;
+  graph.edges = {{0, 1, .1, 1}};
+  const auto partition = CP::internal::sweep_partition(graph, {.5, .01}, 2, 2, 0);
+  EXPECT_EQ(partition.number_of_large_parts, 2u);
+  EXPECT_EQ(partition.number_of_parts, 3u);
 }
 
 TEST_P(Segmentation, number_of_parts_is_determined)

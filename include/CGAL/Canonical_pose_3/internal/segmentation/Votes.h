@@ -56,7 +56,8 @@ public:
         = log_thickness[static_cast<Eigen::Index>(patches.patch_of_face[f])];
   }
 
-  // The number of parts on which sweeps agree if none is given: their median.
+  // The number of parts on which sweeps agree if none is given: their median. Small parts do not
+  // count.
   std::size_t typical_number_of_parts(const unsigned int seed) const
   {
     std::vector<std::size_t> numbers;
@@ -67,7 +68,9 @@ public:
     return *median;
   }
 
-  // The share of the votes, by their weights, in which two patches belong to the same part.
+  // The share of the votes, by their weights, in which two patches belong to the same part. Votes have
+  // up to twice as many parts as are asked for: where some of several equally good cuts would be made,
+  // like those around one of two legs, others make all of them.
   Eigen::MatrixXd similarities(const std::size_t number_of_parts, const unsigned int seed) const
   {
     std::vector<Vote> votes = sweeps(number_of_parts, seed);
@@ -92,6 +95,8 @@ private:
   // Cuts around small patches are cheap, so the number of parts is determined with larger ones.
   static constexpr std::size_t PATCHES_OF_SWEEPS = 300, PATCHES_FOR_NUMBER = 200;
   static constexpr std::size_t MOST_PARTS = 64;
+  // Parts are not smaller: cuts around eyes or claws are cheap, and would be made instead of others.
+  static constexpr double LEAST_AREA = .01;
 
   struct Vote
   {
@@ -112,6 +117,15 @@ private:
   const Viewed_surface& geometry(const std::size_t vote) const
   {
     return m_geometries[vote % m_geometries.size()];
+  }
+
+  // The number of parts of a vote, the same for a vote on each geometry.
+  std::size_t number_of_parts_of_vote(const std::size_t vote,
+                                      const std::size_t requested_number) const
+  {
+    const double step = static_cast<double>(vote / 2 % 3) / 2;
+    return static_cast<std::size_t>(
+      std::lround((1 + step) * static_cast<double>(requested_number)));
   }
 
   // A vote counts more if it agrees with votes of other kinds: with another method, or on another
@@ -171,11 +185,12 @@ private:
     for_each_index(NUMBER_OF_SWEEPS, [&](const std::size_t i) {
       Boundary_preferences preferences;
       preferences.edge_concavity = .2 + .3 * evenly_spread(i, 0);
-      const double exponent = .6 + .2 * evenly_spread(i, 1);
+      const double exponent = (number_of_parts > 0 ? .5 : .6) + .2 * evenly_spread(i, 1);
       const double w = evenly_spread(i, 2) / share_with_normals;
       preferences.patch_concavity = w < 1 ? .3 + .7 * w : 0;
       preferences.thickness_ratio = i / 2 % 2 == 0 ? .4 : 0;
-      result[i] = sweep(geometry(i).graph, preferences, exponent, number_of_parts, first_faces[i]);
+      result[i] = sweep(geometry(i).graph, preferences, exponent,
+                        number_of_parts_of_vote(i, number_of_parts), first_faces[i]);
     });
     return result;
   }
@@ -184,15 +199,19 @@ private:
              const double exponent, const std::size_t number_of_parts,
              const std::size_t first_face) const
   {
+    constexpr double least_share = .2; // of the mean area of a part
     const bool is_given = number_of_parts > 0;
     const Patches own
       = farthest_point_patches(graph, concave_lengths(graph, preferences.edge_concavity),
                                is_given ? PATCHES_OF_SWEEPS : PATCHES_FOR_NUMBER, first_face);
+    const double least_area
+      = is_given ? (std::min)(LEAST_AREA, least_share / static_cast<double>(number_of_parts))
+                 : LEAST_AREA;
     const Sweep_partition parts
-      = sweep_partition(patch_graph(graph, own, preferences, m_thickness_of_face), exponent,
-                        (std::max)(number_of_parts, std::size_t(1)),
+      = sweep_partition(patch_graph(graph, own, preferences, m_thickness_of_face),
+                        {exponent, least_area}, (std::max)(number_of_parts, std::size_t(1)),
                         is_given ? number_of_parts : MOST_PARTS, is_given ? 0 : COST_LIMIT);
-    return {largest_parts(graph, own, parts), parts.number_of_parts};
+    return {largest_parts(graph, own, parts), parts.number_of_large_parts};
   }
 
   // The part that has the largest share of each of our patches.
@@ -221,9 +240,10 @@ private:
     for_each_index(NUMBER_OF_SIGHTS, [&](const std::size_t i) {
       const double step = static_cast<double>(i / 2) / (NUMBER_OF_SIGHTS / 2 - 1);
       Random_numbers random(seed + 1 + static_cast<unsigned int>(i));
-      result[i] = {spectral_clusters(affinities(geometry(i), .2 + .3 * step), m_areas,
-                                     number_of_parts, random),
-                   number_of_parts};
+      const std::size_t number = number_of_parts_of_vote(i, number_of_parts);
+      result[i]
+        = {spectral_clusters(affinities(geometry(i), .2 + .3 * step), m_areas, number, random),
+           number};
     });
     return result;
   }

@@ -30,6 +30,14 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
+// What is preferred among the cuts of a set of patches.
+struct Cut_preferences
+{
+  double exponent; // the cost of a cut is that of its boundary by this power of the smaller area: 0
+                   // is the cheapest boundary, 1 the one of smallest conductance
+  double least_area; // of both sides
+};
+
 // Splits a set of patches in two: the cheapest of the cuts along level sets of smooth functions,
 // which are eigenvectors of the Laplacian of the set and heat kernels of the patches. (Sweep cuts
 // are from F. Chung, "The heat kernel as the pagerank of a graph", PNAS 2007.)
@@ -38,11 +46,9 @@ class Sweep_cut
 public:
   static constexpr double NONE = std::numeric_limits<double>::infinity();
 
-  // `exponent`: the cost of a cut is that of its boundary by this power of the smaller area. 0 is
-  // the cheapest boundary, 1 the one of smallest conductance.
   Sweep_cut(const Patch_graph& graph, const std::vector<std::size_t>& patches,
-            const double exponent)
-    : m_size(static_cast<Eigen::Index>(patches.size())), m_exponent(exponent),
+            const Cut_preferences& preferences)
+    : m_size(static_cast<Eigen::Index>(patches.size())), m_preferences(preferences),
       m_neighbors(patches.size()), m_areas(m_size), m_is_inside(patches.size())
   {
     if(m_size < 2)
@@ -58,7 +64,8 @@ public:
     sweep_functions(pairs->values, scale.asDiagonal() * pairs->vectors);
   }
 
-  // NONE if there is a single patch, 0 if the set is not connected.
+  // NONE if there is no cut, 0 if the set is not connected. Components may be smaller than the least
+  // area.
   double cost() const { return m_cost; }
 
   // Whether each patch of the set is on the first side.
@@ -146,7 +153,8 @@ private:
     });
     std::fill(m_is_inside.begin(), m_is_inside.end(), false);
     const double total = m_areas.sum();
-    const double longest = m_cost * std::pow(total / 2, m_exponent); // of a cut that is cheaper
+    const double longest
+      = m_cost * std::pow(total / 2, m_preferences.exponent); // of a cut that is cheaper
     double boundary = 0, area = 0, cost = NONE;
     std::size_t best = 0;
     for(std::size_t i = 0; i + 1 < m_order.size(); ++i)
@@ -156,10 +164,10 @@ private:
       area += m_areas[static_cast<Eigen::Index>(patch)];
       for(const auto& [neighbor, edge_cost] : m_neighbors[patch])
         boundary += m_is_inside[neighbor] ? -edge_cost : edge_cost;
-      if(boundary > longest)
+      const double smaller = (std::min)(area, (std::max)(total - area, 1e-15));
+      if(boundary > longest || smaller < m_preferences.least_area)
         continue;
-      const double c = (std::max)(boundary, 0.)
-                       / std::pow((std::min)(area, (std::max)(total - area, 1e-15)), m_exponent);
+      const double c = (std::max)(boundary, 0.) / std::pow(smaller, m_preferences.exponent);
       if(c < cost)
       {
         cost = c;
@@ -175,7 +183,7 @@ private:
   }
 
   Eigen::Index m_size;
-  double m_exponent;
+  Cut_preferences m_preferences;
   std::vector<std::vector<std::pair<std::size_t, double>>> m_neighbors;
   Eigen::VectorXd m_areas;
   double m_cost = NONE;
@@ -188,15 +196,18 @@ private:
 struct Sweep_partition
 {
   std::size_t number_of_parts = 1;
+  // Without those that were smaller than the least area when they were split off: the components of
+  // the sides of a cut may be small, and they may not be connected.
+  std::size_t number_of_large_parts = 1;
   std::vector<std::size_t> part_of_patch;
   // Split i divides part `parent[i]`; its second side becomes part i + 1.
   std::vector<std::size_t> parents;
   std::vector<double> costs;
 };
 
-// Splits the part with the cheapest cut until there are `number_of_parts`, and further as long as
+// Splits the part with the cheapest cut until there are as many large parts, and further as long as
 // the cost is at most `cost_limit`.
-inline Sweep_partition sweep_partition(const Patch_graph& graph, const double exponent,
+inline Sweep_partition sweep_partition(const Patch_graph& graph, const Cut_preferences& preferences,
                                        const std::size_t least_number_of_parts,
                                        const std::size_t most_number_of_parts,
                                        const double cost_limit)
@@ -207,15 +218,22 @@ inline Sweep_partition sweep_partition(const Patch_graph& graph, const double ex
   std::vector<std::vector<std::size_t>> parts(1, std::vector<std::size_t>(n));
   std::iota(parts[0].begin(), parts[0].end(), std::size_t(0));
   std::vector<Sweep_cut> cuts;
-  cuts.emplace_back(graph, parts[0], exponent);
-  while(parts.size() < most_number_of_parts)
+  cuts.emplace_back(graph, parts[0], preferences);
+  const auto area = [&graph](const std::vector<std::size_t>& patches) {
+    double sum = 0;
+    for(const std::size_t patch : patches)
+      sum += graph.areas[static_cast<Eigen::Index>(patch)];
+    return sum;
+  };
+  while(result.number_of_large_parts < most_number_of_parts)
   {
     const auto cheapest
       = std::min_element(cuts.begin(), cuts.end(), [](const Sweep_cut& a, const Sweep_cut& b) {
           return a.cost() < b.cost();
         });
     const double cost = cheapest->cost();
-    if(cost == Sweep_cut::NONE || (parts.size() >= least_number_of_parts && cost > cost_limit))
+    if(cost == Sweep_cut::NONE
+       || (result.number_of_large_parts >= least_number_of_parts && cost > cost_limit))
       break;
     const auto parent = static_cast<std::size_t>(cheapest - cuts.begin());
     const std::vector<std::size_t> whole = std::move(parts[parent]);
@@ -228,10 +246,12 @@ inline Sweep_partition sweep_partition(const Patch_graph& graph, const double ex
       if(!is_first)
         result.part_of_patch[whole[i]] = parts.size() - 1;
     }
+    if((std::min)(area(parts[parent]), area(parts.back())) >= preferences.least_area)
+      ++result.number_of_large_parts;
     result.parents.push_back(parent);
     result.costs.push_back(cost);
-    cuts[parent] = Sweep_cut(graph, parts[parent], exponent);
-    cuts.emplace_back(graph, parts.back(), exponent);
+    cuts[parent] = Sweep_cut(graph, parts[parent], preferences);
+    cuts.emplace_back(graph, parts.back(), preferences);
   }
   result.number_of_parts = parts.size();
   return result;

@@ -67,7 +67,8 @@ CGAL_CANONICAL_POSE_3_INLINE Segmentation_tree_3 sweep_segmentation_tree(
 {
   using namespace internal;
   constexpr Boundary_preferences preferences = {1, .3, 0};
-  constexpr double exponent = .7, cost_limit = 2;
+  constexpr Cut_preferences cuts = {.7, 0};
+  constexpr double cost_limit = 2;
   constexpr std::size_t number_of_patches = 250, least_number_of_leaves = 32;
   const Thread_limit limit(options.number_of_threads);
   const Segmented_surface surface(points, polygons, pose);
@@ -78,7 +79,7 @@ CGAL_CANONICAL_POSE_3_INLINE Segmentation_tree_3 sweep_segmentation_tree(
   const Patch_graph neighbors
     = patch_graph(graph, patches, preferences, Eigen::VectorXd::Zero(graph.areas.size()));
   const Sweep_partition partition = sweep_partition(
-    neighbors, exponent, (std::max)(4 * options.number_of_parts, least_number_of_leaves),
+    neighbors, cuts, (std::max)(4 * options.number_of_parts, least_number_of_leaves),
     patches.size(), 0);
   std::size_t number_of_parts = options.number_of_parts;
   if(number_of_parts == 0)
