@@ -60,9 +60,9 @@ consensus_segmentation_tree(const Point_matrix& points,
 
 Twenty segmentations, of the surface and of its pose by turns, vote on which faces belong to the same
 part: sweep cuts with different preferences (see `sweep_segmentation()`), and clusters of faces that
-see each other through the inside. They have up to twice as many parts as requested; the sides of
-sweep cuts have at least a hundredth of the area, or a fifth of the mean area of the parts if that is
-less. Votes that agree with those of other kinds count more. Faces are merged by the share of common
+see each other through the inside. If the number of parts is given, they have up to twice as many;
+the sides of sweep cuts have at least a hundredth of the area then, or a fifth of the mean area of the
+parts if that is less. Votes that agree with those of other kinds count more. Faces are merged by the share of common
 votes, and boundaries are moved such that they are short and run along concave edges. A pose with less
 than a fifth of the volume of the surface (both scaled to the same area), or of its lines of sight,
 does not vote.

@@ -45,9 +45,11 @@ class Votes
 {
 public:
   // `geometries`: the given one, and the pose, if any. `log_thickness`: one value per patch.
+  // `is_number_given`: whether the number of parts is requested; otherwise, it is determined by how far
+  // votes with the same number of parts agree, so they have just as many.
   Votes(const std::vector<Viewed_surface>& geometries, const Patches& patches,
-        const Eigen::VectorXd& log_thickness)
-    : m_geometries(geometries), m_patches(patches),
+        const Eigen::VectorXd& log_thickness, const bool is_number_given)
+    : m_geometries(geometries), m_patches(patches), m_is_number_given(is_number_given),
       m_areas(patch_areas(geometries[0].graph, patches)),
       m_thickness_of_face(static_cast<Eigen::Index>(patches.patch_of_face.size()))
   {
@@ -56,8 +58,7 @@ public:
         = log_thickness[static_cast<Eigen::Index>(patches.patch_of_face[f])];
   }
 
-  // The number of parts on which sweeps agree if none is given: their median. Small parts do not
-  // count.
+  // The number of parts on which sweeps agree if none is given: their median.
   std::size_t typical_number_of_parts(const unsigned int seed) const
   {
     std::vector<std::size_t> numbers;
@@ -123,7 +124,7 @@ private:
   std::size_t number_of_parts_of_vote(const std::size_t vote,
                                       const std::size_t requested_number) const
   {
-    const double step = static_cast<double>(vote / 2 % 3) / 2;
+    const double step = m_is_number_given ? static_cast<double>(vote / 2 % 3) / 2 : 0;
     return static_cast<std::size_t>(
       std::lround((1 + step) * static_cast<double>(requested_number)));
   }
@@ -185,7 +186,7 @@ private:
     for_each_index(NUMBER_OF_SWEEPS, [&](const std::size_t i) {
       Boundary_preferences preferences;
       preferences.edge_concavity = .2 + .3 * evenly_spread(i, 0);
-      const double exponent = (number_of_parts > 0 ? .5 : .6) + .2 * evenly_spread(i, 1);
+      const double exponent = (m_is_number_given ? .5 : .6) + .2 * evenly_spread(i, 1);
       const double w = evenly_spread(i, 2) / share_with_normals;
       preferences.patch_concavity = w < 1 ? .3 + .7 * w : 0;
       preferences.thickness_ratio = i / 2 % 2 == 0 ? .4 : 0;
@@ -205,8 +206,9 @@ private:
       = farthest_point_patches(graph, concave_lengths(graph, preferences.edge_concavity),
                                is_given ? PATCHES_OF_SWEEPS : PATCHES_FOR_NUMBER, first_face);
     const double least_area
-      = is_given ? (std::min)(LEAST_AREA, least_share / static_cast<double>(number_of_parts))
-                 : LEAST_AREA;
+      = m_is_number_given
+          ? (std::min)(LEAST_AREA, least_share / static_cast<double>(number_of_parts))
+          : 0;
     const Sweep_partition parts
       = sweep_partition(patch_graph(graph, own, preferences, m_thickness_of_face),
                         {exponent, least_area}, (std::max)(number_of_parts, std::size_t(1)),
@@ -263,6 +265,7 @@ private:
 
   const std::vector<Viewed_surface>& m_geometries;
   const Patches& m_patches;
+  const bool m_is_number_given;
   const Eigen::VectorXd m_areas;
   Eigen::VectorXd m_thickness_of_face;
 };

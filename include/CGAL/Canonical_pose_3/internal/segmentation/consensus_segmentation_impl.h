@@ -117,7 +117,7 @@ CGAL_CANONICAL_POSE_3_INLINE Segmentation_tree_3 consensus_segmentation_tree(
       geometries.push_back(std::move(pose_view));
   }
 
-  const Votes votes(geometries, patches, log_thickness);
+  const Votes votes(geometries, patches, log_thickness, options.number_of_parts > 0);
   Segmentation_tree_3 tree
     = options.number_of_parts > 0
         ? Part_hierarchy(graph, patches,
