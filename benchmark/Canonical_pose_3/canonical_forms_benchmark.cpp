@@ -118,7 +118,7 @@ Point_matrix pose(const Component& component, const CP::Options& options)
   const CP::Target_3 target = options.target_mode == CP::Options::Target_mode::UNFOLDING
                                 ? CP::unfolded_target(surface, body, options)
                                 : CP::mds_target(surface, coarse, fields, options);
-  const CP::Result result = CP::registered_pose(surface, coarse, target, body, options);
+  const CP::Result result = CP::registered_pose(surface, coarse, fields, target, body, options);
   Point_matrix points(surface.points.rows(), 3);
   for(std::size_t v = 0; v < body.surface_vertices.size(); ++v)
     points.row(static_cast<Eigen::Index>(v))

@@ -79,8 +79,8 @@ void print_detail_table(Argument_list& arguments)
         options.registration.detail_length = DETAIL_LENGTHS[i];
         if(k == 0)
           options.number_of_rounds = 0;
-        const CP::Result result
-          = CP::registered_pose(shape.surface(), shape.coarse, shape.target, shape.body, options);
+        const CP::Result result = CP::registered_pose(shape.surface(), shape.coarse, shape.fields,
+                                                      shape.target, shape.body, options);
         settings[k][i].poses.push_back(CP::joined_result(shape.prepared, {result}).pose);
         settings[k][i].sum_of_strains += result.summary.median_edge_strain;
       }

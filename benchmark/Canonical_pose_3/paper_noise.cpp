@@ -148,7 +148,8 @@ private:
   {
     fields.distances *= length_scale() / fields.distances.maxCoeff();
     const CP::Target_3 target = CP::mds_target(surface(), coarse, fields, options());
-    const CP::Result result = CP::registered_pose(surface(), m_coarse, target, m_body, options());
+    const CP::Result result
+      = CP::registered_pose(surface(), m_coarse, m_fields, target, m_body, options());
     if(!result.is_usable())
       throw std::runtime_error("the registration met numbers that are not finite");
     Point_matrix pose(surface().points.rows(), 3);

@@ -39,7 +39,7 @@ int main(int argc, char* argv[])
   const CP::Landmark_fields_3 fields = CP::landmark_fields(coarse, options);
   const CP::Target_3 target = CP::mds_target(surface, coarse, fields, options);
   const CP::Surface_body_3 body = CP::surface_body(surface, coarse, fields, options);
-  const CP::Result registered = CP::registered_pose(surface, coarse, target, body, options);
+  const CP::Result registered = CP::registered_pose(surface, coarse, fields, target, body, options);
   const CP::Result result = CP::joined_result(prepared, {registered});
 
   std::cout << "vertices of the coarse surface: " << coarse.vertices.size() << '\n'
@@ -54,6 +54,6 @@ int main(int argc, char* argv[])
 
   // Distances, target and body can be reused with other options.
   options.registration.detail_length = 0.2;
-  std::cout << CP::registered_pose(surface, coarse, target, body, options) << '\n';
+  std::cout << CP::registered_pose(surface, coarse, fields, target, body, options) << '\n';
   return EXIT_SUCCESS;
 }

@@ -7,6 +7,7 @@
 //
 // Author(s) : The Canonical_pose_3 authors
 
+#include <CGAL/Canonical_pose_3/internal/pipeline/extrapolated_fields_impl.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/body_of_surface_impl.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/geodesic_distances_impl.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/joined_result_impl.h>

@@ -27,6 +27,8 @@
 #include "matchers.h"
 #include "shapes.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <stdexcept>
 #include <vector>
@@ -50,7 +52,7 @@ CP::Result by_steps(const CP::Prepared_surface_3& prepared)
     const CP::Landmark_fields_3 fields = CP::landmark_fields(coarse, options);
     const CP::Target_3 target = CP::mds_target(surface, coarse, fields, options);
     const CP::Surface_body_3 body = CP::surface_body(surface, coarse, fields, options);
-    results.push_back(CP::registered_pose(surface, coarse, target, body, options));
+    results.push_back(CP::registered_pose(surface, coarse, fields, target, body, options));
   }
   return CP::joined_result(prepared, results);
 }
@@ -185,15 +187,18 @@ TEST(Pose_steps, given_distances_on_a_coarse_surface)
               given.distances.row(Eigen::Index(coarse.vertices[i])));
 }
 
-// The last round by hand: a pose with half the detail length and larger tolerances, one iteration with the
-// detail length, the distances on this pose, and the target that is refined with them. The summary
-// describes the first target only.
-TEST(Pose_steps, of_a_round)
+// Rounds by hand: poses with half the detail length and larger tolerances, before the last distances a prolonged
+// iteration with the detail length, the distances of the same landmarks on these poses, and the targets that are refined
+// with them. If the last change is less than three quarters of the one before, the distances of the last target are
+// extrapolated: here, for two rounds but not for one. The summary describes the first target only.
+TEST(Pose_steps, of_rounds)
 {
-  const CP::Surface_component_3 surface = surface_of_bar();
+  const auto soup = shapes::bent_bar();
+  const auto prepared = CP::prepare_surface(
+    CP::make_triangle_mesh<Mesh>(shapes::to_matrix(soup.points), soup.triangles));
+  const CP::Surface_component_3& surface = prepared.components.front().surface;
   CP::Options options;
-  options.number_of_rounds = 0;
-  options.volume_ratio_limit = 10; // the target keeps its size
+  options.volume_ratio_limit = 10; // targets keep their size
   CP::Registration_options of_measurement = options.registration;
   of_measurement.detail_length /= 2;
   of_measurement.energy_tolerance = 1e-3;
@@ -203,33 +208,111 @@ TEST(Pose_steps, of_a_round)
   const auto fields = CP::landmark_fields(coarse, options);
   const auto target = CP::mds_target(surface, coarse, fields, options);
   const auto body = CP::surface_body(surface, coarse, fields, options);
-  CP::Tetrahedral_arap_registrar_3 registrar(
-    body.body, CP::vertex_area_shares(surface.points, surface.triangles), body.length_scale,
-    of_measurement, body.stiffness);
-  registrar.set_target(target.points);
-  Point_matrix body_points;
-  const int iterations = registrar.register_to_target(body_points).iterations;
-  registrar.set_detail_length(options.registration.detail_length);
-  registrar.set_number_of_iterations(1);
-  const CP::Registration_summary measured = registrar.register_to_target(body_points);
-  const Point_matrix pose = registrar.surface_points(body_points);
-  const auto fields_of_pose = CP::landmark_fields(coarse.posed(pose), options);
-  const auto refined = CP::refined_target(surface, coarse, fields_of_pose, pose, options);
-  const auto expected = CP::registered_pose(surface, coarse, refined, body, options);
-  options.number_of_rounds = 1;
-  const auto result = CP::registered_pose(surface, coarse, target, body, options);
-  EXPECT_EQ(*result.target, *expected.target);
-  EXPECT_EQ(result.summary.target.stress, target.summary.stress);
-  EXPECT_EQ(result.summary.target.kernel, target.summary.kernel);
-  // The registration starts at the measured pose, or at the target: two ways to the same minimum.
-  EXPECT_NEAR(result.summary.energy, expected.summary.energy, 0.01 * expected.summary.energy);
-  EXPECT_LT((result.pose - expected.pose).rowwise().norm().maxCoeff(), 0.01 * body.length_scale);
-  EXPECT_GT(result.summary.iterations, iterations + 1);
-  ASSERT_EQ(result.summary.rounds.size(), 1u);
-  EXPECT_EQ(result.summary.rounds[0].stress, refined.summary.stress);
-  EXPECT_EQ(result.summary.rounds[0].energy, measured.energy);
-  EXPECT_NEAR(result.summary.rounds[0].median_edge_strain,
-              CP::median_edge_strain(surface.points, pose, surface.triangles), 1e-12);
+  const Eigen::VectorXd shares = CP::vertex_area_shares(surface.points, surface.triangles);
+  CP::Tetrahedral_arap_registrar_3 registrar(body.body, shares, body.length_scale, of_measurement,
+                                             body.stiffness);
+  for(const int number : {1, 2})
+  {
+    CP::Target_3 refined = target;
+    CP::Registration_summary measured;
+    CP::Landmark_fields_3 fields_of_pose;
+    Point_matrix body_points, pose;
+    std::vector<double> changes;
+    int iterations = 0;
+    for(int round = 0; round < number; ++round)
+    {
+      registrar.set_detail_length(of_measurement.detail_length);
+      registrar.set_number_of_iterations(of_measurement.number_of_iterations);
+      registrar.set_target(refined.points);
+      measured = registrar.register_to_target(body_points);
+      iterations += measured.iterations;
+      if(round + 1 == number)
+      {
+        const Point_matrix start = body_points;
+        registrar.set_detail_length(options.registration.detail_length);
+        registrar.set_number_of_iterations(1);
+        measured = registrar.register_to_target(body_points);
+        body_points = (start + 1.25 * (body_points - start)).eval();
+        iterations += measured.iterations;
+      }
+      pose = registrar.surface_points(body_points);
+      fields_of_pose = CP::landmark_fields(coarse.posed(pose), fields.landmarks, options);
+      const Point_matrix previous = refined.points;
+      refined = CP::refined_target(surface, coarse, fields_of_pose, pose, options);
+      const Point_matrix aligned = CP::align_target(refined.points, previous, shares);
+      changes.push_back(std::sqrt(shares.dot((aligned - previous).rowwise().squaredNorm())));
+    }
+    const double stress = refined.summary.stress;
+    if(number > 1)
+    {
+      const double factor
+        = 0.6 * std::clamp((0.75 - changes[1] / changes[0]) / (0.75 - 0.6), 0., 1.);
+      EXPECT_GT(factor, 0);
+      const auto extrapolated
+        = CP::extrapolated_fields(coarse, fields, fields_of_pose, pose, factor);
+      refined = CP::refined_target(surface, coarse, extrapolated, pose, options);
+    }
+    options.number_of_rounds = number;
+    const auto result = CP::registered_pose(surface, coarse, fields, target, body, options);
+    EXPECT_LT((*result.target - refined.points).rowwise().norm().maxCoeff(),
+              1e-9 * body.length_scale);
+    EXPECT_EQ(result.summary.target.stress, target.summary.stress);
+    EXPECT_EQ(result.summary.target.kernel, target.summary.kernel);
+    EXPECT_GT(result.summary.iterations, iterations);
+    ASSERT_EQ(result.summary.rounds.size(), std::size_t(number));
+    EXPECT_NEAR(result.summary.rounds.back().stress, stress, 1e-9);
+    EXPECT_NEAR(result.summary.rounds.back().energy, measured.energy, 1e-9 * measured.energy);
+    EXPECT_NEAR(result.summary.rounds.back().median_edge_strain,
+                CP::median_edge_strain(surface.points, pose, surface.triangles), 1e-9);
+
+    // The registration starts at the measured pose, or at the target: two ways to the same minimum.
+    options.number_of_rounds = 0;
+    const auto expected = CP::registered_pose(surface, coarse, fields, refined, body, options);
+    EXPECT_NEAR(result.summary.energy, expected.summary.energy, 0.01 * expected.summary.energy);
+    EXPECT_LT((result.pose - expected.pose).rowwise().norm().maxCoeff(), 0.01 * body.length_scale);
+  }
+}
+
+// Changes of distances that are common to a vertex or to a landmark are not extrapolated, nor is a change of size; the
+// others are, in proportion to the factor, wherever distances remain positive. A landmark stays at distance 0.
+TEST(Pose_steps, extrapolated_distances)
+{
+  const CP::Surface_component_3 surface = surface_of_bar();
+  const auto coarse = CP::coarse_surface(surface);
+  const CP::Options options = coarse_options();
+  const auto fields = CP::landmark_fields(coarse, options);
+  const Eigen::Index n = fields.distances.rows(), l = fields.distances.cols();
+  const auto ramp
+    = [](const Eigen::Index size) { return Eigen::VectorXd::LinSpaced(size, 0.1, 0.4).eval(); };
+  const auto expect_near
+    = [&](const CP::Landmark_fields_3& result, const Eigen::MatrixXd& expected) {
+        ASSERT_EQ(result.landmarks, fields.landmarks);
+        for(Eigen::Index j = 0; j < l; ++j)
+          for(Eigen::Index i = 0; i < n; ++i)
+            EXPECT_NEAR(result.distances(i, j),
+                        std::size_t(i) == fields.landmarks[j] ? 0 : expected(i, j), 1e-12);
+      };
+  const double scale = 2;
+  const Point_matrix pose = scale * surface.points;
+  CP::Landmark_fields_3 of_pose = fields;
+  of_pose.distances = scale * fields.distances;
+  expect_near(CP::extrapolated_fields(coarse, fields, of_pose, pose, 3), of_pose.distances);
+  of_pose.distances.colwise() += ramp(n);
+  of_pose.distances.rowwise() += ramp(l).transpose();
+  expect_near(CP::extrapolated_fields(coarse, fields, of_pose, pose, 3), of_pose.distances);
+  const Eigen::VectorXd shares
+    = CP::vertex_area_shares(coarse.surface.points, coarse.surface.triangles);
+  Eigen::VectorXd of_vertices = ramp(n), of_landmarks = ramp(l);
+  of_vertices.array() -= shares.dot(of_vertices);
+  of_landmarks.array() -= of_landmarks.mean();
+  const Eigen::MatrixXd product = of_vertices * of_landmarks.transpose(); // without common parts
+  of_pose.distances += product;
+  for(const double factor : {0., 0.5, 1.})
+    expect_near(CP::extrapolated_fields(coarse, fields, of_pose, pose, factor),
+                of_pose.distances + factor * product);
+  of_pose.distances = fields.distances;
+  of_pose.distances.array() *= 1 + 10 * product.array();
+  EXPECT_EQ(CP::extrapolated_fields(coarse, fields, of_pose, pose, 100).distances.minCoeff(), 0);
 }
 
 // The other choice is the mirror image, whose handedness has the opposite numbers.
@@ -275,7 +358,8 @@ TEST(Pose_steps, distances_of_the_target_alone)
   {
     both.number_of_rounds = heat.number_of_rounds = rounds;
     const CP::Result result = pose_of(shapes::bar(), both);
-    EXPECT_EQ(result.pose, CP::registered_pose(surface, coarse, target, body, both).pose);
+    EXPECT_EQ(result.pose,
+              CP::registered_pose(surface, coarse, heat_fields, target, body, both).pose);
     EXPECT_NE(result.pose, pose_of(shapes::bar(), heat).pose);
   }
 }
@@ -318,7 +402,7 @@ TEST(Pose_steps, steps_are_used_again)
       CP::Options whole;
       whole.registration.detail_length = options.registration.detail_length = detail_length;
       whole.number_of_rounds = options.number_of_rounds = rounds;
-      EXPECT_EQ(CP::registered_pose(surface, coarse, target, body, options).pose,
+      EXPECT_EQ(CP::registered_pose(surface, coarse, fields, target, body, options).pose,
                 pose_of(shapes::bar(), whole).pose);
     }
 }
@@ -335,7 +419,7 @@ TEST(Pose_steps, what_does_not_fit_is_refused)
   const auto body = CP::surface_body(surface, coarse, fields, options);
   CP::Target_3 short_target = target;
   short_target.points.conservativeResize(5, 3);
-  EXPECT_THROW(CP::registered_pose(surface, coarse, short_target, body, options),
+  EXPECT_THROW(CP::registered_pose(surface, coarse, fields, short_target, body, options),
                CGAL::Precondition_exception);
   EXPECT_THROW(CP::refined_target(surface, coarse, fields, short_target.points, options),
                CGAL::Precondition_exception);
@@ -346,7 +430,7 @@ TEST(Pose_steps, what_does_not_fit_is_refused)
                CGAL::Precondition_exception);
   EXPECT_THROW(CP::surface_body(surface, short_coarse, fields, options),
                CGAL::Precondition_exception);
-  EXPECT_THROW(CP::registered_pose(surface, short_coarse, target, body, options),
+  EXPECT_THROW(CP::registered_pose(surface, short_coarse, fields, target, body, options),
                CGAL::Precondition_exception);
   fields.distances.conservativeResize(5, fields.distances.cols());
   EXPECT_THROW(CP::mds_target(surface, coarse, fields, options), CGAL::Precondition_exception);

@@ -71,7 +71,7 @@ public:
 
   CP::Result registered_pose(const CP::Target_3& target, const CP::Options& options) const
   {
-    return CP::registered_pose(m_surface, m_coarse, target, m_body, options);
+    return CP::registered_pose(m_surface, m_coarse, m_fields, target, m_body, options);
   }
 
 private:
@@ -155,8 +155,9 @@ TEST(Collapsed_body, is_registered_with_a_larger_detail_length)
 }
 
 // Hardly anything rotates towards a target that is the surface scaled: with fixed rotations, the energy
-// is quadratic, and one iteration from any pose leads to its minimum.
-TEST(Last_round, has_the_strain_of_the_full_detail_length)
+// is quadratic, and one iteration from any pose leads to its minimum; prolonged by a quarter, beyond it. All edges have about
+// the same strain, which is linear in the points.
+TEST(Last_round, has_less_strain_than_with_half_the_detail_length)
 {
   const auto steps = Steps::of<Articulated_figure>(0);
   const CP::Target_3 target = steps.scaled_surface(1.1);
@@ -172,7 +173,7 @@ TEST(Last_round, has_the_strain_of_the_full_detail_length)
   options.number_of_rounds = 1;
   const auto one = steps.registered_pose(target, options).summary.rounds;
   ASSERT_EQ(one.size(), 1u);
-  EXPECT_NEAR(one[0].median_edge_strain, full, tolerance);
+  EXPECT_NEAR(one[0].median_edge_strain, soft + 1.25 * (full - soft), tolerance);
   options.number_of_rounds = 2;
   const auto two = steps.registered_pose(target, options).summary.rounds;
   ASSERT_GE(two.size(), 1u);

@@ -92,8 +92,8 @@ TEST(Unfolding_of_the_call, is_the_sum_of_its_steps)
   const CP::Target_3 target = CP::unfolded_target(surface, body, options);
   EXPECT_NEAR(area(target.points, surface.triangles), area(surface.points, surface.triangles),
               1e-9);
-  const CP::Result joined
-    = CP::joined_result(prepared, {CP::registered_pose(surface, coarse, target, body, options)});
+  const CP::Result joined = CP::joined_result(
+    prepared, {CP::registered_pose(surface, coarse, fields, target, body, options)});
   EXPECT_EQ(joined.pose, result.pose);
   EXPECT_EQ(joined.summary.energy, result.summary.energy);
 }

@@ -122,6 +122,23 @@ Landmark_fields_3 landmark_fields(const Coarse_surface_3& coarse,
 /*!
 \ingroup PkgCanonicalPose3Ref
 
+\brief computes the distances to given landmarks on a surface.
+
+\param surface the surface.
+\param landmarks vertices of the surface.
+\param options `geodesics`, the solver and `number_of_threads` are used.
+
+\pre The landmarks are vertices of the surface.
+
+\throws std::invalid_argument if the distances require faces with an area and a face has none.
+*/
+Landmark_fields_3 landmark_fields(const Surface_component_3& surface,
+                                  const std::vector<std::size_t>& landmarks,
+                                  const Options& options = Options());
+
+/*!
+\ingroup PkgCanonicalPose3Ref
+
 \brief computes the target of a surface by landmark multidimensional scaling, mirrors it if its
 handedness requires it, and aligns it with the surface; or returns the given target: the fourth step of
 `canonical_pose_3()`.
@@ -165,6 +182,38 @@ stretch of one pose would be passed on to the next one.
 Target_3 refined_target(const Surface_component_3& surface, const Coarse_surface_3& coarse,
                         const Landmark_fields_3& fields, const Point_matrix& pose,
                         const Options& options = Options());
+
+/*!
+\ingroup PkgCanonicalPose3Ref
+
+\brief extrapolates distances from those of the input beyond those of a pose, in which limbs are
+nearly, but not entirely straight.
+
+Let \f$ g \f$ be the distances on the input, multiplied by the square root of the area of the pose
+divided by that of the input, and \f$ d \f$ those on the pose. The result is
+\f$ d_{ij} + f (c_{ij} - r_i - s_j + m) \f$, where \f$ c = d - g \f$, \f$ r_i \f$ is the mean of
+\f$ c \f$ over the landmarks, \f$ s_j \f$ its mean over the vertices, by their areas, and
+\f$ m \f$ that of the \f$ r_i \f$. So the change of distances that is common to a vertex or to a
+landmark is not extrapolated: it belongs to the stretch around it, not to limbs that straighten.
+Results are at least 0, and 0 at the landmarks.
+
+\param coarse the coarse surface.
+\param fields distances on `coarse.surface`.
+\param fields_of_pose distances on `coarse.posed(pose)`.
+\param pose one row per vertex of the surface.
+\param factor \f$ f \f$.
+
+\pre Both have the same landmarks, and the numbers of rows agree.
+\pre `factor` is finite and at least 0.
+
+<em>Complexity:</em> linear in the number of distances.
+
+\sa `refined_target()`
+*/
+Landmark_fields_3 extrapolated_fields(const Coarse_surface_3& coarse,
+                                      const Landmark_fields_3& fields,
+                                      const Landmark_fields_3& fields_of_pose,
+                                      const Point_matrix& pose, double factor);
 
 inline namespace CGAL_CANONICAL_POSE_3_BODIES {
 
@@ -225,10 +274,15 @@ Target_3 unfolded_target(const Surface_component_3& surface, const Surface_body_
 `canonical_pose_3()`, before `joined_result()`.
 
 In each round, the body is registered with half the detail length and larger tolerances, and
-distances are measured on this pose; the next registration is to the `refined_target()`, starting at
-the pose, the last one with all details. If the body loses more than half of its volume in a round,
-it is registered with three times the detail length instead. Rounds end early if the target hardly
-changes, or changes more than in the round before: then it drifts.
+distances are measured on this pose, from the same landmarks; the next registration is to the
+`refined_target()`, starting at the pose, the last one with all details. If the body loses more than
+half of its volume in a round, it is registered with three times the detail length instead. Rounds
+end early if the target hardly changes, or changes by more than 1.1 times as much as in the round
+before: then it drifts. If the target changes by less than three quarters as much in the last round
+as in the one before, its distances are extrapolated (`extrapolated_fields()`).
+
+If distances are given or computed by a function in the options, landmarks are chosen in each round,
+and nothing is extrapolated: the distances of the input may be of another kind.
 
 The handedness is determined after the rounds. If the target is inside out, or its chirality is less
 than \f$ -0.1 v^2 \f$, where \f$ v \f$ is the volume ratio (see `Target_handedness_3`), the rounds
@@ -237,6 +291,7 @@ the other one is not inside out either, its stress is at most 1.2 times that of 
 
 \param surface the surface.
 \param coarse its coarse surface.
+\param fields distances on the coarse surface, one row per vertex.
 \param target the first target.
 \param body the body.
 \param options `number_of_rounds` and the options of `landmark_fields()`, `registration`,
@@ -246,7 +301,7 @@ the other one is not inside out either, its stress is at most 1.2 times that of 
 \returns the pose of the surface vertices of the body, the pose of the followers, the target, and
          the summary.
 
-\pre `target.points.rows() == surface.points.rows()`
+\pre The numbers of rows agree.
 
 \throws std::invalid_argument if a weight or an option is out of range.
 \throws std::runtime_error if the solver fails.
@@ -254,8 +309,8 @@ the other one is not inside out either, its stress is at most 1.2 times that of 
 \sa `Tetrahedral_arap_registrar_3`
 */
 Result registered_pose(const Surface_component_3& surface, const Coarse_surface_3& coarse,
-                       const Target_3& target, const Surface_body_3& body,
-                       const Options& options = Options());
+                       const Landmark_fields_3& fields, const Target_3& target,
+                       const Surface_body_3& body, const Options& options = Options());
 
 /*!
 \ingroup PkgCanonicalPose3Ref
@@ -278,6 +333,7 @@ Result joined_result(const Prepared_surface_3& surface, const std::vector<Result
 } // namespace CGAL
 
 #ifndef CGAL_CANONICAL_POSE_3_COMPILED
+#include <CGAL/Canonical_pose_3/internal/pipeline/extrapolated_fields_impl.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/joined_result_impl.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/landmark_fields_impl.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/mds_target_impl.h>

@@ -10,6 +10,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_ROUNDS_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_ROUNDS_H
 
+#include <CGAL/Canonical_pose_3/Landmark_fields_3.h>
 #include <CGAL/Canonical_pose_3/Registration_summary.h>
 #include <CGAL/Canonical_pose_3/Target_3.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/Surface_registration.h>
@@ -18,6 +19,7 @@
 
 #include <CGAL/Real_timer.h>
 
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <stdexcept>
@@ -33,9 +35,15 @@ namespace internal {
 class Rounds
 {
 public:
+  struct Refined_target
+  {
+    Target_3 target;
+    Landmark_fields_3 fields;
+  };
+
   // Returns the refined target for distances that are measured on a pose of the surface, and adds
   // the times to a summary.
-  using Refinement = std::function<Target_3(const Point_matrix&, Registration_summary&)>;
+  using Refinement = std::function<Refined_target(const Point_matrix&, Registration_summary&)>;
 
   // At most `number_of_rounds`.
   Rounds(const Surface_registration& registration, Refinement refined, const int number_of_rounds)
@@ -64,7 +72,7 @@ public:
   }
 
 private:
-  static constexpr double SMALLEST_CHANGE = 1e-3;
+  static constexpr double SMALLEST_CHANGE = 1e-3, LARGEST_GROWTH = 1.1;
 
   static bool has_lower_stress(const Registration_summary& summary,
                                const Registration_summary& reference)
@@ -78,7 +86,9 @@ private:
   Registered_body refined(const Registration_summary& before, const Target_3& first,
                           const bool ends_inside_out, const double stiff, bool& has_collapsed) const
   {
-    Registered_body current{before, {}, first};
+    Registered_body current;
+    current.summary = before;
+    current.target = first;
     current.summary.rounds.clear();
     double last_change = (std::numeric_limits<double>::infinity)();
     for(int round = 0; round < m_number_of_rounds && last_change > SMALLEST_CHANGE; ++round)
@@ -93,10 +103,10 @@ private:
         return measured;
       has_collapsed = has_collapsed || measured.is_stiff;
       const Point_matrix pose = m_registration.pose(measured);
-      Target_3 target;
+      Refined_target refined;
       try
       {
-        target = m_refined(m_registration.surface_pose(pose), measured.summary);
+        refined = m_refined(m_registration.surface_pose(pose), measured.summary);
       }
       catch(const std::invalid_argument& error) // the pose may have faces without area
       {
@@ -105,15 +115,20 @@ private:
           std::string("distances on the pose could not be computed: ") + error.what());
         break;
       }
-      const double change = m_registration.difference(target, current.target);
+      const double change = m_registration.difference(refined.target, current.target);
       current = std::move(measured);
-      if(change > last_change) // it drifts
+      if(change > LARGEST_GROWTH * last_change) // it drifts
         break;
+      if(is_last && std::isfinite(last_change) && !current.is_stiff)
+      {
+        current.fields = std::move(refined.fields);
+        current.contraction = change / last_change;
+      }
       // after a collapse, the target moves to another place
       last_change = current.is_stiff ? (std::numeric_limits<double>::infinity)() : change;
-      current.summary.rounds.push_back({target.summary.stress, current.summary.energy,
+      current.summary.rounds.push_back({refined.target.summary.stress, current.summary.energy,
                                         m_registration.median_strain(pose), timer.time()});
-      current.target.points = std::move(target.points);
+      current.target.points = std::move(refined.target.points);
       current.target.summary = first.summary;
       if(ends_inside_out && m_registration.handedness(current.target).volume_ratio < 0)
         break;

@@ -11,6 +11,7 @@
 #define CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_SURFACE_REGISTRATION_H
 
 #include <CGAL/Canonical_pose_3/Body_deformer_3.h>
+#include <CGAL/Canonical_pose_3/Landmark_fields_3.h>
 #include <CGAL/Canonical_pose_3/Options.h>
 #include <CGAL/Canonical_pose_3/Registration_options.h>
 #include <CGAL/Canonical_pose_3/Registration_progress.h>
@@ -154,6 +155,10 @@ struct Registered_body
   Point_matrix points;
   Target_3 target;
   bool is_stiff = false; // since it collapsed
+  // After all rounds: the distances of the target, and by how much it changed in the last round,
+  // relative to the one before.
+  Landmark_fields_3 fields;
+  double contraction = (std::numeric_limits<double>::infinity)();
 };
 
 // The options of the registrar for poses on which distances are measured: the shape of details and
@@ -217,14 +222,18 @@ public:
 
   // Takes one step with the full detail length from a pose that was registered to measure distances.
   // Its rotations remain, so limbs stay straight, but they regain the lengths that a soft body gave
-  // up to reach the target.
+  // up to reach the target. The step is prolonged, since a single one hardly reaches the minimum.
   Registered_body relaxed(const Registered_body& measured) const
   {
+    constexpr double prolongation = 1.25;
     Registered_body result = measured;
     Registration_options options = measurement_options(m_registration_options, 1);
     options.number_of_iterations = 1;
     m_registration->set_options(options);
     run(result);
+    if(!is_complete(result))
+      return result;
+    result.points = measured.points + prolongation * (result.points - measured.points);
     if(result.summary.termination == Registration_summary::ITERATION_LIMIT)
       result.summary.termination = measured.summary.termination;
     return result;

@@ -60,6 +60,11 @@ inline double smoothing_time_step_factor(const Surface_component_3& surface)
   return (std::min)((std::max)(ratio * ratio, 1.), 1e6);
 }
 
+inline Indexed_mesh::Vertex_index vertex_of_row(const std::size_t row)
+{
+  return Indexed_mesh::Vertex_index(static_cast<Indexed_mesh::size_type>(row));
+}
+
 // The rows of the vertices of a coarse surface.
 inline Landmark_fields_3 fields_at(const Landmark_fields_3& fields, const Coarse_surface_3& coarse)
 {
@@ -111,13 +116,32 @@ CGAL_CANONICAL_POSE_3_INLINE Landmark_fields_3 landmark_fields(const Surface_com
   if(options.landmark_fields_function)
     return internal::fields_of_function(options.landmark_fields_function, surface, options);
   const internal::Indexed_mesh mesh = internal::indexed_mesh(surface.points, surface.triangles);
-  const internal::Indexed_mesh::Vertex_index first(
-    static_cast<internal::Indexed_mesh::size_type>(internal::first_landmark(surface, options)));
+  const auto first = internal::vertex_of_row(internal::first_landmark(surface, options));
   return internal::with_geodesics(
     mesh, options, internal::solver_of_options(options).lane_factor_maker(),
     internal::smoothing_time_step_factor(surface), [&](const auto& geodesics) {
       return front_landmarks(geodesics, options.number_of_landmarks, first);
     });
+}
+
+CGAL_CANONICAL_POSE_3_INLINE Landmark_fields_3
+landmark_fields(const Surface_component_3& surface, const std::vector<std::size_t>& landmarks,
+                const Options& options)
+{
+  const internal::Thread_limit limit(options.number_of_threads);
+  const internal::Indexed_mesh mesh = internal::indexed_mesh(surface.points, surface.triangles);
+  std::vector<internal::Indexed_mesh::Vertex_index> sources;
+  for(const std::size_t landmark : landmarks)
+  {
+    CGAL_precondition(landmark < static_cast<std::size_t>(surface.points.rows()));
+    sources.push_back(internal::vertex_of_row(landmark));
+  }
+  Landmark_fields_3 result = landmark_fields(internal::with_geodesics(
+    mesh, options, internal::solver_of_options(options).lane_factor_maker(),
+    internal::smoothing_time_step_factor(surface),
+    [&](const auto& geodesics) { return geodesics.distances(sources); }));
+  result.landmarks = landmarks; // there may be other points in the same place
+  return result;
 }
 
 } // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION

@@ -68,7 +68,7 @@ Result pose_of_component(const Surface_component_3& surface, const Options& opti
     describe_fields(fields, options, unfolded.summary);
     return unfolded;
   });
-  Result result = registered_pose(surface, coarse, target, body, options);
+  Result result = registered_pose(surface, coarse, fields, target, body, options);
   for(const Registration_summary::Stage& stage : result.summary.stages)
     times.add_seconds(stage.first, stage.second);
   result.summary.stages = std::move(times.stages);

@@ -30,6 +30,7 @@
 
 #include <CGAL/assertions.h>
 
+#include <algorithm>
 #include <cstddef>
 
 namespace CGAL {
@@ -50,35 +51,61 @@ inline int number_of_rounds(const Options& options, const Target_3& target)
                                              : rounds);
 }
 
+// By how much distances are extrapolated: the further, the faster the rounds converge.
+inline double extrapolation_factor(const double contraction)
+{
+  constexpr double largest = .6, full = .6, none = .75;
+  return largest * std::clamp((none - contraction) / (none - full), 0., 1.);
+}
+
 // The target of the final registration, and the pose where it starts.
 inline Registered_body refined_in_rounds(const Surface_registration& registration,
                                          const Surface_component_3& surface,
-                                         const Coarse_surface_3& coarse, const Target_3& target,
+                                         const Coarse_surface_3& coarse,
+                                         const Landmark_fields_3& fields, const Target_3& target,
                                          const Options& options)
 {
+  const bool is_same_kind = !options.target_fields_function && !options.landmark_fields_function
+                            && !options.given.landmark_fields;
   const auto refined = [&](const Point_matrix& pose, Registration_summary& times) {
-    const Landmark_fields_3 fields = timed(times, "geodesics", [&] {
+    Rounds::Refined_target result;
+    result.fields = timed(times, "geodesics", [&] {
       const Surface_component_3 posed = coarse.posed(pose);
+      if(is_same_kind)
+        return landmark_fields(posed, fields.landmarks, options);
       return options.target_fields_function
                ? fields_of_function(options.target_fields_function, posed, options)
                : landmark_fields(posed, options);
     });
-    return timed(times, "target",
-                 [&] { return refined_target(surface, coarse, fields, pose, options); });
+    result.target = timed(times, "target", [&] {
+      return refined_target(surface, coarse, result.fields, pose, options);
+    });
+    return result;
   };
   const int number = number_of_rounds(options, target);
   const Rounds rounds(registration, refined, number);
-  if(number == 0 || target.is_given)
-    return rounds(Registration_summary(), target);
   const Handed_rounds handed_rounds(registration, rounds);
-  return options.takes_mirror_image ? handed_rounds.opposite(registration.mirrored(target))
-                                    : handed_rounds(target);
+  Registered_body result = number == 0 || target.is_given ? rounds(Registration_summary(), target)
+                           : options.takes_mirror_image
+                             ? handed_rounds.opposite(registration.mirrored(target))
+                             : handed_rounds(target);
+  const double factor = is_same_kind ? extrapolation_factor(result.contraction) : 0;
+  if(factor > 0 && Surface_registration::is_complete(result))
+    result.target.points = timed(result.summary, "target", [&] {
+      const Point_matrix pose = registration.surface_pose(registration.pose(result));
+      return refined_target(surface, coarse,
+                            extrapolated_fields(coarse, fields, result.fields, pose, factor), pose,
+                            options)
+        .points;
+    });
+  return result;
 }
 
 } // namespace internal
 
 CGAL_CANONICAL_POSE_3_INLINE Result registered_pose(const Surface_component_3& surface,
                                                     const Coarse_surface_3& coarse,
+                                                    const Landmark_fields_3& fields,
                                                     const Target_3& target,
                                                     const Surface_body_3& body,
                                                     const Options& options)
@@ -87,9 +114,10 @@ CGAL_CANONICAL_POSE_3_INLINE Result registered_pose(const Surface_component_3& s
   CGAL_precondition(target.points.rows() == surface.points.rows());
   CGAL_precondition(coarse.number_of_surface_vertices()
                     == static_cast<std::size_t>(surface.points.rows()));
+  CGAL_precondition(fields.distances.rows() == coarse.surface.points.rows());
   const internal::Surface_registration registration(surface, body, options);
-  return registration.result(
-    registration(internal::refined_in_rounds(registration, surface, coarse, target, options)));
+  return registration.result(registration(
+    internal::refined_in_rounds(registration, surface, coarse, fields, target, options)));
 }
 
 } // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
