@@ -33,11 +33,12 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 \brief returns the rigid motion that brings weighted points into their own frame.
 
 The centroid becomes the origin, and the principal axes become the axes of coordinates, the longest
-first. The third moments along two of them are positive, the two whose skewness is the largest; the
-direction of the remaining one, across which the shape is the most symmetric, follows, since the frame
-is right-handed. Poses of the same shape lie on each other in this frame, unless its variances along two
-axes nearly agree, or it is nearly symmetric across two axes: then the posture decides between positions
-that differ by a half or a quarter turn.
+first. The moment \f$ \sum_i w_i \, |p_i| \, p_i \f$ has positive coordinates along two of them, those
+along which it is the largest; the direction of the remaining one, across which the shape is the most
+symmetric, follows, since the frame is right-handed. Poses of the same shape lie on each other in this
+frame, unless its variances along two axes nearly agree, or it is nearly symmetric across two axes: then
+the posture decides between positions that differ by a half or a quarter turn. (The third moments depend
+on the ends of limbs, and so on the posture.)
 
 \param points \f$ n \times 3 \f$, positions.
 \param weights nonnegative, one per point, for example `vertex_area_shares()`.
@@ -62,18 +63,14 @@ inline Eigen::Isometry3d canonical_frame(const Point_matrix& points, const Eigen
   const double unit = largest > 0 ? largest : 1;
   const Point_matrix scaled = points / unit;
   internal::Principal_axes frame(scaled, weights);
-  const Point_matrix along_axes = (scaled.rowwise() - frame.centroid) * frame.axes;
-  Eigen::Vector3d skewness;
+  const Point_matrix centered = scaled.rowwise() - frame.centroid;
+  const Eigen::RowVector3d moment
+    = weights.cwiseProduct(centered.rowwise().norm()).transpose() * centered * frame.axes;
   for(Eigen::Index k = 0; k < 3; ++k)
-  {
-    const double third_moment = along_axes.col(k).array().cube().matrix().dot(weights) / sum;
-    const double deviation = std::sqrt((std::max)(frame.variances[k], 0.0));
-    skewness[k] = deviation > 0 ? third_moment / (deviation * deviation * deviation) : 0;
-    if(third_moment < 0)
+    if(moment[k] < 0)
       frame.axes.col(k) *= -1;
-  }
   Eigen::Index least;
-  skewness.cwiseAbs().minCoeff(&least);
+  moment.cwiseAbs().minCoeff(&least);
   if(frame.axes.determinant() < 0)
     frame.axes.col(least) *= -1;
   Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
