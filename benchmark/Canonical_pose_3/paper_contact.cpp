@@ -15,7 +15,7 @@
 
 #include <CGAL/Canonical_pose_3/Biharmonic_distances_3.h>
 #include <CGAL/Canonical_pose_3/Heat_geodesics_3.h>
-#include <CGAL/Canonical_pose_3/farthest_point_landmarks.h>
+#include <CGAL/Canonical_pose_3/landmark_fields_function.h>
 #include <CGAL/Canonical_pose_3/make_triangle_mesh.h>
 #include <CGAL/Canonical_pose_3/pose_difference.h>
 
@@ -38,13 +38,13 @@ using Canonical_pose_examples::Articulated_figure;
 // Biharmonic distances, scaled such that they fit geodesic distances best.
 CP::Landmark_fields_3 biharmonic_fields(const Point_matrix& points,
                                         const std::vector<std::array<std::size_t, 3>>& triangles,
-                                        const std::size_t number, const std::size_t first)
+                                        const std::size_t number, const std::size_t first,
+                                        const std::vector<std::size_t>& given_landmarks)
 {
   using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
   const Mesh mesh = CP::make_triangle_mesh<Mesh>(points, triangles);
-  CP::Landmark_fields_3 fields
-    = CP::farthest_point_landmarks(CP::Biharmonic_distances_3<Mesh>(mesh), number,
-                                   Mesh::Vertex_index(static_cast<Mesh::size_type>(first)));
+  CP::Landmark_fields_3 fields = CP::landmark_fields_function<CP::Biharmonic_distances_3<Mesh>>()(
+    points, triangles, number, first, given_landmarks);
   std::vector<Mesh::Vertex_index> landmarks;
   for(const std::size_t v : fields.landmarks)
     landmarks.emplace_back(static_cast<Mesh::size_type>(v));

@@ -55,8 +55,12 @@ Point_matrix pose(const CP::Options& options)
 }
 
 CP::Landmark_fields_3 wavefront_fields(const Point_matrix& points, const Triangles& triangles,
-                                       const std::size_t number, const std::size_t first)
+                                       const std::size_t number, const std::size_t first,
+                                       const std::vector<std::size_t>& landmarks)
 {
+  if(!landmarks.empty())
+    return CP::landmark_fields_function<CP::Wavefront_geodesics_3<Mesh>>()(
+      points, triangles, number, first, landmarks);
   const Mesh mesh = CP::make_triangle_mesh<Mesh>(points, triangles);
   return CP::front_landmarks(CP::Wavefront_geodesics_3<Mesh>(mesh), number,
                              Mesh::Vertex_index(Mesh::size_type(first)));
@@ -192,11 +196,12 @@ TEST(Own_parts, of_components)
   CP::Options options = shapes::each_component();
   options.number_of_rounds = 0;
   std::vector<Eigen::Index> sizes;
-  options.landmark_fields_function = [&](const Point_matrix& points, const Triangles& triangles,
-                                         const std::size_t number, const std::size_t first) {
-    sizes.push_back(points.rows());
-    return wavefront_fields(points, triangles, number, first);
-  };
+  options.landmark_fields_function
+    = [&](const Point_matrix& points, const Triangles& triangles, const std::size_t number,
+          const std::size_t first, const std::vector<std::size_t>& landmarks) {
+        sizes.push_back(points.rows());
+        return wavefront_fields(points, triangles, number, first, landmarks);
+      };
   const auto bars = shapes::unsewn(shapes::merged(shapes::small_bar(), shapes::bar(), 20.));
   const std::vector<Eigen::Index> expected{Eigen::Index(shapes::small_bar().points.size()),
                                            Eigen::Index(shapes::bar().points.size())};
@@ -220,7 +225,8 @@ TEST(Own_parts, bad_ones_are_named)
   CP::Landmark_fields_3 fields;
   CP::Options options;
   options.landmark_fields_function
-    = [&](const Point_matrix&, const Triangles&, std::size_t, std::size_t) { return fields; };
+    = [&](const Point_matrix&, const Triangles&, std::size_t, std::size_t,
+          const std::vector<std::size_t>&) { return fields; };
   expect_refused(options, "that the function returned have no column");
   const Eigen::Index n = Eigen::Index(shapes::bent_bar().points.size());
   fields.distances.setOnes(n, 2);
@@ -230,6 +236,15 @@ TEST(Own_parts, bad_ones_are_named)
   fields.landmarks = {0, 1};
   fields.distances(3, 1) = std::numeric_limits<double>::infinity();
   expect_refused(options, "not finite");
+  options.landmark_fields_function = [](const Point_matrix& points, const Triangles& triangles,
+                                        const std::size_t number, const std::size_t first,
+                                        const std::vector<std::size_t>& landmarks) {
+    CP::Landmark_fields_3 result = wavefront_fields(points, triangles, number, first, landmarks);
+    if(!landmarks.empty())
+      std::reverse(result.landmarks.begin(), result.landmarks.end());
+    return result;
+  };
+  EXPECT_THROW_WITH(pose(options), std::logic_error, "have other landmarks than it was given");
 
   options = CP::Options();
   options.make_body = [&](const Point_matrix& points, const Triangles& triangles,

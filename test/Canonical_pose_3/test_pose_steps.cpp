@@ -348,8 +348,8 @@ TEST(Pose_steps, distances_of_the_target_alone)
   const auto& surface = prepared.components.front().surface;
   const auto coarse = CP::coarse_surface(surface, heat);
   const auto heat_fields = CP::landmark_fields(coarse, heat);
-  const auto path_fields
-    = both.target_fields_function(surface.points, surface.triangles, 30, heat_fields.landmarks[0]);
+  const auto path_fields = both.target_fields_function(surface.points, surface.triangles, 30,
+                                                       heat_fields.landmarks[0], {});
   const auto target = CP::mds_target(surface, coarse, path_fields, heat);
   const auto body = CP::surface_body(surface, coarse, heat_fields, heat);
   EXPECT_EQ(body.length_scale, heat_fields.distances.maxCoeff());

@@ -71,12 +71,14 @@ struct Paper_weights
 /// \ingroup PkgCanonicalPose3Ref
 /// computes landmarks and the distances to them on a connected surface, an oriented 2-manifold,
 /// possibly with boundary. The arguments are its points, its triangles as triples of rows, the
-/// number of landmarks (possibly larger than that of the points), and the first landmark. Returns
-/// finite distances with one row per point. The surface is usually the coarse one, see
+/// number of landmarks (possibly larger than that of the points), the first landmark, and `landmarks`:
+/// if these are not empty, the distances to them are required (other ones lead to `std::logic_error`).
+/// Returns finite distances with one row per point. The surface is usually the coarse one, see
 /// `Method_options::number_of_coarse_vertices`, and in each round it is in another pose.
 using Landmark_fields_function = std::function<Landmark_fields_3(
   const Point_matrix& points, const std::vector<std::array<std::size_t, 3>>& triangles,
-  std::size_t number_of_landmarks, std::size_t first_landmark)>;
+  std::size_t number_of_landmarks, std::size_t first_landmark,
+  const std::vector<std::size_t>& landmarks)>;
 
 /// \ingroup PkgCanonicalPose3Ref
 /// creates the body of a connected surface, an oriented 2-manifold, possibly with boundary. The

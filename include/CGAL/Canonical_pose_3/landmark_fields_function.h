@@ -17,9 +17,12 @@
 #include <CGAL/Canonical_pose_3/make_triangle_mesh.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
+#include <Eigen/Core>
+
 #include <array>
 #include <cstddef>
 #include <iterator>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -41,12 +44,22 @@ template <class GeodesicDistances>
 Landmark_fields_function landmark_fields_function()
 {
   return [](const Point_matrix& points, const std::vector<std::array<std::size_t, 3>>& triangles,
-            const std::size_t number_of_landmarks, const std::size_t first) {
+            const std::size_t number_of_landmarks, const std::size_t first,
+            const std::vector<std::size_t>& landmarks) {
     const auto mesh
       = make_triangle_mesh<typename GeodesicDistances::Triangle_mesh>(points, triangles);
-    return farthest_point_landmarks(
-      GeodesicDistances(mesh), number_of_landmarks,
-      *std::next(vertices(mesh).begin(), static_cast<std::ptrdiff_t>(first)));
+    const auto vertex = [&mesh](const std::size_t row) {
+      return *std::next(vertices(mesh).begin(), static_cast<std::ptrdiff_t>(row));
+    };
+    const GeodesicDistances geodesics(mesh);
+    if(landmarks.empty())
+      return farthest_point_landmarks(geodesics, number_of_landmarks, vertex(first));
+    Eigen::MatrixXd distances(points.rows(), static_cast<Eigen::Index>(landmarks.size()));
+    for(std::size_t j = 0; j < landmarks.size(); ++j)
+      distances.col(static_cast<Eigen::Index>(j)) = geodesics.distances(vertex(landmarks[j]));
+    Landmark_fields_3 fields = landmark_fields(std::move(distances));
+    fields.landmarks = landmarks; // there may be other points in the same place
+    return fields;
   };
 }
 

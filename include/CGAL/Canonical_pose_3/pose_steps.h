@@ -126,11 +126,12 @@ Landmark_fields_3 landmark_fields(const Coarse_surface_3& coarse,
 
 \param surface the surface.
 \param landmarks vertices of the surface.
-\param options `geodesics`, the solver and `number_of_threads` are used.
+\param options `geodesics`, `landmark_fields_function`, the solver and `number_of_threads` are used.
 
 \pre The landmarks are vertices of the surface.
 
-\throws std::invalid_argument if the distances require faces with an area and a face has none.
+\throws std::invalid_argument if the distances require faces with an area and a face has none, or
+        the function in the options returns invalid distances.
 */
 Landmark_fields_3 landmark_fields(const Surface_component_3& surface,
                                   const std::vector<std::size_t>& landmarks,
@@ -280,9 +281,7 @@ half of its volume in a round, it is registered with three times the detail leng
 end early if the target hardly changes, or changes by more than 1.1 times as much as in the round
 before: then it drifts. If the target changes by less than three quarters as much in the last round
 as in the one before, its distances are extrapolated (`extrapolated_fields()`).
-
-If distances are given or computed by a function in the options, landmarks are chosen in each round,
-and nothing is extrapolated: the distances of the input may be of another kind.
+Given distances serve the first target only; the landmarks are theirs in all rounds.
 
 The handedness is determined after the rounds. If the target is inside out, or its chirality is less
 than \f$ -0.1 v^2 \f$, where \f$ v \f$ is the volume ratio (see `Target_handedness_3`), the rounds

@@ -21,6 +21,8 @@
 #include <CGAL/Random.h>
 
 #include <cstddef>
+#include <stdexcept>
+#include <vector>
 
 namespace CGAL {
 namespace Canonical_pose_3 {
@@ -36,17 +38,21 @@ inline std::size_t first_landmark(const Surface_component_3& surface, const Opti
 }
 
 // The result of a user-defined function; throws `std::invalid_argument` unless it consists of
-// distances on the surface.
+// distances on the surface, and `std::logic_error` unless they are to the given landmarks, if any.
 inline Landmark_fields_3 fields_of_function(const Landmark_fields_function& function,
                                             const Surface_component_3& surface,
-                                            const Options& options)
+                                            const Options& options,
+                                            const std::vector<std::size_t>& landmarks = {})
 {
   Landmark_fields_3 fields = with_faces_of_input(surface.face_of_triangle, [&] {
     return function(surface.points, surface.triangles, options.number_of_landmarks,
-                    first_landmark(surface, options));
+                    first_landmark(surface, options), landmarks);
   });
   check_landmark_fields(fields, static_cast<std::size_t>(surface.points.rows()),
                         "the landmark fields that the function returned");
+  if(!landmarks.empty() && fields.landmarks != landmarks)
+    throw std::logic_error(
+      "the landmark fields that the function returned have other landmarks than it was given");
   return fields;
 }
 

@@ -129,6 +129,9 @@ landmark_fields(const Surface_component_3& surface, const std::vector<std::size_
                 const Options& options)
 {
   const internal::Thread_limit limit(options.number_of_threads);
+  if(options.landmark_fields_function)
+    return internal::fields_of_function(options.landmark_fields_function, surface, options,
+                                        landmarks);
   const internal::Indexed_mesh mesh = internal::indexed_mesh(surface.points, surface.triangles);
   std::vector<internal::Indexed_mesh::Vertex_index> sources;
   for(const std::size_t landmark : landmarks)

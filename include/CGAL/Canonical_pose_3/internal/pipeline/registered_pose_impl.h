@@ -65,18 +65,14 @@ inline Registered_body refined_in_rounds(const Surface_registration& registratio
                                          const Landmark_fields_3& fields, const Target_3& target,
                                          const Options& options)
 {
-  const bool is_same_kind = !options.target_fields_function && !options.landmark_fields_function
-                            && !options.given.landmark_fields;
+  const auto fields_on = [&](const Surface_component_3& posed) {
+    return options.target_fields_function
+             ? fields_of_function(options.target_fields_function, posed, options, fields.landmarks)
+             : landmark_fields(posed, fields.landmarks, options);
+  };
   const auto refined = [&](const Point_matrix& pose, Registration_summary& times) {
     Rounds::Refined_target result;
-    result.fields = timed(times, "geodesics", [&] {
-      const Surface_component_3 posed = coarse.posed(pose);
-      if(is_same_kind)
-        return landmark_fields(posed, fields.landmarks, options);
-      return options.target_fields_function
-               ? fields_of_function(options.target_fields_function, posed, options)
-               : landmark_fields(posed, options);
-    });
+    result.fields = timed(times, "geodesics", [&] { return fields_on(coarse.posed(pose)); });
     result.target = timed(times, "target", [&] {
       return refined_target(surface, coarse, result.fields, pose, options);
     });
@@ -89,15 +85,18 @@ inline Registered_body refined_in_rounds(const Surface_registration& registratio
                            : options.takes_mirror_image
                              ? handed_rounds.opposite(registration.mirrored(target))
                              : handed_rounds(target);
-  const double factor = is_same_kind ? extrapolation_factor(result.contraction) : 0;
-  if(factor > 0 && Surface_registration::is_complete(result))
-    result.target.points = timed(result.summary, "target", [&] {
-      const Point_matrix pose = registration.surface_pose(registration.pose(result));
-      return refined_target(surface, coarse,
-                            extrapolated_fields(coarse, fields, result.fields, pose, factor), pose,
-                            options)
-        .points;
-    });
+  const double factor = extrapolation_factor(result.contraction);
+  if(factor == 0 || !Surface_registration::is_complete(result))
+    return result;
+  const bool is_same_kind = !options.target_fields_function && !options.given.landmark_fields;
+  const Landmark_fields_3 fields_of_input = timed(
+    result.summary, "geodesics", [&] { return is_same_kind ? fields : fields_on(coarse.surface); });
+  result.target.points = timed(result.summary, "target", [&] {
+    const Point_matrix pose = registration.surface_pose(registration.pose(result));
+    const Landmark_fields_3 extrapolated
+      = extrapolated_fields(coarse, fields_of_input, result.fields, pose, factor);
+    return refined_target(surface, coarse, extrapolated, pose, options).points;
+  });
   return result;
 }
 
