@@ -31,8 +31,10 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <map>
 #include <set>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 namespace CP = CGAL::Canonical_pose_3;
@@ -137,6 +139,77 @@ void expect_balls(const Polygon_soup& soup, const Parts& parts)
 std::size_t number_of(const Parts& parts)
 {
   return parts.empty() ? 0 : *std::max_element(parts.begin(), parts.end()) + 1;
+}
+
+// A box that is open at the top, with thin walls and a handle: the unit cubes of a grid. The cavity is
+// from 1 to 19 in x and y, and begins at 1 in z; the handle begins at 20 in x.
+constexpr int cup_width = 20, cup_height = 16, handle_width = 6;
+
+bool is_in_cup(const int x, const int y, const int z)
+{
+  const auto is_inside
+    = [](const int i, const int begin, const int end) { return i >= begin && i < end; };
+  const int w = cup_width;
+  if(is_inside(x, 0, w) && is_inside(y, 0, w) && is_inside(z, 0, cup_height))
+    return z == 0 || x == 0 || x == w - 1 || y == 0 || y == w - 1;
+  return is_inside(x, w, w + handle_width) && is_inside(y, 9, 11) && is_inside(z, 4, 13)
+         && !(x < w + handle_width - 2 && is_inside(z, 6, 11));
+}
+
+Polygon_soup cup()
+{
+  Polygon_soup result;
+  std::vector<Eigen::Vector3d> points;
+  std::map<std::array<int, 3>, std::size_t> vertices;
+  const auto add_square = [&](std::array<int, 3> corner, const std::size_t axis,
+                              const bool is_upper) {
+    corner[axis] += int(is_upper);
+    std::vector<std::size_t> square;
+    for(const auto& [u, v] : {std::pair(0, 0), std::pair(1, 0), std::pair(1, 1), std::pair(0, 1)})
+    {
+      std::array<int, 3> p = corner;
+      p[(axis + 1) % 3] += u;
+      p[(axis + 2) % 3] += v;
+      const auto [it, is_new] = vertices.emplace(p, points.size());
+      if(is_new)
+        points.emplace_back(p[0], p[1], p[2]);
+      square.push_back(it->second);
+    }
+    if(!is_upper)
+      std::reverse(square.begin(), square.end());
+    result.polygons.push_back(square);
+  };
+  for(int x = 0; x < cup_width + handle_width; ++x)
+    for(int y = 0; y < cup_width; ++y)
+      for(int z = 0; z < cup_height; ++z)
+        if(is_in_cup(x, y, z))
+          for(std::size_t axis = 0; axis < 3; ++axis)
+            for(const int step : {-1, 1})
+            {
+              std::array<int, 3> neighbor = {x, y, z};
+              neighbor[axis] += step;
+              if(!is_in_cup(neighbor[0], neighbor[1], neighbor[2]))
+                add_square({x, y, z}, axis, step > 0);
+            }
+  result.points.resize(static_cast<Eigen::Index>(points.size()), 3);
+  for(std::size_t v = 0; v < points.size(); ++v)
+    result.points.row(static_cast<Eigen::Index>(v)) = points[v];
+  return result;
+}
+
+// The cup with its cavity turned out, so that it encloses more than twice the volume, and with a neck
+// where the rim was: the cheapest cut of this solid divides the wall of the cup.
+Point_matrix turned_out(Point_matrix points)
+{
+  for(Eigen::Index v = 0; v < points.rows(); ++v)
+  {
+    auto p = points.row(v);
+    if((p.array() >= 1).all() && (p.head(2).array() <= cup_width - 1).all())
+      p[2] = 2 * cup_height - p[2];
+    const double scale = .3 + .7 * (std::min)(1., std::abs(p[2] - cup_height) / 6);
+    p.head(2) = scale * (p.head(2).array() - cup_width / 2.);
+  }
+  return points;
 }
 
 Segmentation_options with_parts(const std::size_t number)
@@ -291,6 +364,18 @@ TEST(Consensus_segmentation, collapsed_poses_do_not_vote)
   EXPECT_EQ(leaves(soup.points * Eigen::Vector3d(1, 1, .01).asDiagonal()), without);
   EXPECT_EQ(leaves(soup.points * Eigen::Vector3d(1, 1, -1).asDiagonal()), without);
   EXPECT_NE(leaves(soup.points * Eigen::Vector3d(1.3, 1, .8).asDiagonal()), without);
+}
+
+// A pose that encloses what was outside does not vote either, unless the number of parts is given.
+TEST(Consensus_segmentation, swollen_poses_do_not_determine_the_number_of_parts)
+{
+  const Polygon_soup soup = cup();
+  const auto leaves = [&](const std::size_t number, const Point_matrix& pose) {
+    return CP::consensus_segmentation_tree(soup.points, soup.polygons, pose, with_parts(number))
+      .leaf_of_face;
+  };
+  EXPECT_EQ(leaves(0, turned_out(soup.points)), leaves(0, no_pose()));
+  EXPECT_NE(leaves(2, turned_out(soup.points)), leaves(2, no_pose()));
 }
 
 // More than 25 000 faces: parts are computed on a simplified copy, and each face has one. Boundaries

@@ -74,6 +74,16 @@ inline bool is_intact(const Viewed_surface& pose, const Viewed_surface& surface,
               >= least_share * signed_volume(surface.graph.points, closed_triangles);
 }
 
+// Whether a pose encloses what was outside: a thin wall, such as that of a cup, bulges, since distances
+// along it do not tell what it encloses. Both surfaces have the area 1.
+inline bool is_swollen(const Viewed_surface& pose, const Viewed_surface& surface,
+                       const std::vector<Index_triangle>& closed_triangles)
+{
+  constexpr double largest_share = 1.5;
+  return signed_volume(pose.graph.points, closed_triangles)
+         > largest_share * signed_volume(surface.graph.points, closed_triangles);
+}
+
 // The hierarchy of the parts if their number is not given: the typical one of the votes, or half as
 // many as long as the votes do not agree.
 inline Segmentation_tree_3 tree_with_agreement(const Face_graph& graph, const Patches& patches,
@@ -113,7 +123,9 @@ CGAL_CANONICAL_POSE_3_INLINE Segmentation_tree_3 consensus_segmentation_tree(
     const Face_graph posed = surface.graph_of_pose();
     const Lines_of_sight lines_of_pose(posed, triangles, patches.centers);
     Viewed_surface pose_view = {posed, lines_of_pose.visibility(), lines_of_pose.distances()};
-    if(is_intact(pose_view, geometries.front(), triangles))
+    const bool is_number_given = options.number_of_parts > 0;
+    if(is_intact(pose_view, geometries.front(), triangles)
+       && (is_number_given || !is_swollen(pose_view, geometries.front(), triangles)))
       geometries.push_back(std::move(pose_view));
   }
 
