@@ -65,7 +65,7 @@ the sides of sweep cuts have at least a hundredth of the area then, or a fifth o
 parts if that is less. Votes that agree with those of other kinds count more. Faces are merged by the share of common
 votes, and boundaries are moved such that they are short and run along concave edges. A pose with less
 than a fifth of the volume of the surface (both scaled to the same area), or of its lines of sight,
-does not vote. If the number of parts is not given, nor does a pose with more than 1.5 times the volume,
+does not vote. If the number of parts is not given, nor does a pose with more than 1.1 times the volume,
 such as that of a cup, whose wall bulges.
 
 \tparam TriangleMesh a model of `FaceListGraph`

@@ -79,7 +79,7 @@ inline bool is_intact(const Viewed_surface& pose, const Viewed_surface& surface,
 inline bool is_swollen(const Viewed_surface& pose, const Viewed_surface& surface,
                        const std::vector<Index_triangle>& closed_triangles)
 {
-  constexpr double largest_share = 1.5;
+  constexpr double largest_share = 1.1;
   return signed_volume(pose.graph.points, closed_triangles)
          > largest_share * signed_volume(surface.graph.points, closed_triangles);
 }
