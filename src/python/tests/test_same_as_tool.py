@@ -66,7 +66,7 @@ def test_pose(tool, shape, tmp_path, options):
     assert without_times(report) == without_times(expected)
     assert [stage["name"] for stage in report["stages"]] == [
         stage["name"] for stage in expected["stages"] if stage["name"] not in ("read", "write")]
-    assert sum(stage["seconds"] for stage in report["stages"]) >= .9 * report["total_seconds"]
+    assert 0 < sum(stage["seconds"] for stage in report["stages"]) <= report["total_seconds"]
 
 
 @pytest.mark.parametrize("start", [1, 2])
