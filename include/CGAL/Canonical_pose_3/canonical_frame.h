@@ -19,7 +19,6 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
-#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
