@@ -8,6 +8,7 @@
 // Author(s) : The Canonical_pose_3 authors
 
 #include <CGAL/Canonical_pose_3/consensus_segmentation.h>
+#include <CGAL/Canonical_pose_3/internal/segmentation/Mirror_symmetry.h>
 #include <CGAL/Canonical_pose_3/internal/segmentation/Part_hierarchy.h>
 #include <CGAL/Canonical_pose_3/internal/segmentation/Segmented_surface.h>
 #include <CGAL/Canonical_pose_3/internal/segmentation/sweep_cuts.h>
@@ -419,6 +420,53 @@ TEST(Part_hierarchy, agreement_is_that_of_votes)
   EXPECT_NEAR(Part_hierarchy(graph, patches, same).agreement(3), 1, 1e-9);
   EXPECT_LT(Part_hierarchy(graph, patches, by_chance).agreement(3), .4);
   EXPECT_LT(Part_hierarchy(graph, patches, Eigen::MatrixXd::Constant(n, n, .5)).agreement(3), .1);
+}
+
+// A ball with limbs along the given vectors.
+Polygon_soup ball_with_limbs(const std::vector<Eigen::Vector3d>& limbs)
+{
+  Polygon_soup result = polygon_soup(Canonical_pose_test::icosphere_soup(4, 1));
+  for(Eigen::Index v = 0; v < result.points.rows(); ++v)
+  {
+    double radius = 1;
+    for(const Eigen::Vector3d& limb : limbs)
+    {
+      const double cosine = (std::max)(0., result.points.row(v).dot(limb.normalized()));
+      radius += limb.norm() * std::pow(cosine, 12);
+    }
+    result.points.row(v) *= radius;
+  }
+  return result;
+}
+
+// The first shape is symmetric with respect to the plane y = 0 only: up to the size of a patch (300 on an
+// area of about 30, so with a radius of about .2), the image of a patch is its reflection. In the
+// second one, no reflection maps limbs to limbs of about the same length.
+TEST(Mirror_symmetry, maps_patches_to_their_reflections)
+{
+  const auto symmetry = [](const Polygon_soup& soup, Eigen::VectorXd& y) {
+    const CP::internal::Segmented_surface surface(soup.points, soup.polygons, no_pose());
+    const CP::internal::Face_graph graph = surface.graph();
+    const CP::internal::Patches patches
+      = CP::internal::farthest_point_patches(graph, CP::internal::edge_distances(graph), 300, 0);
+    y = CP::internal::patch_means(graph, patches, graph.centroids,
+                                  CP::internal::patch_areas(graph, patches))
+          .col(1);
+    return CP::internal::Mirror_symmetry(graph, patches);
+  };
+  Eigen::VectorXd y;
+  const auto mirror
+    = symmetry(ball_with_limbs({{2, 1, 1}, {2, -1, 1}, {-1, 2, 0}, {-1, -2, 0}, {.5, 0, -1}}), y);
+  EXPECT_LT(mirror.distortion(), .09);
+  const Eigen::MatrixXd values = y.replicate(1, y.size());
+  const Eigen::MatrixXd sums = values + mirror.mirrored(values);
+  const double size = y.maxCoeff() - y.minCoeff();
+  EXPECT_LT(sums.cwiseAbs().maxCoeff(), .1 * size);
+
+  EXPECT_GT(
+    symmetry(ball_with_limbs({{0, 0, 3}, {0, 0, -1}, {4, 0, 0}, {-1, 1.7, 0}, {-.35, -.6, 0}}), y)
+      .distortion(),
+    .09);
 }
 
 TEST_P(Segmentation, each_component_has_a_part)

@@ -60,13 +60,16 @@ consensus_segmentation_tree(const Point_matrix& points,
 
 Twenty segmentations, of the surface and of its pose by turns, vote on which faces belong to the same
 part: sweep cuts with different preferences (see `sweep_segmentation()`), and clusters of faces that
-see each other through the inside. If the number of parts is given, they have up to twice as many;
-the sides of sweep cuts have at least a hundredth of the area then, or a fifth of the mean area of the
-parts if that is less. Votes that agree with those of other kinds count more. Faces are merged by the share of common
-votes, and boundaries are moved such that they are short and run along concave edges. A pose with less
-than a fifth of the volume of the surface (both scaled to the same area), or of its lines of sight,
-does not vote. If the number of parts is not given, nor does a pose with more than 1.1 times the volume,
-such as that of a cup, whose wall bulges.
+see each other through the inside. If the number of parts is given, they have up to half again as many,
+and the sides of sweep cuts have at least three hundredths of the area, or two fifths of the mean area
+of the parts if that is less. Cuts then run along what is concave in the surface and in the pose,
+since bent joints are concave in one of them only, and every fourth sweep ignores concave edges. If
+the shape has a mirror symmetry, in spite of bent limbs, votes count for both of its sides. Votes that
+agree with those of other kinds count more. Faces are merged by the share of common votes, and
+boundaries are moved such that they are short and run along concave edges. A pose with less than a
+fifth of the volume of the surface (both scaled to the same area), or of its lines of sight, does not
+vote. A pose with more than 1.1 times the volume, such as that of a cup, whose wall bulges, does not
+vote if the number of parts is not given, and is not compared with the surface if it is.
 
 \tparam TriangleMesh a model of `FaceListGraph`
 \tparam PoseVertexPointMap a model of `ReadablePropertyMap` with vertex descriptors of `TriangleMesh`

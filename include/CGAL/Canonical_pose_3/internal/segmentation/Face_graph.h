@@ -61,9 +61,9 @@ struct Face_graph
 };
 
 // Factor of the cost of a boundary along a concave edge; 1 along a convex one.
-inline double concavity_factor(const double concave_angle, const double scale)
+inline double concavity_factor(const double concave_angle, const double scale,
+                               const double least = .05)
 {
-  constexpr double least = .05;
   return concave_angle > 0 ? (std::max)(least, std::exp(-concave_angle / scale)) : 1.;
 }
 

@@ -36,9 +36,17 @@ namespace internal {
 class Part_hierarchy
 {
 public:
-  Part_hierarchy(const Face_graph& graph, const Patches& patches, Eigen::MatrixXd similarities)
+  Part_hierarchy(const Face_graph& graph, const Patches& patches,
+                 const Eigen::MatrixXd& similarities)
+    : Part_hierarchy(graph, patches, similarities, similarities)
+  {}
+
+  // `similarities` decide which cuts are made; `local_similarities`, which may be less regular, where
+  // boundaries run.
+  Part_hierarchy(const Face_graph& graph, const Patches& patches, Eigen::MatrixXd similarities,
+                 Eigen::MatrixXd local_similarities)
     : m_graph(graph), m_patches(patches), m_similarities(std::move(similarities)),
-      m_areas(patch_areas(graph, patches)),
+      m_local_similarities(std::move(local_similarities)), m_areas(patch_areas(graph, patches)),
       m_linkage(m_similarities, m_areas, Eigen::MatrixXd::Ones(m_areas.size(), m_areas.size()))
   {
     while(m_linkage.merge_two())
@@ -181,7 +189,7 @@ private:
         members(static_cast<Eigen::Index>(p), static_cast<Eigen::Index>(cluster_of_patch[p]))
           = m_areas[static_cast<Eigen::Index>(p)];
     const Eigen::VectorXd weights = members.colwise().sum().cwiseInverse();
-    return m_similarities * members * weights.asDiagonal();
+    return m_local_similarities * members * weights.asDiagonal();
   }
 
   // Merges neighbors of the same group. Similarities of regions are means over pairs of their patches.
@@ -262,7 +270,7 @@ private:
 
   const Face_graph& m_graph;
   const Patches& m_patches;
-  const Eigen::MatrixXd m_similarities;
+  const Eigen::MatrixXd m_similarities, m_local_similarities;
   const Eigen::VectorXd m_areas;
   Average_linkage m_linkage; // of the patches
 };

@@ -48,6 +48,7 @@ struct Boundary_preferences
   double edge_concavity;  // scale of the angles between faces
   double patch_concavity; // scale of the angles between the mean normals of patches; 0: ignored
   double thickness_ratio; // scale of the differences of the logarithm of the thickness; 0: ignored
+  double least_of_concavity = .05; // least factor for a concave edge or angle
 };
 
 // Costs of the boundaries between patches: lengths, times a factor for each preference.
@@ -74,7 +75,9 @@ inline Patch_graph patch_graph(const Face_graph& graph, const Patches& patches,
     if(is_new)
       result.edges.push_back({a, b, 0, 0});
     result.edges[it->second].cost
-      += edge.length * concavity_factor(edge.concave_angle, preferences.edge_concavity);
+      += edge.length
+         * concavity_factor(edge.concave_angle, preferences.edge_concavity,
+                            preferences.least_of_concavity);
   }
   for(Patch_graph::Edge& edge : result.edges)
   {
@@ -82,7 +85,8 @@ inline Patch_graph patch_graph(const Face_graph& graph, const Patches& patches,
     const Eigen::RowVector3d difference = centroids.row(b) - centroids.row(a);
     const Eigen::RowVector3d na = normals.row(a), nb = normals.row(b);
     if(preferences.patch_concavity > 0 && (na - nb).dot(difference) > 0)
-      edge.cost *= concavity_factor(angle_between(na, nb), preferences.patch_concavity);
+      edge.cost *= concavity_factor(angle_between(na, nb), preferences.patch_concavity,
+                                    preferences.least_of_concavity);
     if(preferences.thickness_ratio > 0)
     {
       const double ratio = (thickness[b] - thickness[a]) / preferences.thickness_ratio;

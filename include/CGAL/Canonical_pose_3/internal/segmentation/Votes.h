@@ -24,6 +24,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -44,12 +45,14 @@ struct Viewed_surface
 class Votes
 {
 public:
-  // `geometries`: the given one, and the pose, if any. `log_thickness`: one value per patch.
+  // `geometries`: the given one, and the pose, if any. `is_pose_faithful`: whether the pose has about the
+  // same inside. `log_thickness`: one value per patch.
   // `is_number_given`: whether the number of parts is requested; otherwise, it is determined by how far
   // votes with the same number of parts agree, so they have just as many.
-  Votes(const std::vector<Viewed_surface>& geometries, const Patches& patches,
-        const Eigen::VectorXd& log_thickness, const bool is_number_given)
+  Votes(const std::vector<Viewed_surface>& geometries, const bool is_pose_faithful,
+        const Patches& patches, const Eigen::VectorXd& log_thickness, const bool is_number_given)
     : m_geometries(geometries), m_patches(patches), m_is_number_given(is_number_given),
+      m_compares_poses(is_number_given && is_pose_faithful),
       m_areas(patch_areas(geometries[0].graph, patches)),
       m_thickness_of_face(static_cast<Eigen::Index>(patches.patch_of_face.size()))
   {
@@ -70,8 +73,8 @@ public:
   }
 
   // The share of the votes, by their weights, in which two patches belong to the same part. Votes have
-  // up to twice as many parts as are asked for: where some of several equally good cuts would be made,
-  // like those around one of two legs, others make all of them.
+  // up to half again as many parts as are asked for: where some of several equally good cuts would be
+  // made, like those around one of two legs, others make all of them.
   Eigen::MatrixXd similarities(const std::size_t number_of_parts, const unsigned int seed) const
   {
     std::vector<Vote> votes = sweeps(number_of_parts, seed);
@@ -97,7 +100,7 @@ private:
   static constexpr std::size_t PATCHES_OF_SWEEPS = 300, PATCHES_FOR_NUMBER = 200;
   static constexpr std::size_t MOST_PARTS = 64;
   // Parts are not smaller: cuts around eyes or claws are cheap, and would be made instead of others.
-  static constexpr double LEAST_AREA = .01;
+  static constexpr double LEAST_AREA = .03;
 
   struct Vote
   {
@@ -124,7 +127,7 @@ private:
   std::size_t number_of_parts_of_vote(const std::size_t vote,
                                       const std::size_t requested_number) const
   {
-    const double step = m_is_number_given ? static_cast<double>(vote / 2 % 3) / 2 : 0;
+    const double step = m_is_number_given ? static_cast<double>(vote / 2 % 3) / 4 : 0;
     return static_cast<std::size_t>(
       std::lround((1 + step) * static_cast<double>(requested_number)));
   }
@@ -186,10 +189,17 @@ private:
     for_each_index(NUMBER_OF_SWEEPS, [&](const std::size_t i) {
       Boundary_preferences preferences;
       preferences.edge_concavity = .2 + .3 * evenly_spread(i, 0);
-      const double exponent = (m_is_number_given ? .5 : .6) + .2 * evenly_spread(i, 1);
       const double w = evenly_spread(i, 2) / share_with_normals;
       preferences.patch_concavity = w < 1 ? .3 + .7 * w : 0;
-      preferences.thickness_ratio = i / 2 % 2 == 0 ? .4 : 0;
+      preferences.thickness_ratio = m_is_number_given || i / 2 % 2 == 0 ? .4 : 0;
+      if(m_compares_poses)
+        preferences.least_of_concavity = .3;
+      if(m_compares_poses && i % 4 == 0) // intrinsic
+      {
+        preferences.edge_concavity = (std::numeric_limits<double>::max)();
+        preferences.patch_concavity = 0;
+      }
+      const double exponent = m_is_number_given ? .45 : .6 + .2 * evenly_spread(i, 1);
       result[i] = sweep(geometry(i).graph, preferences, exponent,
                         number_of_parts_of_vote(i, number_of_parts), first_faces[i]);
     });
@@ -200,7 +210,7 @@ private:
              const double exponent, const std::size_t number_of_parts,
              const std::size_t first_face) const
   {
-    constexpr double least_share = .2; // of the mean area of a part
+    constexpr double least_share = .4; // of the mean area of a part
     const bool is_given = number_of_parts > 0;
     const Patches own
       = farthest_point_patches(graph, concave_lengths(graph, preferences.edge_concavity),
@@ -209,11 +219,30 @@ private:
       = m_is_number_given
           ? (std::min)(LEAST_AREA, least_share / static_cast<double>(number_of_parts))
           : 0;
-    const Sweep_partition parts
-      = sweep_partition(patch_graph(graph, own, preferences, m_thickness_of_face),
-                        {exponent, least_area}, (std::max)(number_of_parts, std::size_t(1)),
-                        is_given ? number_of_parts : MOST_PARTS, is_given ? 0 : COST_LIMIT);
+    const Sweep_partition parts = sweep_partition(
+      m_compares_poses ? joint_patch_graph(own, preferences)
+                       : patch_graph(graph, own, preferences, m_thickness_of_face),
+      {exponent, least_area}, (std::max)(number_of_parts, std::size_t(1)),
+      is_given ? number_of_parts : MOST_PARTS, is_given ? 0 : COST_LIMIT);
     return {largest_parts(graph, own, parts), parts.number_of_large_parts};
+  }
+
+  // With the larger cost of the geometries: what is concave in one of them only is a bent joint.
+  Patch_graph joint_patch_graph(const Patches& patches,
+                                const Boundary_preferences& preferences) const
+  {
+    Patch_graph result
+      = patch_graph(m_geometries[0].graph, patches, preferences, m_thickness_of_face);
+    const Patch_graph of_pose // with the same edges
+      = patch_graph(m_geometries[1].graph, patches, preferences, m_thickness_of_face);
+    result.areas = (result.areas + of_pose.areas) / 2;
+    for(std::size_t e = 0; e < result.edges.size(); ++e)
+    {
+      Patch_graph::Edge& edge = result.edges[e];
+      edge.cost = (std::max)(edge.cost, of_pose.edges[e].cost);
+      edge.conductance = (std::max)(edge.conductance, of_pose.edges[e].conductance);
+    }
+    return result;
   }
 
   // The part that has the largest share of each of our patches.
@@ -265,7 +294,7 @@ private:
 
   const std::vector<Viewed_surface>& m_geometries;
   const Patches& m_patches;
-  const bool m_is_number_given;
+  const bool m_is_number_given, m_compares_poses;
   const Eigen::VectorXd m_areas;
   Eigen::VectorXd m_thickness_of_face;
 };

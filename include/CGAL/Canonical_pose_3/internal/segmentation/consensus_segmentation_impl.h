@@ -14,6 +14,7 @@
 #include <CGAL/Canonical_pose_3/Segmentation_tree_3.h>
 #include <CGAL/Canonical_pose_3/consensus_segmentation.h>
 #include <CGAL/Canonical_pose_3/internal/segmentation/Lines_of_sight.h>
+#include <CGAL/Canonical_pose_3/internal/segmentation/Mirror_symmetry.h>
 #include <CGAL/Canonical_pose_3/internal/segmentation/Part_hierarchy.h>
 #include <CGAL/Canonical_pose_3/internal/segmentation/Patch_graph.h>
 #include <CGAL/Canonical_pose_3/internal/segmentation/Patches.h>
@@ -84,6 +85,21 @@ inline bool is_swollen(const Viewed_surface& pose, const Viewed_surface& surface
          > largest_share * signed_volume(surface.graph.points, closed_triangles);
 }
 
+// The hierarchy of the parts if their number is given. If the shape has a mirror symmetry, votes count for
+// both of its sides, so that both are cut in the same way. Where limbs are bent, the pose is more
+// symmetric.
+inline Part_hierarchy symmetric_hierarchy(const std::vector<Viewed_surface>& geometries,
+                                          const Patches& patches,
+                                          const Eigen::MatrixXd& similarities)
+{
+  constexpr double largest_distortion = .09;
+  const Face_graph& graph = geometries.front().graph;
+  for(auto it = geometries.rbegin(); it != geometries.rend(); ++it)
+    if(const Mirror_symmetry mirror(it->graph, patches); mirror.distortion() <= largest_distortion)
+      return {graph, patches, (similarities + mirror.mirrored(similarities)) / 2, similarities};
+  return {graph, patches, similarities};
+}
+
 // The hierarchy of the parts if their number is not given: the typical one of the votes, or half as
 // many as long as the votes do not agree.
 inline Segmentation_tree_3 tree_with_agreement(const Face_graph& graph, const Patches& patches,
@@ -117,23 +133,27 @@ CGAL_CANONICAL_POSE_3_INLINE Segmentation_tree_3 consensus_segmentation_tree(
                                                  number_of_patches, farthest_face(graph));
   const Lines_of_sight lines(graph, triangles, patches.centers);
   const Eigen::VectorXd log_thickness = smoothed(graph, patches, lines.log_thickness());
+  const bool is_number_given = options.number_of_parts > 0;
+  bool is_pose_faithful = false;
   std::vector<Viewed_surface> geometries = {{graph, lines.visibility(), lines.distances()}};
   if(surface.has_pose())
   {
     const Face_graph posed = surface.graph_of_pose();
     const Lines_of_sight lines_of_pose(posed, triangles, patches.centers);
     Viewed_surface pose_view = {posed, lines_of_pose.visibility(), lines_of_pose.distances()};
-    const bool is_number_given = options.number_of_parts > 0;
-    if(is_intact(pose_view, geometries.front(), triangles)
-       && (is_number_given || !is_swollen(pose_view, geometries.front(), triangles)))
-      geometries.push_back(std::move(pose_view));
+    if(is_intact(pose_view, geometries.front(), triangles))
+    {
+      is_pose_faithful = !is_swollen(pose_view, geometries.front(), triangles);
+      if(is_number_given || is_pose_faithful)
+        geometries.push_back(std::move(pose_view));
+    }
   }
 
-  const Votes votes(geometries, patches, log_thickness, options.number_of_parts > 0);
+  const Votes votes(geometries, is_pose_faithful, patches, log_thickness, is_number_given);
   Segmentation_tree_3 tree
-    = options.number_of_parts > 0
-        ? Part_hierarchy(graph, patches,
-                         votes.similarities(options.number_of_parts, options.random_seed))
+    = is_number_given
+        ? symmetric_hierarchy(geometries, patches,
+                              votes.similarities(options.number_of_parts, options.random_seed))
             .tree(options.number_of_parts)
         : tree_with_agreement(graph, patches, votes, options.random_seed);
   tree.leaf_of_face = surface.labels_of_faces(tree.leaf_of_face);

@@ -1,0 +1,240 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_INTERNAL_SEGMENTATION_MIRROR_SYMMETRY_H
+#define CGAL_CANONICAL_POSE_3_INTERNAL_SEGMENTATION_MIRROR_SYMMETRY_H
+
+#include <CGAL/Canonical_pose_3/internal/segmentation/Face_graph.h>
+#include <CGAL/Canonical_pose_3/internal/segmentation/Patch_graph.h>
+#include <CGAL/Canonical_pose_3/internal/segmentation/Patches.h>
+#include <CGAL/Canonical_pose_3/internal/support/Principal_axes.h>
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+#include <CGAL/Canonical_pose_3/internal/support/for_each_index.h>
+#include <CGAL/Canonical_pose_3/point_matrix.h>
+
+#include <Eigen/Core>
+#include <Eigen/SVD>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
+namespace internal {
+
+// The mirror symmetry of a shape, such as that of the left and the right of an animal, as a map of its
+// patches. A reflection is fitted by iterated closest points (Besl and McKay 1992), from several
+// planes. Since limbs may be bent, each patch is then mapped to one that has similar distances along
+// the surface to the first patches, too.
+class Mirror_symmetry
+{
+public:
+  Mirror_symmetry(const Face_graph& graph, const Patches& patches)
+    : m_areas(patch_areas(graph, patches)), m_features(m_areas.size(), 6)
+  {
+    const Row_vectors centers = patch_means(graph, patches, graph.centroids, m_areas);
+    const Principal_axes frame(centers, m_areas);
+    m_features.leftCols<3>() = centers.rowwise() - frame.centroid;
+    m_features.rightCols<3>()
+      = WEIGHT_OF_NORMALS
+        * patch_means(graph, patches, graph.normals, m_areas).rowwise().normalized();
+    m_distances = distances_along_surface(graph, patches);
+
+    const std::vector<Eigen::Vector3d> normals = plane_normals(frame.axes);
+    std::vector<Images> images(normals.size());
+    for_each_index(normals.size(), [&](const std::size_t i) { images[i] = fit(normals[i]); });
+    for(Images& map : images)
+    {
+      const double value = distortion_of(map);
+      if(value < m_distortion)
+      {
+        m_distortion = value;
+        m_images = std::move(map);
+      }
+    }
+  }
+
+  // The root mean square of the differences of distances between patches and between their images,
+  // relative to that of the distances. Below .1 for shapes that are symmetric, except for their posture:
+  // patches are not symmetric, and are mapped as a whole.
+  double distortion() const { return m_distortion; }
+
+  // The values for the images of two patches instead of those for the patches.
+  Eigen::MatrixXd mirrored(const Eigen::MatrixXd& values) const
+  {
+    Eigen::MatrixXd result(values.rows(), values.cols());
+    for(Eigen::Index j = 0; j < values.cols(); ++j)
+      for(Eigen::Index i = 0; i < values.rows(); ++i)
+        result(i, j) = values(image(m_images, i), image(m_images, j));
+    return result;
+  }
+
+private:
+  using Images = std::vector<Eigen::Index>;
+  static constexpr double WEIGHT_OF_NORMALS = .1;
+
+  static Eigen::Index image(const Images& images, const Eigen::Index patch)
+  {
+    return images[static_cast<std::size_t>(patch)];
+  }
+
+  // Of planes that are orthogonal to a principal axis, or contain one and halve the angle of the others.
+  static std::vector<Eigen::Vector3d> plane_normals(const Eigen::Matrix3d& axes)
+  {
+    std::vector<Eigen::Vector3d> result;
+    for(Eigen::Index i = 0; i < 3; ++i)
+    {
+      result.push_back(axes.col(i));
+      for(Eigen::Index j = 0; j < i; ++j)
+      {
+        result.push_back((axes.col(i) + axes.col(j)).normalized());
+        result.push_back((axes.col(i) - axes.col(j)).normalized());
+      }
+    }
+    return result;
+  }
+
+  // Along edges of the graph of patches (Floyd and Warshall). Patches that are not connected are about
+  // as far from each other as a path is at most.
+  Eigen::MatrixXd distances_along_surface(const Face_graph& graph, const Patches& patches) const
+  {
+    const Eigen::Index n = m_areas.size();
+    const Patch_graph neighbors
+      = patch_graph(graph, patches, {1, 0, 0}, Eigen::VectorXd::Zero(graph.areas.size()));
+    double farthest = 0;
+    for(const Patch_graph::Edge& edge : neighbors.edges)
+      farthest += length(edge);
+    Eigen::MatrixXd result = Eigen::MatrixXd::Constant(n, n, farthest);
+    result.diagonal().setZero();
+    for(const Patch_graph::Edge& edge : neighbors.edges)
+    {
+      const auto a = static_cast<Eigen::Index>(edge.a), b = static_cast<Eigen::Index>(edge.b);
+      result(a, b) = result(b, a) = length(edge);
+    }
+    for(Eigen::Index k = 0; k < n; ++k)
+      for(Eigen::Index j = 0; j < n; ++j)
+        if(result(k, j) < farthest)
+          result.col(j) = result.col(j).cwiseMin((result.col(k).array() + result(k, j)).matrix());
+    return result;
+  }
+
+  double length(const Patch_graph::Edge& edge) const
+  {
+    return (m_features.row(static_cast<Eigen::Index>(edge.a)).head<3>()
+            - m_features.row(static_cast<Eigen::Index>(edge.b)).head<3>())
+      .norm();
+  }
+
+  Images fit(const Eigen::Vector3d& normal) const
+  {
+    constexpr int most_fits = 25, most_corrections = 6;
+    constexpr Eigen::Index most_references = 24;
+    const Eigen::Index n = m_areas.size(), references = (std::min)(n, most_references);
+    Eigen::Matrix3d reflection = Eigen::Matrix3d::Identity() - 2 * normal * normal.transpose();
+    Eigen::RowVector3d shift = Eigen::RowVector3d::Zero();
+    Images result;
+    for(int i = 0; i < most_fits; ++i)
+    {
+      Images images = closest_rows(reflected(reflection, shift), m_features);
+      if(images == result)
+        break;
+      result = std::move(images);
+      std::tie(reflection, shift) = best_reflection(result);
+    }
+
+    const double scale = 1 / std::sqrt(static_cast<double>(references));
+    Eigen::MatrixXd moved(n, 6 + references), fixed(n, 6 + references);
+    moved << reflected(reflection, shift), scale * m_distances.leftCols(references);
+    fixed.leftCols<6>() = m_features;
+    for(int i = 0; i < most_corrections; ++i)
+    {
+      for(Eigen::Index k = 0; k < references; ++k)
+        fixed.col(6 + k) = scale * m_distances.col(image(result, k));
+      Images images = closest_rows(moved, fixed);
+      if(images == result)
+        break;
+      result = std::move(images);
+    }
+    return result;
+  }
+
+  Eigen::MatrixXd reflected(const Eigen::Matrix3d& reflection,
+                            const Eigen::RowVector3d& shift) const
+  {
+    Eigen::MatrixXd result(m_features.rows(), 6);
+    result << (m_features.leftCols<3>() * reflection.transpose()).rowwise() + shift,
+      m_features.rightCols<3>() * reflection.transpose();
+    return result;
+  }
+
+  // For each row of `a`, the row of `b` that is closest.
+  static Images closest_rows(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b)
+  {
+    // Columns of the table belong to rows of a; up to a constant for each of them.
+    Eigen::MatrixXd table = -2 * b * a.transpose();
+    table.colwise() += b.rowwise().squaredNorm();
+    Images result(static_cast<std::size_t>(a.rows()));
+    for(Eigen::Index i = 0; i < a.rows(); ++i)
+      table.col(i).minCoeff(&result[static_cast<std::size_t>(i)]);
+    return result;
+  }
+
+  // The reflection and the shift that bring the centers of patches nearest to those of their images
+  // (Kabsch 1976, with a determinant of -1).
+  std::pair<Eigen::Matrix3d, Eigen::RowVector3d> best_reflection(const Images& images) const
+  {
+    const Eigen::VectorXd shares = m_areas / m_areas.sum();
+    Point_matrix targets(m_areas.size(), 3);
+    for(Eigen::Index i = 0; i < targets.rows(); ++i)
+      targets.row(i) = m_features.row(image(images, i)).head<3>();
+    const Eigen::RowVector3d center = shares.transpose() * m_features.leftCols<3>(),
+                             target_center = shares.transpose() * targets;
+    const Eigen::Matrix3d covariance = (m_features.leftCols<3>().rowwise() - center).transpose()
+                                       * shares.asDiagonal() * (targets.rowwise() - target_center);
+    const Eigen::JacobiSVD<Eigen::Matrix3d> svd(covariance,
+                                                Eigen::ComputeFullU | Eigen::ComputeFullV);
+    Eigen::Matrix3d v = svd.matrixV();
+    if((v * svd.matrixU().transpose()).determinant() > 0)
+      v.col(2) *= -1;
+    const Eigen::Matrix3d reflection = v * svd.matrixU().transpose();
+    return {reflection, target_center - center * reflection.transpose()};
+  }
+
+  double distortion_of(const Images& images) const
+  {
+    Eigen::MatrixXd differences = m_distances;
+    for(Eigen::Index j = 0; j < differences.cols(); ++j)
+      for(Eigen::Index i = 0; i < differences.rows(); ++i)
+        differences(i, j) -= m_distances(image(images, i), image(images, j));
+    const auto mean_square
+      = [this](const Eigen::MatrixXd& values) { return m_areas.dot(values.cwiseAbs2() * m_areas); };
+    const double all = mean_square(m_distances);
+    return all > 0 ? std::sqrt(mean_square(differences) / all)
+                   : std::numeric_limits<double>::infinity();
+  }
+
+  const Eigen::VectorXd m_areas;
+  Eigen::MatrixXd m_features;  // of patches: center, and weighted mean normal
+  Eigen::MatrixXd m_distances; // of patches along the surface
+  Images m_images;
+  double m_distortion = std::numeric_limits<double>::infinity();
+};
+
+} // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_INTERNAL_SEGMENTATION_MIRROR_SYMMETRY_H
