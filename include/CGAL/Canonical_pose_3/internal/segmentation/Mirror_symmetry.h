@@ -16,10 +16,13 @@
 #include <CGAL/Canonical_pose_3/internal/support/Principal_axes.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/support/for_each_index.h>
+#include <CGAL/Canonical_pose_3/internal/support/rotation_by_traits.h>
+#include <CGAL/Canonical_pose_3/internal/support/weighted_product.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
+#include <CGAL/Deformation_Eigen_closest_rotation_traits_3.h>
+
 #include <Eigen/Core>
-#include <Eigen/SVD>
 
 #include <algorithm>
 #include <cmath>
@@ -55,30 +58,29 @@ public:
     const std::vector<Eigen::Vector3d> normals = plane_normals(frame.axes);
     std::vector<Images> images(normals.size());
     for_each_index(normals.size(), [&](const std::size_t i) { images[i] = fit(normals[i]); });
+    double least = std::numeric_limits<double>::infinity();
     for(Images& map : images)
     {
-      const double value = distortion_of(map);
-      if(value < m_distortion)
+      const double value = mean_square(m_distances - mirrored(m_distances, map));
+      if(value < least)
       {
-        m_distortion = value;
+        least = value;
         m_images = std::move(map);
       }
     }
+    const double all = mean_square(m_distances);
+    m_distortion = all > 0 ? std::sqrt(least / all) : std::numeric_limits<double>::infinity();
   }
 
   // The root mean square of the differences of distances between patches and between their images,
-  // relative to that of the distances. Below .1 for shapes that are symmetric, except for their posture:
-  // patches are not symmetric, and are mapped as a whole.
+  // relative to that of the distances. Not 0 even for a symmetric shape: its patches are not symmetric, and
+  // are mapped as a whole.
   double distortion() const { return m_distortion; }
 
   // The values for the images of two patches instead of those for the patches.
   Eigen::MatrixXd mirrored(const Eigen::MatrixXd& values) const
   {
-    Eigen::MatrixXd result(values.rows(), values.cols());
-    for(Eigen::Index j = 0; j < values.cols(); ++j)
-      for(Eigen::Index i = 0; i < values.rows(); ++i)
-        result(i, j) = values(image(m_images, i), image(m_images, j));
-    return result;
+    return mirrored(values, m_images);
   }
 
 private:
@@ -90,7 +92,22 @@ private:
     return images[static_cast<std::size_t>(patch)];
   }
 
-  // Of planes that are orthogonal to a principal axis, or contain one and halve the angle of the others.
+  static Eigen::MatrixXd mirrored(const Eigen::MatrixXd& values, const Images& images)
+  {
+    Eigen::MatrixXd result(values.rows(), values.cols());
+    for(Eigen::Index j = 0; j < values.cols(); ++j)
+      for(Eigen::Index i = 0; i < values.rows(); ++i)
+        result(i, j) = values(image(images, i), image(images, j));
+    return result;
+  }
+
+  double mean_square(const Eigen::MatrixXd& values) const
+  {
+    return m_areas.dot(values.cwiseAbs2() * m_areas);
+  }
+
+  // Of planes that are orthogonal to a principal axis, or contain one and halve the angle of the
+  // others.
   static std::vector<Eigen::Vector3d> plane_normals(const Eigen::Matrix3d& axes)
   {
     std::vector<Eigen::Vector3d> result;
@@ -191,45 +208,31 @@ private:
     return result;
   }
 
-  // The reflection and the shift that bring the centers of patches nearest to those of their images
-  // (Kabsch 1976, with a determinant of -1).
+  // The reflection and the shift that bring the centers of patches nearest to those of their images:
+  // the reflection closest to a matrix is minus the rotation closest to its negative.
   std::pair<Eigen::Matrix3d, Eigen::RowVector3d> best_reflection(const Images& images) const
   {
-    const Eigen::VectorXd shares = m_areas / m_areas.sum();
-    Point_matrix targets(m_areas.size(), 3);
+    const Point_matrix centers = m_features.leftCols<3>();
+    Point_matrix targets(centers.rows(), 3);
     for(Eigen::Index i = 0; i < targets.rows(); ++i)
-      targets.row(i) = m_features.row(image(images, i)).head<3>();
-    const Eigen::RowVector3d center = shares.transpose() * m_features.leftCols<3>(),
-                             target_center = shares.transpose() * targets;
-    const Eigen::Matrix3d covariance = (m_features.leftCols<3>().rowwise() - center).transpose()
-                                       * shares.asDiagonal() * (targets.rowwise() - target_center);
-    const Eigen::JacobiSVD<Eigen::Matrix3d> svd(covariance,
-                                                Eigen::ComputeFullU | Eigen::ComputeFullV);
-    Eigen::Matrix3d v = svd.matrixV();
-    if((v * svd.matrixU().transpose()).determinant() > 0)
-      v.col(2) *= -1;
-    const Eigen::Matrix3d reflection = v * svd.matrixU().transpose();
+      targets.row(i) = centers.row(image(images, i));
+    const Eigen::VectorXd shares = m_areas / m_areas.sum();
+    const Eigen::RowVector3d center = shares.transpose() * centers;
+    const Eigen::RowVector3d target_center = shares.transpose() * targets;
+    const Eigen::Matrix3d covariance
+      = weighted_product(targets.rowwise() - target_center, shares, centers.rowwise() - center);
+    const double size = covariance.cwiseAbs().maxCoeff();
+    const Eigen::Matrix3d reflection
+      = -rotation_by_traits<Deformation_Eigen_closest_rotation_traits_3>(-covariance
+                                                                         / (size > 0 ? size : 1));
     return {reflection, target_center - center * reflection.transpose()};
-  }
-
-  double distortion_of(const Images& images) const
-  {
-    Eigen::MatrixXd differences = m_distances;
-    for(Eigen::Index j = 0; j < differences.cols(); ++j)
-      for(Eigen::Index i = 0; i < differences.rows(); ++i)
-        differences(i, j) -= m_distances(image(images, i), image(images, j));
-    const auto mean_square
-      = [this](const Eigen::MatrixXd& values) { return m_areas.dot(values.cwiseAbs2() * m_areas); };
-    const double all = mean_square(m_distances);
-    return all > 0 ? std::sqrt(mean_square(differences) / all)
-                   : std::numeric_limits<double>::infinity();
   }
 
   const Eigen::VectorXd m_areas;
   Eigen::MatrixXd m_features;  // of patches: center, and weighted mean normal
   Eigen::MatrixXd m_distances; // of patches along the surface
   Images m_images;
-  double m_distortion = std::numeric_limits<double>::infinity();
+  double m_distortion;
 };
 
 } // namespace internal
