@@ -53,6 +53,7 @@ public:
         const Patches& patches, const Eigen::VectorXd& log_thickness, const bool is_number_given)
     : m_geometries(geometries), m_patches(patches), m_is_number_given(is_number_given),
       m_compares_poses(is_number_given && is_pose_faithful),
+      m_has_limbs(geometries.back().visibility.mean() < LEAST_VISIBILITY_OF_BODY),
       m_areas(patch_areas(geometries[0].graph, patches)),
       m_thickness_of_face(static_cast<Eigen::Index>(patches.patch_of_face.size()))
   {
@@ -99,8 +100,9 @@ private:
   // Cuts around small patches are cheap, so the number of parts is determined with larger ones.
   static constexpr std::size_t PATCHES_OF_SWEEPS = 300, PATCHES_FOR_NUMBER = 200;
   static constexpr std::size_t MOST_PARTS = 64;
-  // Parts are not smaller: cuts around eyes or claws are cheap, and would be made instead of others.
-  static constexpr double LEAST_AREA = .03;
+  // Of a shape that is one nearly convex body, like a fish, a larger share of pairs of patches see each
+  // other; its parts are small, like fins.
+  static constexpr double LEAST_VISIBILITY_OF_BODY = .5;
 
   struct Vote
   {
@@ -194,7 +196,7 @@ private:
       preferences.thickness_ratio = m_is_number_given || i / 2 % 2 == 0 ? .4 : 0;
       if(m_compares_poses)
         preferences.least_of_concavity = .3;
-      if(m_compares_poses && i % 4 == 0) // intrinsic
+      if(m_compares_poses && m_has_limbs && i % 3 == 0) // intrinsic
       {
         preferences.edge_concavity = (std::numeric_limits<double>::max)();
         preferences.patch_concavity = 0;
@@ -210,21 +212,24 @@ private:
              const double exponent, const std::size_t number_of_parts,
              const std::size_t first_face) const
   {
-    constexpr double least_share = .4; // of the mean area of a part
     const bool is_given = number_of_parts > 0;
     const Patches own
       = farthest_point_patches(graph, concave_lengths(graph, preferences.edge_concavity),
                                is_given ? PATCHES_OF_SWEEPS : PATCHES_FOR_NUMBER, first_face);
-    const double least_area
-      = m_is_number_given
-          ? (std::min)(LEAST_AREA, least_share / static_cast<double>(number_of_parts))
-          : 0;
     const Sweep_partition parts = sweep_partition(
       m_compares_poses ? joint_patch_graph(own, preferences)
                        : patch_graph(graph, own, preferences, m_thickness_of_face),
-      {exponent, least_area}, (std::max)(number_of_parts, std::size_t(1)),
-      is_given ? number_of_parts : MOST_PARTS, is_given ? 0 : COST_LIMIT);
+      {exponent, m_is_number_given ? least_area(number_of_parts) : 0},
+      (std::max)(number_of_parts, std::size_t(1)), is_given ? number_of_parts : MOST_PARTS,
+      is_given ? 0 : COST_LIMIT);
     return {largest_parts(graph, own, parts), parts.number_of_large_parts};
+  }
+
+  // Of a part. Around eyes or claws, cuts are cheap, and would be made instead of those between limbs.
+  double least_area(const std::size_t number_of_parts) const
+  {
+    const double mean = 1 / static_cast<double>(number_of_parts);
+    return m_has_limbs ? (std::min)(.035, .5 * mean) : (std::min)(.01, .2 * mean);
   }
 
   // With the larger cost of the geometries: what is concave in one of them only is a bent joint.
@@ -294,7 +299,7 @@ private:
 
   const std::vector<Viewed_surface>& m_geometries;
   const Patches& m_patches;
-  const bool m_is_number_given, m_compares_poses;
+  const bool m_is_number_given, m_compares_poses, m_has_limbs;
   const Eigen::VectorXd m_areas;
   Eigen::VectorXd m_thickness_of_face;
 };
