@@ -108,13 +108,15 @@ Polygon_soup row_of_balls_with_buttons()
   return polygon_soup(soup);
 }
 
-double centroid_x(const Polygon_soup& soup, const std::size_t f)
+Eigen::RowVector3d centroid(const Polygon_soup& soup, const std::size_t f)
 {
-  double sum = 0;
+  Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
   for(const std::size_t v : soup.polygons[f])
-    sum += soup.points(static_cast<Eigen::Index>(v), 0);
+    sum += soup.points.row(static_cast<Eigen::Index>(v));
   return sum / static_cast<double>(soup.polygons[f].size());
 }
+
+double centroid_x(const Polygon_soup& soup, const std::size_t f) { return centroid(soup, f)[0]; }
 
 // The faces that are not near a neck belong to the ball they lie on, and each ball is one part.
 void expect_balls(const Polygon_soup& soup, const Parts& parts)
@@ -422,8 +424,8 @@ TEST(Part_hierarchy, agreement_is_that_of_votes)
   EXPECT_LT(Part_hierarchy(graph, patches, Eigen::MatrixXd::Constant(n, n, .5)).agreement(3), .1);
 }
 
-// A ball with limbs along the given vectors.
-Polygon_soup ball_with_limbs(const std::vector<Eigen::Vector3d>& limbs)
+// A ball with limbs along the given vectors, the thinner the larger the exponent.
+Polygon_soup ball_with_limbs(const std::vector<Eigen::Vector3d>& limbs, const double exponent = 12)
 {
   Polygon_soup result = polygon_soup(Canonical_pose_test::icosphere_soup(4, 1));
   for(Eigen::Index v = 0; v < result.points.rows(); ++v)
@@ -432,7 +434,7 @@ Polygon_soup ball_with_limbs(const std::vector<Eigen::Vector3d>& limbs)
     for(const Eigen::Vector3d& limb : limbs)
     {
       const double cosine = (std::max)(0., result.points.row(v).dot(limb.normalized()));
-      radius += limb.norm() * std::pow(cosine, 12);
+      radius += limb.norm() * std::pow(cosine, exponent);
     }
     result.points.row(v) *= radius;
   }
@@ -467,6 +469,42 @@ TEST(Mirror_symmetry, maps_patches_to_their_reflections)
     symmetry(ball_with_limbs({{0, 0, 3}, {0, 0, -1}, {4, 0, 0}, {-1, 1.7, 0}, {-.35, -.6, 0}}), y)
       .distortion(),
     .09);
+}
+
+// The fins have about a hundredth of the area each. In a shape of limbs, such small parts are not cut off,
+// and this body is divided instead. But most of its points see each other, so it is one part.
+TEST(Consensus_segmentation, fins_of_a_body_are_parts)
+{
+  const std::vector<Eigen::Vector3d> fins = {{.6, 0, 0}, {-.6, 0, .2}, {0, .6, -.2}, {0, -.6, .2}};
+  Polygon_soup soup = ball_with_limbs(fins, 120);
+  soup.points.col(2) *= 3;
+  const Parts parts
+    = CP::consensus_segmentation_tree(soup.points, soup.polygons, no_pose(), with_parts(5)).parts();
+  std::set<std::size_t> parts_of_body;
+  std::array<std::set<std::size_t>, 4> parts_of_fin;
+  for(std::size_t f = 0; f < parts.size(); ++f)
+  {
+    const Eigen::RowVector3d point
+      = centroid(soup, f).array() / Eigen::Array3d(1, 1, 3).transpose();
+    double largest_cosine = 0;
+    for(std::size_t i = 0; i < fins.size(); ++i)
+    {
+      const double along = point.dot(fins[i].normalized());
+      largest_cosine = (std::max)(largest_cosine, along / point.norm());
+      if(along > 1.3)
+        parts_of_fin[i].insert(parts[f]);
+    }
+    if(largest_cosine < .8)
+      parts_of_body.insert(parts[f]);
+  }
+  ASSERT_EQ(parts_of_body.size(), 1u);
+  std::set<std::size_t> all = parts_of_body;
+  for(const std::set<std::size_t>& own : parts_of_fin)
+  {
+    EXPECT_EQ(own.size(), 1u);
+    all.insert(own.begin(), own.end());
+  }
+  EXPECT_EQ(all.size(), 5u);
 }
 
 TEST_P(Segmentation, each_component_has_a_part)
