@@ -61,11 +61,12 @@ consensus_segmentation_tree(const Point_matrix& points,
 Twenty segmentations, of the surface and of its pose by turns, vote on which faces belong to the same
 part: sweep cuts with different preferences (see `sweep_segmentation()`), and clusters of faces that
 see each other through the inside. If the number of parts is given, they have up to half again as many,
-and the sides of sweep cuts have at least three hundredths of the area, or two fifths of the mean area
-of the parts if that is less. Cuts then run along what is concave in the surface and in the pose,
-since bent joints are concave in one of them only, and every fourth sweep ignores concave edges. If
-the shape has a mirror symmetry, in spite of bent limbs, votes count for both of its sides. Votes that
-agree with those of other kinds count more. Faces are merged by the share of common votes, and
+and the sides of sweep cuts have at least 0.035 of the area, or half of the mean area of the parts if
+that is less; 0.01, or a fifth, if the shape has no limbs but is one body, where more than half of all
+points see each other. Cuts then run along what is concave in the surface and in the pose, since bent
+joints are concave in one of them only, and every third sweep of a shape with limbs ignores concave
+edges. If the shape has a mirror symmetry, in spite of bent limbs, votes count for both of its sides.
+Votes that agree with those of other kinds count more. Faces are merged by the share of common votes, and
 boundaries are moved such that they are short and run along concave edges. A pose with less than a
 fifth of the volume of the surface (both scaled to the same area), or of its lines of sight, does not
 vote. A pose with more than 1.1 times the volume, such as that of a cup, whose wall bulges, does not
