@@ -60,9 +60,11 @@ struct Face_graph
   Buckets<Neighbor> neighbors; // for each face
 };
 
+inline constexpr double least_concavity_factor = .05;
+
 // Factor of the cost of a boundary along a concave edge; 1 along a convex one.
 inline double concavity_factor(const double concave_angle, const double scale,
-                               const double least = .05)
+                               const double least = least_concavity_factor)
 {
   return concave_angle > 0 ? (std::max)(least, std::exp(-concave_angle / scale)) : 1.;
 }

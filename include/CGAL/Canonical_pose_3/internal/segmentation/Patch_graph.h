@@ -48,7 +48,7 @@ struct Boundary_preferences
   double edge_concavity;  // scale of the angles between faces
   double patch_concavity; // scale of the angles between the mean normals of patches; 0: ignored
   double thickness_ratio; // scale of the differences of the logarithm of the thickness; 0: ignored
-  double least_of_concavity = .05; // least factor for a concave edge or angle
+  double least_of_concavity = least_concavity_factor; // least factor for a concave edge or angle
 };
 
 // Costs of the boundaries between patches: lengths, times a factor for each preference.
