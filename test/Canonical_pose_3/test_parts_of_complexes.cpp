@@ -7,9 +7,12 @@
 //
 // Author(s) : The Canonical_pose_3 authors
 
+#include <CGAL/Canonical_pose_3/extract_boundary.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/Vertex_map.h>
 #include <CGAL/canonical_pose_3.h>
 
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
 #include <CGAL/property_map.h>
 
 #include <gtest/gtest.h>
@@ -22,6 +25,8 @@
 #include <cmath>
 #include <cstddef>
 #include <stdexcept>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CP = CGAL::Canonical_pose_3;
@@ -33,15 +38,35 @@ namespace {
 
 using Point_3 = CGAL::Simple_cartesian<double>::Point_3;
 
-CP::Result pose_of(const Tetrahedral_soup& soup, const CP::Options& options = CP::Options())
+CP::Indexed_tetrahedra_3<Point_3> complex_of(const Tetrahedral_soup& soup)
 {
   CP::Indexed_tetrahedra_3<Point_3> complex;
   for(const auto& p : soup.points)
     complex.points.emplace_back(p[0], p[1], p[2]);
   complex.cells = soup.cells;
+  return complex;
+}
+
+CP::Result pose_of(const Tetrahedral_soup& soup, const CP::Options& options = CP::Options())
+{
+  const auto complex = complex_of(soup);
   std::vector<Point_3> pose(soup.points.size());
   const CP::Result result = CGAL::canonical_pose_3(complex, CGAL::make_property_map(pose), options);
   EXPECT_EQ(shapes::to_matrix(pose), result.pose);
+  return result;
+}
+
+// The vertex of the complex of each row of targets and distances.
+std::vector<std::size_t> vertices_of_rows(const Tetrahedral_soup& soup)
+{
+  CGAL::Surface_mesh<Point_3> boundary;
+  auto origins = boundary.add_property_map<CGAL::Surface_mesh<Point_3>::Vertex_index, std::size_t>(
+                           "v:origin")
+                   .first;
+  CP::extract_boundary(complex_of(soup), boundary, origins);
+  std::vector<std::size_t> result;
+  for(const auto v : boundary.vertices())
+    result.push_back(origins[v]);
   return result;
 }
 
@@ -86,9 +111,137 @@ Tetrahedral_soup merged(Tetrahedral_soup a, const Tetrahedral_soup& b, const dou
 
 Tetrahedral_soup small_bar() { return shapes::tetrahedral_bent_bar(12, 2, 2, 2., {{4., .5, .5}}); }
 const Eigen::Index small_size = Eigen::Index(small_bar().points.size());
+
+// A straight bar of 10 x 1 x 1 cubes, and a bar of half the size, or a small cell, at its last vertex.
+Tetrahedral_soup long_bar() { return shapes::tetrahedral_box(10, 1, 1, {{10., 1., 1.}}); }
+
+Tetrahedral_soup with_cell_at_a_vertex(Tetrahedral_soup soup)
+{
+  const std::size_t n = soup.points.size();
+  const auto p = soup.points.back();
+  for(const std::array<double, 3>& side :
+      {std::array<double, 3>{{.1, 0, 0}}, {{0, .1, 0}}, {{0, 0, .1}}})
+    soup.points.push_back({{p[0] + side[0], p[1] + side[1], p[2] + side[2]}});
+  soup.cells.push_back({{n - 1, n, n + 1, n + 2}});
+  return soup;
+}
+
+Tetrahedral_soup with_bar_at_a_vertex(const Tetrahedral_soup& soup)
+{
+  Tetrahedral_soup other = shapes::tetrahedral_box(10, 1, 1, {{5., .5, .5}});
+  const std::size_t n = soup.points.size();
+  for(auto& p : other.points) // its vertex 0 is at 0
+    for(std::size_t k = 0; k < 3; ++k)
+      p[k] += soup.points.back()[k];
+  Tetrahedral_soup both = merged(soup, other, 0.);
+  for(auto& c : both.cells)
+    std::replace(c.begin(), c.end(), n, n - 1);
+  return both;
+}
+
 Tetrahedral_soup two_bars() { return merged(small_bar(), bar(true), 20.); }
 
+template <class Container, class Index, class = void>
+struct Is_indexed_by : std::false_type
+{};
+
+template <class Container, class Index>
+struct Is_indexed_by<
+  Container, Index,
+  std::void_t<decltype(std::declval<Container&>()[std::declval<const Index&>()])>> : std::true_type
+{};
+
 } // namespace
+
+// What is per vertex cannot be indexed by rows, nor the other way round, nor by plain numbers.
+TEST(Parts_of_complexes, indices_have_types)
+{
+  using namespace CP::internal;
+  using Of_vertices = decltype(Vertex_map::component_of);
+  using Of_rows = decltype(Vertex_map::vertex_of_row);
+  static_assert(Is_indexed_by<Of_vertices, Vertex_index>::value, "");
+  static_assert(!Is_indexed_by<Of_vertices, Row_index>::value, "");
+  static_assert(!Is_indexed_by<Of_vertices, Component_index>::value, "");
+  static_assert(!Is_indexed_by<Of_vertices, std::size_t>::value, "");
+  static_assert(Is_indexed_by<Of_rows, Row_index>::value, "");
+  static_assert(!Is_indexed_by<Of_rows, Vertex_index>::value, "");
+  static_assert(!Is_indexed_by<decltype(rows_by<Row_index>(std::declval<Point_matrix&>())),
+                               Vertex_index>::value,
+                "");
+  static_assert(!std::is_convertible<Row_index, Vertex_index>::value, "");
+}
+
+// The boundary is split at the common vertex, so it has more rows than the complex has vertices. The
+// distances are those of the bar alone, bit for bit, since the cell is not on its surface; it has no
+// target and moves with the bar.
+TEST(Parts_of_complexes, more_rows_than_vertices)
+{
+  const Tetrahedral_soup soup = with_cell_at_a_vertex(long_bar());
+  const std::vector<std::size_t> vertices = vertices_of_rows(soup);
+  const std::size_t n = long_bar().points.size();
+  ASSERT_EQ(vertices.size(), soup.points.size() + 1);
+  CP::Options options;
+  options.return_landmark_fields = true;
+  const CP::Result alone = pose_of(long_bar(), options), both = pose_of(soup, options);
+  ASSERT_EQ(both.target->rows(), Eigen::Index(vertices.size()));
+  ASSERT_EQ(both.landmark_fields->distances.rows(), Eigen::Index(vertices.size()));
+  std::vector<std::size_t> row_of(n);
+  const std::vector<std::size_t> vertices_alone = vertices_of_rows(long_bar());
+  for(std::size_t row = 0; row < vertices_alone.size(); ++row)
+    row_of[vertices_alone[row]] = row;
+  std::size_t number_on_bar = 0;
+  for(Eigen::Index row = 0; row < both.target->rows(); ++row)
+  {
+    const std::size_t v = vertices[std::size_t(row)];
+    if(std::isfinite(both.landmark_fields->distances(row, 0)))
+    {
+      ++number_on_bar;
+      ASSERT_LT(v, n);
+      EXPECT_EQ(both.landmark_fields->distances.row(row),
+                alone.landmark_fields->distances.row(Eigen::Index(row_of[v])));
+      EXPECT_LT((both.target->row(row) - alone.target->row(Eigen::Index(row_of[v]))).norm(), 0.02);
+      EXPECT_LT((both.pose.row(Eigen::Index(v)) - alone.pose.row(Eigen::Index(v))).norm(), 0.02);
+    }
+    else
+      EXPECT_EQ(both.target->row(row), both.pose.row(Eigen::Index(v)));
+  }
+  EXPECT_EQ(number_on_bar, n);
+  const Point_matrix rest = shapes::to_matrix(soup.points);
+  for(Eigen::Index v = Eigen::Index(n); v < rest.rows(); ++v)
+    EXPECT_NEAR((both.pose.row(v) - both.pose.row(Eigen::Index(n) - 1)).norm(),
+                (rest.row(v) - rest.row(Eigen::Index(n) - 1)).norm(), 0.01);
+
+  options.given.landmark_fields = both.landmark_fields;
+  EXPECT_EQ(pose_of(soup, options).pose, both.pose);
+  options.given = both;
+  const CP::Result again = pose_of(soup, options);
+  EXPECT_EQ(*again.target, *both.target);
+  EXPECT_LT(shapes::relative_rms(again.pose, both.pose), 1e-2);
+}
+
+// The common vertex of two parts has a row in each of them, with different targets, which lead to the
+// same pose again; its pose is that of the larger part.
+TEST(Parts_of_complexes, each_has_its_own_target_at_a_common_vertex)
+{
+  const Tetrahedral_soup soup = with_bar_at_a_vertex(long_bar());
+  const std::vector<std::size_t> vertices = vertices_of_rows(soup);
+  const std::size_t common = long_bar().points.size() - 1;
+  ASSERT_EQ(std::count(vertices.begin(), vertices.end(), common), 2);
+  CP::Options options = with(CP::Options::Components::EACH);
+  options.registration.energy_tolerance = 1e-8;
+  options.registration.move_tolerance = 1e-5;
+  const CP::Result first = pose_of(soup, options);
+  ASSERT_EQ(first.target->rows(), Eigen::Index(vertices.size()));
+  std::vector<Eigen::Index> rows;
+  for(std::size_t row = 0; row < vertices.size(); ++row)
+    if(vertices[row] == common)
+      rows.push_back(Eigen::Index(row));
+  EXPECT_GT((first.target->row(rows[0]) - first.target->row(rows[1])).norm(), 1e-3);
+  options.given = first;
+  const CP::Result second = pose_of(soup, options);
+  EXPECT_EQ(*second.target, *first.target);
+  EXPECT_LT(shapes::relative_rms(second.pose, first.pose), 1e-3);
+}
 
 // Distances are those of the outer surface, so target and scale are those of the full bar; the
 // cavity makes it slightly softer. The vertices of the cavity have neither distance nor target, and

@@ -11,6 +11,7 @@
 #define CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_VERTEX_MAP_H
 
 #include <CGAL/Canonical_pose_3/Surface_component_3.h>
+#include <CGAL/Canonical_pose_3/internal/support/Indexed_vector.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 
 #include <algorithm>
@@ -23,40 +24,68 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
+// Vertices of an input; rows of distances and targets, which are the same, except for a complex,
+// where they are vertices of its boundary, of which there may be more, since it is split where it is
+// not manifold; components with a pose.
+enum class Vertex_index : std::size_t
+{};
+enum class Row_index : std::size_t
+{};
+enum class Component_index : std::size_t
+{
+  NONE = std::size_t(-1)
+};
+
+// The vertex of the input of each vertex of a pose of a component.
+inline Vertex_index vertex_of(const Surface_component_3& component, const std::size_t i)
+{
+  return Vertex_index(component.body_origins[i]);
+}
+
+// The row of each vertex of a component.
+inline Row_index row_of(const Surface_component_3& component, const std::size_t i)
+{
+  return Row_index(component.origins[i]);
+}
+
 // Maps the vertices of an input to those of its components and to their representatives.
 struct Vertex_map
 {
-  static constexpr std::size_t NONE = std::size_t(-1);
-
-  // for each vertex of the input: the one whose copies represent it, itself unless it was stitched
-  // to another one
-  std::vector<std::size_t> representatives;
+  // the vertex whose copies represent each vertex of the input: itself, unless it was stitched to
+  // another one; the same for rows
+  Indexed_vector<Vertex_index, Vertex_index> representatives;
+  Indexed_vector<Row_index, Row_index> representative_rows;
   // the vertex of each row of distances and targets, and the name of such a row in messages
-  std::vector<std::size_t> vertex_of_row;
+  Indexed_vector<Row_index, Vertex_index> vertex_of_row;
   const char* row_name = "vertex";
 
-  // for each vertex of the input: its component (the largest one, if several) and its row in the
-  // pose of this component; or `NONE`
-  std::vector<std::size_t> component_of, local_of;
+  // for each vertex of the input: its component (the largest one, if several) and its index in the
+  // pose of this component
+  Indexed_vector<Vertex_index, Component_index> component_of;
+  Indexed_vector<Vertex_index, std::size_t> local_of;
+  // for each row: the component on whose surface it is (the largest one, if several)
+  Indexed_vector<Row_index, Component_index> component_of_row;
   // vertices of several components
-  std::vector<std::size_t> shared;
+  std::vector<Vertex_index> shared;
   // vertices without a component
-  std::vector<std::size_t> attached;
+  std::vector<Vertex_index> attached;
   // vertices of components without a pose that do not touch a component with a pose: since they are
   // far from the cells that they follow, they are transformed rigidly, to avoid distortion
-  std::vector<std::vector<std::size_t>> rigid_parts;
+  std::vector<std::vector<Vertex_index>> rigid_parts;
   // for each component: the indices of its followers, attached vertices before those of the options
-  std::vector<std::vector<std::size_t>> followers_of;
+  Indexed_vector<Component_index, std::vector<std::size_t>> followers_of;
 
+  std::size_t number_of_vertices() const { return representatives.size(); }
   std::size_t number_of_rows() const { return vertex_of_row.size(); }
 
-  std::string name_of_row(const std::size_t row) const
+  std::string name_of_row(const Row_index row) const
   {
-    return row_name + (' ' + std::to_string(row));
+    return row_name + (' ' + std::to_string(static_cast<std::size_t>(row)));
   }
 };
 
-inline void sort_and_make_unique(std::vector<std::size_t>& numbers)
+template <class Number>
+void sort_and_make_unique(std::vector<Number>& numbers)
 {
   std::sort(numbers.begin(), numbers.end());
   numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());

@@ -18,6 +18,7 @@
 #include <CGAL/Canonical_pose_3/internal/pipeline/make_vertex_map.h>
 #include <CGAL/Canonical_pose_3/internal/registration/Constraint_element_traits.h>
 #include <CGAL/Canonical_pose_3/internal/registration/check_registration.h>
+#include <CGAL/Canonical_pose_3/internal/support/Indexed_vector.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/support/values_at.h>
 #include <CGAL/Canonical_pose_3/internal/target/check_landmark_fields.h>
@@ -95,24 +96,26 @@ void distribute(const std::vector<Element>& elements, const Vertex_map& map,
   {
     const std::string name = Traits::name + (' ' + std::to_string(i));
     const auto vertices = vertices_of(elements[i]);
+    const Component_index component = map.component_of[Vertex_index(vertices.front())];
     Element local = elements[i];
     for(std::size_t* const vertex : Traits::pointers_to_vertices(local))
     {
-      if(map.component_of[*vertex] == Vertex_map::NONE)
+      const auto v = Vertex_index(*vertex);
+      if(map.component_of[v] == Component_index::NONE)
         throw std::invalid_argument(name + " names vertex " + std::to_string(*vertex)
                                     + ", which has no pose of its own: it is not on the surface, "
                                       "or on another component");
-      if(map.component_of[*vertex] != map.component_of[vertices.front()])
+      if(map.component_of[v] != component)
         throw std::invalid_argument(name + " names vertices " + std::to_string(vertices.front())
                                     + " and " + std::to_string(*vertex)
                                     + ", which belong to different components");
-      *vertex = map.local_of[*vertex];
+      *vertex = map.local_of[v];
     }
     if(!Traits::defect(local).empty())
       throw std::invalid_argument(name + " names vertices " + std::to_string(vertices.front())
                                   + " and " + std::to_string(vertices.back())
                                   + ", which are at the same position and became one");
-    (components[map.component_of[vertices.front()]].options.constraints.*list).push_back(local);
+    (components[static_cast<std::size_t>(component)].options.constraints.*list).push_back(local);
   }
 }
 
@@ -136,17 +139,19 @@ inline void check_given(const Intermediate_results& given, const Vertex_map& map
 inline Landmark_fields_3 component_fields(const Landmark_fields_3& fields, const Vertex_map& map,
                                           const Surface_component_3& surface)
 {
-  std::vector<std::size_t> surface_vertex(map.number_of_rows(), Vertex_map::NONE);
+  const std::size_t none = surface.origins.size();
+  Indexed_vector<Row_index, std::size_t> surface_vertex(map.number_of_rows(), none);
   for(std::size_t i = surface.origins.size(); i-- > 0;)
-    surface_vertex[surface.origins[i]] = i;
+    surface_vertex[row_of(surface, i)] = i;
 
   Landmark_fields_3 result;
   result.covering_radius = fields.covering_radius;
   for(const std::size_t landmark : fields.landmarks)
   {
-    result.landmarks.push_back(surface_vertex[map.representatives[landmark]]);
-    if(result.landmarks.back() == Vertex_map::NONE)
-      throw std::invalid_argument("the given landmark " + map.name_of_row(landmark)
+    const auto row = Row_index(landmark);
+    result.landmarks.push_back(surface_vertex[map.representative_rows[row]]);
+    if(result.landmarks.back() == none)
+      throw std::invalid_argument("the given landmark " + map.name_of_row(row)
                                   + " is not on the surface");
   }
   result.distances.resize(surface.points.rows(), fields.distances.cols());
@@ -173,7 +178,7 @@ inline Intermediate_results component_results(const Intermediate_results& given,
     result.target = rows_at(*given.target, surface.origins);
     for(std::size_t i = 0; i < surface.origins.size(); ++i)
       if(!result.target->row(static_cast<Eigen::Index>(i)).allFinite())
-        throw std::invalid_argument("the given target of " + map.name_of_row(surface.origins[i])
+        throw std::invalid_argument("the given target of " + map.name_of_row(row_of(surface, i))
                                     + " is not finite");
   }
   return result;
@@ -185,7 +190,7 @@ inline Point_matrix points_of_followers(const Point_matrix& points, const Vertex
 {
   const auto n = static_cast<Eigen::Index>(map.attached.size());
   Point_matrix result(n + followers.rows(), 3);
-  result.topRows(n) = rows_at(points, map.attached);
+  result.topRows(n) = rows_at(rows_by<Vertex_index>(points), map.attached);
   result.bottomRows(followers.rows()) = followers;
   return result;
 }
@@ -194,7 +199,7 @@ inline Point_matrix points_of_followers(const Point_matrix& points, const Vertex
 // followers, are assigned to the nearest one.
 inline Prepared_surface_3 prepared(Diagnosis_3 diagnosis, const Point_matrix& points,
                                    std::vector<Surface_component_3> surfaces, Vertex_map rows,
-                                   const std::vector<std::vector<std::size_t>>& others,
+                                   const std::vector<std::vector<Vertex_index>>& others,
                                    const Options& options)
 {
   Prepared_surface_3 result;
@@ -205,8 +210,9 @@ inline Prepared_surface_3 prepared(Diagnosis_3 diagnosis, const Point_matrix& po
   result.vertex_map = make_vertex_map(std::move(rows), surfaces, others);
   Vertex_map& map = result.vertex_map;
   const Point_matrix followers = points_of_followers(points, map, options.followers);
-  map.followers_of.resize(surfaces.size());
-  const std::vector<std::size_t> nearest = nearest_components(followers, surfaces);
+  map.followers_of
+    = Indexed_vector<Component_index, std::vector<std::size_t>>(surfaces.size());
+  const std::vector<Component_index> nearest = nearest_components(followers, surfaces);
   for(std::size_t i = 0; i < nearest.size(); ++i)
     map.followers_of[nearest[i]].push_back(i);
 
@@ -220,7 +226,7 @@ inline Prepared_surface_3 prepared(Diagnosis_3 diagnosis, const Point_matrix& po
     local.constraints.function = options.constraints.function;
     if(options.matching_weights.size() > 0)
       local.matching_weights = values_at(options.matching_weights, surface.body_origins);
-    local.followers = rows_at(followers, map.followers_of[c]);
+    local.followers = rows_at(followers, map.followers_of[Component_index(c)]);
     local.given = component_results(options.given, map, surface);
     result.components.back().surface = std::move(surface);
   }

@@ -15,8 +15,8 @@
 #include <CGAL/Canonical_pose_3/Result.h>
 #include <CGAL/Canonical_pose_3/align_target.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/Vertex_map.h>
+#include <CGAL/Canonical_pose_3/internal/support/Indexed_vector.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
-#include <CGAL/Canonical_pose_3/internal/support/values_at.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 #include <CGAL/Canonical_pose_3/pose_steps.h>
 
@@ -36,41 +36,43 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 namespace internal {
 
-// The mean for each row over the copies of a vertex, which may have been separated slightly.
-class Row_means
+// The mean for each index over the copies of a vertex, which may have been separated slightly.
+template <class Index>
+class Means
 {
 public:
-  explicit Row_means(const std::size_t n)
+  explicit Means(const std::size_t n)
     : m_sums(Point_matrix::Zero(static_cast<Eigen::Index>(n), 3)), m_numbers(n, 0)
   {}
 
-  void add(const std::size_t row, const Eigen::RowVector3d& value)
+  void add(const Index i, const Eigen::RowVector3d& value)
   {
-    m_sums.row(static_cast<Eigen::Index>(row)) += value;
-    ++m_numbers[row];
+    rows_by<Index>(m_sums)[i] += value;
+    ++m_numbers[i];
   }
 
-  bool has(const std::size_t row) const { return m_numbers[row] > 0; }
+  bool has(const Index i) const { return m_numbers[i] > 0; }
 
-  Eigen::RowVector3d operator[](const std::size_t row) const
+  Eigen::RowVector3d operator[](const Index i) const
   {
-    return m_sums.row(static_cast<Eigen::Index>(row)) * (1 / static_cast<double>(m_numbers[row]));
+    return rows_by<Index>(m_sums)[i] * (1 / static_cast<double>(m_numbers[i]));
   }
 
 private:
   Point_matrix m_sums;
-  std::vector<std::size_t> m_numbers;
+  Indexed_vector<Index, std::size_t> m_numbers;
 };
 
 // Replaces the pose of some vertices by the nearest rigid motion.
-inline void move_rigidly(const std::vector<std::size_t>& vertices, const Point_matrix& points,
+inline void move_rigidly(const std::vector<Vertex_index>& vertices, const Point_matrix& points,
                          Point_matrix& pose)
 {
-  const Point_matrix rest = rows_at(points, vertices);
+  const auto pose_of = rows_by<Vertex_index>(pose);
+  const Point_matrix rest = rows_at(rows_by<Vertex_index>(points), vertices);
   const Point_matrix moved
-    = align_target(rest, rows_at(pose, vertices), Eigen::VectorXd::Ones(rest.rows()));
+    = align_target(rest, rows_at(pose_of, vertices), Eigen::VectorXd::Ones(rest.rows()));
   for(std::size_t i = 0; i < vertices.size(); ++i)
-    pose.row(static_cast<Eigen::Index>(vertices[i])) = moved.row(static_cast<Eigen::Index>(i));
+    pose_of[vertices[i]] = moved.row(static_cast<Eigen::Index>(i));
 }
 
 // The pose of attached vertices, followed by that of the followers of the options.
@@ -81,9 +83,12 @@ inline Point_matrix joined_followers(const Vertex_map& map, const std::vector<Re
     n += followers.size();
   Point_matrix joined(static_cast<Eigen::Index>(n), 3);
   for(std::size_t c = 0; c < results.size(); ++c)
-    for(std::size_t i = 0; i < map.followers_of[c].size(); ++i)
-      joined.row(static_cast<Eigen::Index>(map.followers_of[c][i]))
+  {
+    const std::vector<std::size_t>& followers = map.followers_of[Component_index(c)];
+    for(std::size_t i = 0; i < followers.size(); ++i)
+      joined.row(static_cast<Eigen::Index>(followers[i]))
         = results[c].pose_of_followers.row(static_cast<Eigen::Index>(i));
+  }
   return joined;
 }
 
@@ -91,22 +96,23 @@ inline Point_matrix joined_pose(const Prepared_surface_3& surface,
                                 const std::vector<Result>& results, const Point_matrix& attached)
 {
   const Vertex_map& map = surface.vertex_map;
-  Row_means means(map.component_of.size());
+  Means<Vertex_index> means(map.number_of_vertices());
   for(std::size_t c = results.size(); c-- > 0;)
   {
-    const std::vector<std::size_t>& vertices = surface.components[c].surface.body_origins;
-    for(std::size_t i = 0; i < vertices.size(); ++i)
-      if(map.component_of[vertices[i]] == c)
-        means.add(vertices[i], results[c].pose.row(static_cast<Eigen::Index>(i)));
+    const Surface_component_3& component = surface.components[c].surface;
+    for(std::size_t i = 0; i < component.body_origins.size(); ++i)
+      if(const Vertex_index v = vertex_of(component, i); map.component_of[v] == Component_index(c))
+        means.add(v, results[c].pose.row(static_cast<Eigen::Index>(i)));
   }
   Point_matrix pose(surface.points.rows(), 3);
-  for(std::size_t v = 0; v < map.component_of.size(); ++v)
-    if(map.component_of[v] != Vertex_map::NONE)
-      pose.row(static_cast<Eigen::Index>(v)) = means[map.representatives[v]];
+  const auto pose_of = rows_by<Vertex_index>(pose);
+  map.representatives.for_each_index([&](const Vertex_index v) {
+    if(map.component_of[v] != Component_index::NONE)
+      pose_of[v] = means[map.representatives[v]];
+  });
   for(std::size_t i = 0; i < map.attached.size(); ++i)
-    pose.row(static_cast<Eigen::Index>(map.attached[i]))
-      = attached.row(static_cast<Eigen::Index>(i));
-  for(const std::vector<std::size_t>& part : map.rigid_parts)
+    pose_of[map.attached[i]] = attached.row(static_cast<Eigen::Index>(i));
+  for(const std::vector<Vertex_index>& part : map.rigid_parts)
     move_rigidly(part, surface.points, pose);
   return pose;
 }
@@ -116,47 +122,48 @@ inline Point_matrix joined_target(const Prepared_surface_3& surface,
                                   const std::vector<Result>& results, const Point_matrix& pose)
 {
   const Vertex_map& map = surface.vertex_map;
-  Row_means means(map.number_of_rows());
+  Means<Row_index> means(map.number_of_rows());
   for(std::size_t c = results.size(); c-- > 0;)
   {
-    const std::vector<std::size_t>& rows = surface.components[c].surface.origins;
-    for(std::size_t i = 0; i < rows.size(); ++i)
-      if(map.component_of[map.vertex_of_row[rows[i]]] == c)
-        means.add(rows[i], results[c].target->row(static_cast<Eigen::Index>(i)));
+    const Surface_component_3& component = surface.components[c].surface;
+    for(std::size_t i = 0; i < component.origins.size(); ++i)
+      if(const Row_index row = row_of(component, i);
+         map.component_of_row[row] == Component_index(c))
+        means.add(row, results[c].target->row(static_cast<Eigen::Index>(i)));
   }
   Point_matrix target(static_cast<Eigen::Index>(map.number_of_rows()), 3);
-  for(std::size_t row = 0; row < map.number_of_rows(); ++row)
-  {
-    const std::size_t r = map.representatives[row];
+  map.representative_rows.for_each_index([&](const Row_index row) {
+    const Row_index r = map.representative_rows[row];
     if(means.has(r))
-      target.row(static_cast<Eigen::Index>(row)) = means[r];
+      rows_by<Row_index>(target)[row] = means[r];
     else
-      target.row(static_cast<Eigen::Index>(row))
-        = pose.row(static_cast<Eigen::Index>(map.vertex_of_row[row]));
-  }
+      rows_by<Row_index>(target)[row] = rows_by<Vertex_index>(pose)[map.vertex_of_row[row]];
+  });
   return target;
 }
 
 // Of the copies of a vertex, the smallest distance counts.
-inline Landmark_fields_3 joined_fields(const Vertex_map& map, const std::vector<std::size_t>& rows,
+inline Landmark_fields_3 joined_fields(const Vertex_map& map, const Surface_component_3& component,
                                        const Landmark_fields_3& fields)
 {
   Landmark_fields_3 joined;
   joined.covering_radius = fields.covering_radius;
   for(const std::size_t landmark : fields.landmarks)
-    joined.landmarks.push_back(rows[landmark]);
+    joined.landmarks.push_back(static_cast<std::size_t>(row_of(component, landmark)));
   joined.distances.setConstant(static_cast<Eigen::Index>(map.number_of_rows()),
                                fields.distances.cols(), std::numeric_limits<double>::infinity());
   for(Eigen::Index j = 0; j < joined.distances.cols(); ++j)
   {
-    for(std::size_t i = 0; i < rows.size(); ++i)
+    auto column = joined.distances.col(j);
+    const auto distance_of = rows_by<Row_index>(column);
+    for(std::size_t i = 0; i < component.origins.size(); ++i)
     {
-      double& distance = joined.distances(static_cast<Eigen::Index>(rows[i]), j);
+      double& distance = distance_of[row_of(component, i)](0);
       distance = (std::min)(distance, fields.distances(static_cast<Eigen::Index>(i), j));
     }
-    for(std::size_t row = 0; row < map.number_of_rows(); ++row)
-      joined.distances(static_cast<Eigen::Index>(row), j)
-        = joined.distances(static_cast<Eigen::Index>(map.representatives[row]), j);
+    map.representative_rows.for_each_index([&](const Row_index row) {
+      distance_of[row] = distance_of[map.representative_rows[row]];
+    });
   }
   return joined;
 }
@@ -185,16 +192,16 @@ inline std::optional<std::string> warning_of_copies(const Prepared_surface_3& su
   const Intermediate_results& given = surface.components.front().options.given;
   if(!given.landmark_fields && !given.target)
     return std::nullopt;
-  std::vector<std::size_t> copies(surface.vertex_map.number_of_rows(), 0);
+  Indexed_vector<Row_index, std::size_t> copies(surface.vertex_map.number_of_rows(), 0);
   for(const Prepared_surface_3::Component& component : surface.components)
-    for(const std::size_t row : component.surface.origins)
-      ++copies[row];
+    for(std::size_t i = 0; i < component.surface.origins.size(); ++i)
+      ++copies[row_of(component.surface, i)];
   const auto more_than_one = [](const std::size_t number) { return number > 1; };
   const auto first = std::find_if(copies.begin(), copies.end(), more_than_one);
   if(first == copies.end())
     return std::nullopt;
   return "the surface is not manifold at "
-         + surface.vertex_map.name_of_row(static_cast<std::size_t>(first - copies.begin()))
+         + surface.vertex_map.name_of_row(Row_index(first - copies.begin()))
          + ", of " + std::to_string(std::count_if(first, copies.end(), more_than_one))
          + " in all: what is given there is taken for all copies of the vertex";
 }
@@ -219,7 +226,7 @@ CGAL_CANONICAL_POSE_3_INLINE Result joined_result(const Prepared_surface_3& surf
     joined.target = internal::joined_target(surface, results, joined.pose);
     if(results.size() == 1 && results.front().landmark_fields)
       joined.landmark_fields = internal::joined_fields(
-        map, surface.components.front().surface.origins, *results.front().landmark_fields);
+        map, surface.components.front().surface, *results.front().landmark_fields);
   }
   if(const auto warning = internal::warning_of_copies(surface))
     summary->warnings.push_back(*warning);
@@ -229,7 +236,7 @@ CGAL_CANONICAL_POSE_3_INLINE Result joined_result(const Prepared_surface_3& surf
   if(!map.shared.empty())
     summary->warnings.push_back(
       std::to_string(map.shared.size()) + " vertices belong to several components, vertex "
-      + std::to_string(map.shared.front()) + " among them: they go with the largest");
+      + std::to_string(static_cast<std::size_t>(map.shared.front())) + " among them: they go with the largest");
   summary->input = surface.diagnosis;
   joined.summary = std::move(*summary);
   return joined;

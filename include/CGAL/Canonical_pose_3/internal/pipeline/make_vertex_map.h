@@ -31,14 +31,18 @@ namespace internal {
 // component of the vertex to which it was stitched.
 inline void locate_vertices(const std::vector<Surface_component_3>& components, Vertex_map& map)
 {
-  const std::size_t n = map.representatives.size();
-  map.component_of.assign(n, Vertex_map::NONE);
-  map.local_of.assign(n, Vertex_map::NONE);
-  for(std::size_t c = 0; c < components.size(); ++c)
-    for(std::size_t i = 0; i < components[c].body_origins.size(); ++i)
+  const std::size_t n = map.number_of_vertices();
+  map.component_of = Indexed_vector<Vertex_index, Component_index>(n, Component_index::NONE);
+  map.local_of = Indexed_vector<Vertex_index, std::size_t>(n);
+  map.component_of_row
+    = Indexed_vector<Row_index, Component_index>(map.number_of_rows(), Component_index::NONE);
+  for(std::size_t number = 0; number < components.size(); ++number)
+  {
+    const auto c = Component_index(number);
+    for(std::size_t i = 0; i < components[number].body_origins.size(); ++i)
     {
-      const std::size_t v = components[c].body_origins[i];
-      if(map.component_of[v] == Vertex_map::NONE)
+      const Vertex_index v = vertex_of(components[number], i);
+      if(map.component_of[v] == Component_index::NONE)
       {
         map.component_of[v] = c;
         map.local_of[v] = i;
@@ -46,44 +50,49 @@ inline void locate_vertices(const std::vector<Surface_component_3>& components, 
       else if(map.component_of[v] != c)
         map.shared.push_back(v);
     }
+    for(std::size_t i = 0; i < components[number].origins.size(); ++i)
+      if(Component_index& of_row = map.component_of_row[row_of(components[number], i)];
+         of_row == Component_index::NONE)
+        of_row = c;
+  }
   sort_and_make_unique(map.shared);
-  for(std::size_t v = 0; v < n; ++v)
-  {
+  map.representatives.for_each_index([&](const Vertex_index v) {
     map.component_of[v] = map.component_of[map.representatives[v]];
     map.local_of[v] = map.local_of[map.representatives[v]];
-    if(map.component_of[v] == Vertex_map::NONE)
+    if(map.component_of[v] == Component_index::NONE)
       map.attached.push_back(v);
-  }
+  });
 }
 
 // `others`: the vertices of each component that is not posed.
-inline void find_rigid_parts(const std::vector<std::vector<std::size_t>>& others, Vertex_map& map)
+inline void find_rigid_parts(const std::vector<std::vector<Vertex_index>>& others, Vertex_map& map)
 {
-  const std::size_t n = map.representatives.size();
-  std::vector<std::size_t> part_of(n, Vertex_map::NONE);
-  for(const std::vector<std::size_t>& vertices : others)
-    if(!vertices.empty() && std::all_of(vertices.begin(), vertices.end(), [&](const std::size_t v) {
-         return map.component_of[v] == Vertex_map::NONE;
+  constexpr std::size_t none = std::size_t(-1);
+  Indexed_vector<Vertex_index, std::size_t> part_of(map.number_of_vertices(), none);
+  for(const std::vector<Vertex_index>& vertices : others)
+    if(!vertices.empty() && std::all_of(vertices.begin(), vertices.end(), [&](const Vertex_index v) {
+         return map.component_of[v] == Component_index::NONE;
        }))
     {
-      for(const std::size_t v : vertices)
+      for(const Vertex_index v : vertices)
         part_of[v] = map.rigid_parts.size();
       map.rigid_parts.emplace_back();
     }
-  for(std::size_t v = 0; v < n; ++v)
-    if(part_of[map.representatives[v]] != Vertex_map::NONE)
+  map.representatives.for_each_index([&](const Vertex_index v) {
+    if(part_of[map.representatives[v]] != none)
       map.rigid_parts[part_of[map.representatives[v]]].push_back(v);
+  });
 }
 
 // The component nearest to each point.
-inline std::vector<std::size_t>
+inline std::vector<Component_index>
 nearest_components(const Point_matrix& points, const std::vector<Surface_component_3>& components)
 {
-  std::vector<std::size_t> result(static_cast<std::size_t>(points.rows()), 0);
+  std::vector<Component_index> result(static_cast<std::size_t>(points.rows()), Component_index(0));
   if(components.size() == 1 || result.empty())
     return result;
   std::vector<Index_triangle> triangles;
-  std::vector<std::size_t> component_of_triangle;
+  std::vector<Component_index> component_of_triangle;
   Eigen::Index n = 0;
   for(const Surface_component_3& component : components)
     n += component.points.rows();
@@ -97,7 +106,7 @@ nearest_components(const Point_matrix& points, const std::vector<Surface_compone
       for(std::size_t& v : t)
         v += static_cast<std::size_t>(n);
       triangles.push_back(t);
-      component_of_triangle.push_back(c);
+      component_of_triangle.push_back(Component_index(c));
     }
     n += components[c].points.rows();
   }
@@ -108,11 +117,11 @@ nearest_components(const Point_matrix& points, const std::vector<Surface_compone
   return result;
 }
 
-// Completes a map, given its first three members, except for the followers. `others`: the vertices
+// Completes a map, given its first four members, except for the followers. `others`: the vertices
 // of each component that is not posed.
 inline Vertex_map make_vertex_map(Vertex_map map,
                                   const std::vector<Surface_component_3>& components,
-                                  const std::vector<std::vector<std::size_t>>& others)
+                                  const std::vector<std::vector<Vertex_index>>& others)
 {
   locate_vertices(components, map);
   find_rigid_parts(others, map);

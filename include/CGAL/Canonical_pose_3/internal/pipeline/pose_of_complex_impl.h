@@ -25,6 +25,7 @@
 #include <CGAL/Canonical_pose_3/internal/pipeline/pose_of_components.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/poses.h>
 #include <CGAL/Canonical_pose_3/internal/registration/check_registration.h>
+#include <CGAL/Canonical_pose_3/internal/support/Indexed_vector.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/support/values_at.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
@@ -34,7 +35,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -66,13 +66,18 @@ inline Prepared_surface_3 prepared_complex(const Point_matrix& points, const Com
   std::vector<Surface_component_3> surfaces;
   for(const Complex_part& part : posed)
     surfaces.push_back(part.surface);
-  std::vector<std::vector<std::size_t>> others;
+  std::vector<std::vector<Vertex_index>> others;
   for(std::size_t i = posed.size(); i < parts.size(); ++i)
-    others.push_back(parts[i].surface.body_origins);
+  {
+    others.emplace_back();
+    for(const std::size_t v : parts[i].surface.body_origins)
+      others.back().push_back(Vertex_index(v));
+  }
   Vertex_map rows;
-  rows.representatives.resize(static_cast<std::size_t>(points.rows()));
-  std::iota(rows.representatives.begin(), rows.representatives.end(), std::size_t(0));
-  rows.vertex_of_row = parts.boundary_vertices();
+  rows.representatives = identity_map<Vertex_index>(static_cast<std::size_t>(points.rows()));
+  rows.representative_rows = identity_map<Row_index>(parts.boundary_vertices().size());
+  rows.vertex_of_row
+    = Indexed_vector<Row_index, Vertex_index>::of_numbers(parts.boundary_vertices());
   rows.row_name = "boundary vertex";
   Prepared_surface_3 result
     = prepared(diagnose(parts.boundary_points(), parts.boundary_triangles()), points,

@@ -21,6 +21,7 @@
 #include <CGAL/Canonical_pose_3/internal/pipeline/fields_of_function.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/describe_fields.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/interpolated_fields.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/Vertex_map.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/timed.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
@@ -84,7 +85,8 @@ inline void move_to_canonical_frame(const Prepared_surface_3& prepared, Result& 
     for(auto t : component.surface.triangles)
     {
       for(std::size_t& v : t)
-        v = prepared.vertex_map.vertex_of_row[component.surface.origins[v]];
+        v = static_cast<std::size_t>(
+          prepared.vertex_map.vertex_of_row[row_of(component.surface, v)]);
       triangles.push_back(t);
     }
   const Eigen::Isometry3d motion

@@ -21,6 +21,7 @@
 #include <CGAL/Canonical_pose_3/internal/soup/examine_surface.h>
 #include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
 #include <CGAL/Canonical_pose_3/internal/soup/twice_area.h>
+#include <CGAL/Canonical_pose_3/internal/support/Indexed_vector.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/support/values_at.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
@@ -28,7 +29,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -98,17 +98,17 @@ components_of_indices(const Repaired_surface_3& surface, const std::vector<std::
 }
 
 // The vertices of each component that is not to be posed.
-inline std::vector<std::vector<std::size_t>>
+inline std::vector<std::vector<Vertex_index>>
 vertices_of_others(const Repaired_surface_3& surface, const std::vector<std::size_t>& posed)
 {
-  std::vector<std::vector<std::size_t>> result(surface.number_of_components);
+  std::vector<std::vector<Vertex_index>> result(surface.number_of_components);
   std::vector<bool> is_posed(surface.number_of_components, false);
   for(const std::size_t c : posed)
     is_posed[c] = true;
   for(std::size_t t = 0; t < surface.triangles.size(); ++t)
     if(!is_posed[surface.component_of_triangle[t]])
       for(const std::size_t v : surface.triangles[t])
-        result[surface.component_of_triangle[t]].push_back(surface.origins[v]);
+        result[surface.component_of_triangle[t]].push_back(Vertex_index(surface.origins[v]));
   return result;
 }
 
@@ -175,10 +175,16 @@ prepare_surface(const Point_matrix& points, const std::vector<std::vector<std::s
   std::vector<Surface_component_3> components = internal::components_of_indices(surface, posed);
   if(options.contacts == Options::Contacts::CUT)
     std::transform(components.begin(), components.end(), components.begin(), cut_contacts);
+  using internal::Indexed_vector;
+  using internal::Row_index;
+  using internal::Vertex_index;
   internal::Vertex_map rows;
-  rows.representatives = surface.representatives;
-  rows.vertex_of_row.resize(surface.representatives.size());
-  std::iota(rows.vertex_of_row.begin(), rows.vertex_of_row.end(), std::size_t(0));
+  rows.representatives
+    = Indexed_vector<Vertex_index, Vertex_index>::of_numbers(surface.representatives);
+  rows.representative_rows
+    = Indexed_vector<Row_index, Row_index>::of_numbers(surface.representatives);
+  rows.vertex_of_row
+    = internal::identity_map<Row_index, Vertex_index>(surface.representatives.size());
   Prepared_surface_3 result
     = internal::prepared(diagnosis, points, std::move(components), std::move(rows),
                          internal::vertices_of_others(surface, posed), options);
