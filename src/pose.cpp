@@ -135,9 +135,8 @@ void run_pose(Arguments& arguments)
     const Mesh_file surface = input.is_tetrahedral ? boundary_of(input) : input;
     write_mesh(out, format_of(arguments.target), with_points(surface, *result.target));
   });
-  files.write(arguments.scene, [&](std::ostream& out) {
-    write_glb(out, shown_pose(input, *result.target, result.pose, summary));
-  });
+  files.write(arguments.scene,
+              [&](std::ostream& out) { write_glb(out, shown_pose(input, result)); });
   summary.add_seconds("write", clock.lap());
   files.write(arguments.report,
               [&](std::ostream& out) { write_report(out, summary, clock.total()); });

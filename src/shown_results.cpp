@@ -115,8 +115,7 @@ Shown_surface shown_parts(const Mesh_file& input, const std::vector<std::size_t>
   return surface;
 }
 
-Shown_surface shown_pose(const Mesh_file& input, const Point_matrix& target,
-                         const Point_matrix& pose, const CP::Registration_summary& summary)
+Shown_surface shown_pose(const Mesh_file& input, const CP::Result& result)
 {
   Shown_surface surface;
   if(input.is_tetrahedral)
@@ -129,21 +128,22 @@ Shown_surface shown_pose(const Mesh_file& input, const Point_matrix& target,
   }
   Point_matrix pose_of_surface(static_cast<Eigen::Index>(surface.origins.size()), 3);
   Eigen::VectorXd strain(pose_of_surface.rows());
-  const Eigen::VectorXd strain_of_input = strains(input, pose);
+  const Eigen::VectorXd strain_of_input = strains(input, result.pose);
   for(Eigen::Index v = 0; v < pose_of_surface.rows(); ++v)
   {
     const Eigen::Index origin
       = static_cast<Eigen::Index>(surface.origins[static_cast<std::size_t>(v)]);
-    pose_of_surface.row(v) = pose.row(origin);
+    pose_of_surface.row(v) = result.pose.row(origin);
     strain[v] = strain_of_input[origin];
   }
+  const Point_matrix target = (result.motion * result.target->transpose()).transpose();
   surface.other_shapes = {{"target", target}, {"pose", pose_of_surface}};
   surface.values = {{"strain", strain}};
   surface.figures = figures_of(surface.mesh);
-  surface.figures.push_back({"stress", summary.target.stress});
-  surface.figures.push_back({"energy", summary.energy});
-  surface.figures.push_back({"median_edge_strain", summary.median_edge_strain});
-  surface.figures.push_back({"inverted", static_cast<double>(summary.inverted)});
+  surface.figures.push_back({"stress", result.summary.target.stress});
+  surface.figures.push_back({"energy", result.summary.energy});
+  surface.figures.push_back({"median_edge_strain", result.summary.median_edge_strain});
+  surface.figures.push_back({"inverted", static_cast<double>(result.summary.inverted)});
   color_by(surface, "strain", strain, LARGEST_SHOWN_STRAIN);
   return surface;
 }

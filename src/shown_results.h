@@ -13,7 +13,7 @@
 #include "Mesh_file.h"
 #include "Shown_surface.h"
 
-#include <CGAL/Canonical_pose_3/Registration_summary.h>
+#include <CGAL/Canonical_pose_3/Result.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <Eigen/Core>
@@ -42,10 +42,8 @@ Shown_surface shown_distances(const Mesh_file& input, const Eigen::MatrixXd& dis
 
 Shown_surface shown_parts(const Mesh_file& input, const std::vector<std::size_t>& part_of_face);
 
-// INPUT, or its boundary, with target and pose. Colors show the strain.
-Shown_surface shown_pose(const Mesh_file& input, const CGAL::Canonical_pose_3::Point_matrix& target,
-                         const CGAL::Canonical_pose_3::Point_matrix& pose,
-                         const CGAL::Canonical_pose_3::Registration_summary& summary);
+// INPUT, or its boundary, with target and pose in the frame of the pose. Colors show the strain.
+Shown_surface shown_pose(const Mesh_file& input, const CGAL::Canonical_pose_3::Result& result);
 
 // Writes a pose; with the strain of its vertices if the format has values.
 void write_pose(std::ostream& out, Format format, const Mesh_file& input,

@@ -107,7 +107,8 @@ TEST(Canonical_frame, of_degenerate_points)
   EXPECT_THROW(CP::canonical_frame(line, Eigen::VectorXd::Ones(3)), std::invalid_argument);
 }
 
-// The pose in its frame is the pose, moved rigidly, and with it the target and the followers.
+// The pose in its frame is the pose, moved rigidly, and with it the followers. The target stays where
+// it was; the motion that is returned leads from there to the pose.
 TEST(Canonical_frame, of_the_call)
 {
   const auto soup = shapes::bent_bar();
@@ -120,8 +121,10 @@ TEST(Canonical_frame, of_the_call)
                                 *result.target, result.pose_of_followers)
                                  .finished(),
                                (Point_matrix(2 * result.pose.rows() + 5, 3) << framed.pose,
-                                *framed.target, framed.pose_of_followers)
+                                moved(*framed.target, framed.motion), framed.pose_of_followers)
                                  .finished()};
+  EXPECT_EQ(*framed.target, *result.target);
+  EXPECT_TRUE(result.motion.isApprox(Eigen::Isometry3d::Identity(), 0));
   EXPECT_LT(CP::pose_difference(all[0], all[1]), 1e-12);
   EXPECT_LT(framed.pose.colwise().mean().norm(), .1 * shapes::radius_of_gyration(framed.pose));
 

@@ -122,6 +122,39 @@ TEST(Reuse_of_results, vertex_of_two_fans)
   EXPECT_LT(shapes::relative_rms(second.pose, first.pose), 0.02);
 }
 
+// Whatever the frames of both calls, the target is where it was, so the poses of the second call are
+// the same, bit for bit, also after a call between them; and they are where a call that is not given a
+// target brings them. The bars are far from the origin.
+TEST(Reuse_of_results, in_any_frame)
+{
+  using Frame = CP::Options::Frame;
+  const Polygon_soup bars = shapes::merged(small_bar(), bar(), 20.);
+  CP::Options options = shapes::each_component();
+  options.registration.energy_tolerance = 1e-8;
+  options.registration.move_tolerance = 1e-5;
+  options.followers = Point_matrix::Ones(1, 3);
+  const auto pose_in = [&](const Frame frame, const CP::Intermediate_results& given) {
+    options.frame = frame;
+    options.given = given;
+    return pose_of(bars, options);
+  };
+  const double size = shapes::radius_of_gyration(shapes::to_matrix(bars.points));
+  const Result first[2] = {pose_in(Frame::INPUT, {}), pose_in(Frame::CANONICAL, {})};
+  for(const Frame to : {Frame::INPUT, Frame::CANONICAL})
+  {
+    const Result expected = pose_in(to, first[0]);
+    EXPECT_LT((expected.pose - first[int(to)].pose).rowwise().norm().maxCoeff(), 1e-2 * size);
+    for(const Result& from : first)
+      for(const Frame between : {Frame::INPUT, Frame::CANONICAL})
+      {
+        const Result last = pose_in(to, pose_in(between, from));
+        EXPECT_EQ(last.pose, expected.pose);
+        EXPECT_EQ(last.pose_of_followers, expected.pose_of_followers);
+        EXPECT_EQ(*last.target, *first[0].target);
+      }
+  }
+}
+
 // The rest pose as target has energy 0.
 TEST(Reuse_of_results, own_target)
 {

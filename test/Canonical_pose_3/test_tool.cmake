@@ -197,6 +197,11 @@ expect_json(out/report.json 3 target landmarks)
 expect_exit(0 pose ball.off -o out/b.off --given-distances out/distances.txt --given-target out/target.off
   --report out/report.json)
 expect_json(out/report.json given target kernel)
+expect_exit(0 pose ball.off -o out/c.off --given-distances out/distances.txt --target out/canonical.off
+  --frame canonical)
+expect_same_bytes(out/canonical.off out/target.off)
+expect_exit(0 pose ball.off -o out/d.off --given-distances out/distances.txt --given-target out/canonical.off)
+expect_same_bytes(out/d.off out/b.off)
 expect_exit(0 pose ball.mesh -o out/pose.mesh --target out/target.off)
 expect_exit(0 pose ball.mesh -o out/again.mesh --given-target out/target.off)
 file(WRITE ${WORK}/seven.txt "0 1 2 3 4 5 6")

@@ -51,8 +51,8 @@ struct Intermediate_results
   /// counts.
   std::optional<Landmark_fields_3> landmark_fields;
 
-  /// \f$ n \times 3 \f$, the target in its final position. A given target is neither aligned nor
-  /// reflected.
+  /// \f$ n \times 3 \f$, the target in its final position in the frame of the input, also for
+  /// `Method_options::Frame::CANONICAL`. A given target is neither aligned nor reflected.
   std::optional<Point_matrix> target;
 };
 
@@ -192,8 +192,8 @@ struct Method_options
   /// the false contacts of a surface.
   Contacts contacts = Contacts::KEEP;
 
-  /// the position of the pose, the target and the followers. Given targets and constraints refer to
-  /// the frame of the input in any case.
+  /// the position of the pose and the followers. Targets, whether given or returned, and constraints
+  /// refer to the frame of the input in any case; `Result::motion` leads from there to the pose.
   Frame frame = Frame::INPUT;
 
   /// the options of the registration.

@@ -15,6 +15,8 @@
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
+#include <Eigen/Geometry>
+
 #include <ostream>
 #include <string>
 
@@ -43,6 +45,10 @@ struct Result : Intermediate_results
 
   /// \f$ m \times 3 \f$, the pose of `Options::followers`.
   Point_matrix pose_of_followers;
+
+  /// the rigid motion from the frame of the input, to which the target refers, to that of the pose:
+  /// the `canonical_frame()` for `Method_options::Frame::CANONICAL`, otherwise the identity.
+  Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
 
   /// returns whether there is a pose.
   bool is_usable() const { return summary.is_usable(); }

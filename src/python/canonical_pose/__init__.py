@@ -85,7 +85,8 @@ def pose(vertices, faces=None, *, cells=None, return_target=False,
     injective : bool
         Whether no cell may be inverted. By default, true except with `paper_weights`.
     frame : "input" or "canonical"
-        The position of pose and target: near the input, or in the principal axes of the pose.
+        The position of the pose: near the input, or in the principal axes of the pose. Targets,
+        given or returned, are near the input in any case.
     components : "refuse", "largest" or "each"
         What to do if there is more than one connected component.
     contacts : "keep" or "cut"

@@ -62,6 +62,21 @@ def test_target(figure):
     assert report["input"] == expected["input"]
 
 
+def test_target_in_any_frame(tube):
+    vertices, faces = tube
+
+    def result(frame, target=None):
+        pose, _, target = canonical_pose.pose(vertices + [30, -10, 20], faces, frame=frame,
+                                              given_target=target, return_target=True)
+        return pose.tobytes(), target.tobytes(), target
+
+    _, expected_target, target = result("input")
+    _, other_target, other = result("canonical")
+    assert other_target == expected_target
+    for frame in ("input", "canonical"):
+        assert result(frame, target)[:2] == result(frame, other)[:2]
+
+
 def test_target_of_several_components(tube):
     vertices, faces = tube
     n = len(vertices)

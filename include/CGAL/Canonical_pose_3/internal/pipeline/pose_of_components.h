@@ -89,10 +89,10 @@ inline void move_to_canonical_frame(const Prepared_surface_3& prepared, Result& 
           prepared.vertex_map.vertex_of_row[row_of(component.surface, v)]);
       triangles.push_back(t);
     }
-  const Eigen::Isometry3d motion
-    = canonical_frame(result.pose, vertex_area_shares(prepared.points, triangles));
-  for(Point_matrix* points : {&result.pose, &*result.target, &result.pose_of_followers})
-    *points = ((*points * motion.linear().transpose()).rowwise() + motion.translation().transpose())
+  result.motion = canonical_frame(result.pose, vertex_area_shares(prepared.points, triangles));
+  for(Point_matrix* points : {&result.pose, &result.pose_of_followers})
+    *points = ((*points * result.motion.linear().transpose()).rowwise()
+               + result.motion.translation().transpose())
                 .eval();
 }
 
