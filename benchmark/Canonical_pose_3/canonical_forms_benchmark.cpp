@@ -109,7 +109,7 @@ Point_matrix least_squares(const Component& component)
   return start.coarse.interpolated(builder.targets());
 }
 
-Point_matrix pose(const Component& component, const CP::Options& options)
+Point_matrix pose(const Component& component, const CP::Component_options& options)
 {
   const CP::Surface_component_3& surface = component.surface;
   const CP::Coarse_surface_3 coarse = CP::coarse_surface(surface, options);
@@ -146,13 +146,13 @@ std::vector<Form> all_forms()
      }},
     {"unfolding",
      [](const Component& c) {
-       CP::Options options = c.options;
+       CP::Component_options options = c.options;
        options.target_mode = CP::Options::Target_mode::UNFOLDING;
        return pose(c, options);
      }},
     {"pose without rounds",
      [](const Component& c) {
-       CP::Options options = c.options;
+       CP::Component_options options = c.options;
        options.number_of_rounds = 0;
        return pose(c, options);
      }},

@@ -75,7 +75,7 @@ void print_detail_table(Argument_list& arguments)
     for(std::size_t k = 0; k < KINDS.size(); ++k)
       for(std::size_t i = 0; i < DETAIL_LENGTHS.size(); ++i)
       {
-        CP::Options options = shape.prepared.components.front().options;
+        CP::Component_options options = shape.prepared.components.front().options;
         options.registration.detail_length = DETAIL_LENGTHS[i];
         if(k == 0)
           options.number_of_rounds = 0;

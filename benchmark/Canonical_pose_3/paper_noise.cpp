@@ -129,7 +129,7 @@ public:
   {}
 
   const CP::Surface_component_3& surface() const { return m_component.surface; }
-  const CP::Options& options() const { return m_component.options; }
+  const CP::Component_options& options() const { return m_component.options; }
 
   // By the largest distance.
   double distance_with(const CP::Surface_component_3& noisy) const

@@ -102,7 +102,7 @@ struct Surface
   std::vector<std::vector<std::size_t>> polygons;
   CP::Prepared_surface_3 prepared;
   const CP::Surface_component_3& surface;
-  const CP::Options& options;
+  const CP::Component_options& options;
   CP::Coarse_surface_3 coarse;
   Mesh mesh; // the coarse surface
   CP::Landmark_fields_3 fields;

@@ -33,7 +33,7 @@ int main(int argc, char* argv[])
   // Examined and repaired; the options are those of its only component.
   const CP::Prepared_surface_3 prepared = CP::prepare_surface(mesh);
   const CP::Surface_component_3& surface = prepared.components.front().surface;
-  CP::Options options = prepared.components.front().options;
+  CP::Component_options options = prepared.components.front().options;
 
   const CP::Coarse_surface_3 coarse = CP::coarse_surface(surface, options);
   const CP::Landmark_fields_3 fields = CP::landmark_fields(coarse, options);

@@ -31,6 +31,7 @@
 #include <cmath>
 #include <cstddef>
 #include <stdexcept>
+#include <type_traits>
 #include <vector>
 
 namespace CP = CGAL::Canonical_pose_3;
@@ -97,9 +98,10 @@ CP::Surface_component_3 surface_of_bar()
 }
 
 // For a coarse surface of fewer vertices than the bar has. The heat method is less accurate on it.
-CP::Options coarse_options()
+template <class Options_type = CP::Options>
+Options_type coarse_options()
 {
-  CP::Options options;
+  Options_type options;
   options.geodesics = CP::Options::Geodesics::WAVEFRONT;
   options.number_of_coarse_vertices = 120;
   options.number_of_landmarks = 20;
@@ -117,6 +119,23 @@ void expect_same_on_mesh()
 }
 
 } // namespace
+
+// Vertex 5 of the input may be vertex 4 of a component: its options are not taken for those of the
+// input, nor the other way round.
+TEST(Pose_steps, options_of_components_have_their_own_type)
+{
+  static_assert(!std::is_convertible<CP::Options, CP::Component_options>::value, "");
+  static_assert(!std::is_convertible<CP::Component_options, CP::Options>::value, "");
+  static_assert(!std::is_constructible<CP::Component_options, CP::Options>::value, "");
+  static_assert(!std::is_constructible<CP::Options, CP::Component_options>::value, "");
+  const auto can_register = [](auto options) {
+    return std::is_invocable<decltype(CP::registered_pose)&, CP::Surface_component_3,
+                             CP::Coarse_surface_3, CP::Landmark_fields_3, CP::Target_3,
+                             CP::Surface_body_3, decltype(options)>();
+  };
+  static_assert(decltype(can_register(CP::Component_options()))::value, "");
+  static_assert(!decltype(can_register(CP::Options()))::value, "");
+}
 
 TEST(Pose_steps, on_meshes)
 {
@@ -147,8 +166,9 @@ TEST(Pose_steps, on_soups)
 // Distances on a coarse surface lead to about the same pose.
 TEST(Pose_steps, on_coarse_surfaces)
 {
-  ASSERT_LT(CP::coarse_surface(surface_of_bar(), coarse_options()).vertices.size(),
-            shapes::bar().points.size());
+  ASSERT_LT(
+    CP::coarse_surface(surface_of_bar(), coarse_options<CP::Component_options>()).vertices.size(),
+    shapes::bar().points.size());
   expect_same(shapes::bar(), coarse_options());
   CP::Options fine = coarse_options();
   fine.number_of_coarse_vertices = 0;
@@ -173,7 +193,7 @@ TEST(Pose_steps, small_surfaces_are_not_simplified)
 TEST(Pose_steps, given_distances_on_a_coarse_surface)
 {
   const CP::Surface_component_3 surface = surface_of_bar();
-  CP::Options options = coarse_options();
+  auto options = coarse_options<CP::Component_options>();
   const CP::Landmark_fields_3 given = CP::landmark_fields(surface, options);
   options.given.landmark_fields = given;
   const CP::Coarse_surface_3 coarse = CP::coarse_surface(surface, options);
@@ -197,7 +217,7 @@ TEST(Pose_steps, of_rounds)
   const auto prepared = CP::prepare_surface(
     CP::make_triangle_mesh<Mesh>(shapes::to_matrix(soup.points), soup.triangles));
   const CP::Surface_component_3& surface = prepared.components.front().surface;
-  CP::Options options;
+  CP::Component_options options;
   options.volume_ratio_limit = 10; // targets keep their size
   CP::Registration_options of_measurement = options.registration;
   of_measurement.detail_length /= 2;
@@ -279,7 +299,7 @@ TEST(Pose_steps, extrapolated_distances)
 {
   const CP::Surface_component_3 surface = surface_of_bar();
   const auto coarse = CP::coarse_surface(surface);
-  const CP::Options options = coarse_options();
+  const auto options = coarse_options<CP::Component_options>();
   const auto fields = CP::landmark_fields(coarse, options);
   const Eigen::Index n = fields.distances.rows(), l = fields.distances.cols();
   const auto ramp
@@ -321,7 +341,7 @@ TEST(Pose_steps, mirror_image_of_the_target)
   const CP::Surface_component_3 surface = surface_of_bar();
   const auto coarse = CP::coarse_surface(surface);
   const auto fields = CP::landmark_fields(coarse);
-  CP::Options options;
+  CP::Component_options options;
   const auto target = CP::mds_target(surface, coarse, fields, options);
   options.takes_mirror_image = true;
   const auto other = CP::mds_target(surface, coarse, fields, options);
@@ -345,21 +365,22 @@ TEST(Pose_steps, distances_of_the_target_alone)
   both.target_fields_function = CP::landmark_fields_function<CP::Wavefront_geodesics_3<Mesh>>();
   const auto prepared
     = CP::prepare_surface(shapes::to_matrix(shapes::bar().points), shapes::bar().polygons, heat);
-  const auto& surface = prepared.components.front().surface;
-  const auto coarse = CP::coarse_surface(surface, heat);
-  const auto heat_fields = CP::landmark_fields(coarse, heat);
+  const auto& [surface, options] = prepared.components.front();
+  const auto coarse = CP::coarse_surface(surface, options);
+  const auto heat_fields = CP::landmark_fields(coarse, options);
   const auto path_fields = both.target_fields_function(surface.points, surface.triangles, 30,
                                                        heat_fields.landmarks[0], {});
-  const auto target = CP::mds_target(surface, coarse, path_fields, heat);
-  const auto body = CP::surface_body(surface, coarse, heat_fields, heat);
+  const auto target = CP::mds_target(surface, coarse, path_fields, options);
+  const auto body = CP::surface_body(surface, coarse, heat_fields, options);
   EXPECT_EQ(body.length_scale, heat_fields.distances.maxCoeff());
   EXPECT_NE(body.length_scale, path_fields.distances.maxCoeff());
   for(const int rounds : {0, 1}) // in rounds, distances for a target are required only
   {
     both.number_of_rounds = heat.number_of_rounds = rounds;
     const CP::Result result = pose_of(shapes::bar(), both);
-    EXPECT_EQ(result.pose,
-              CP::registered_pose(surface, coarse, heat_fields, target, body, both).pose);
+    EXPECT_EQ(result.pose, CP::registered_pose(surface, coarse, heat_fields, target, body,
+                                               CP::Component_options{both, {}})
+                             .pose);
     EXPECT_NE(result.pose, pose_of(shapes::bar(), heat).pose);
   }
 }
@@ -391,7 +412,7 @@ TEST(Pose_steps, steps_are_used_again)
   const auto prepared
     = CP::prepare_surface(shapes::to_matrix(shapes::bar().points), shapes::bar().polygons);
   const auto& [surface, given_options] = prepared.components.front();
-  CP::Options options = given_options;
+  CP::Component_options options = given_options;
   const auto coarse = CP::coarse_surface(surface, options);
   const auto fields = CP::landmark_fields(coarse, options);
   const auto target = CP::mds_target(surface, coarse, fields, options);

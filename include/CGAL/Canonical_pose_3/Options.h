@@ -268,6 +268,18 @@ struct Vertex_options
 struct Options : Method_options, Vertex_options
 {};
 
+/*!
+\ingroup PkgCanonicalPose3Ref
+
+\brief holds the options of a component of a surface, for the steps of `canonical_pose_3()`. The
+vertices to which the inherited members refer are its own instead of those of the input, which is
+why it is not the same type as `Options`.
+
+\sa `Prepared_surface_3`
+*/
+struct Component_options : Method_options, Vertex_options
+{};
+
 } // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL

@@ -38,7 +38,7 @@ struct Prepared_surface_3
   struct Component
   {
     Surface_component_3 surface; ///< the surface.
-    Options options;             ///< the options.
+    Component_options options;   ///< the options.
   };
 
   /// what was found in the input.

@@ -84,7 +84,7 @@ Prepared_surface_3 prepare_surface(const TriangleMesh& tmesh, const Options& opt
        `given.landmark_fields` remain vertices.
 */
 Coarse_surface_3 coarse_surface(const Surface_component_3& surface,
-                                const Options& options = Options());
+                                const Component_options& options = Component_options());
 
 /*!
 \ingroup PkgCanonicalPose3Ref
@@ -99,7 +99,7 @@ Coarse_surface_3 coarse_surface(const Surface_component_3& surface,
         the function in the options returns invalid distances.
 */
 Landmark_fields_3 landmark_fields(const Surface_component_3& surface,
-                                  const Options& options = Options());
+                                  const Method_options& options = Method_options());
 
 /*!
 \ingroup PkgCanonicalPose3Ref
@@ -117,7 +117,7 @@ given ones for its vertices: the third step of `canonical_pose_3()`, after `coar
 \sa `mds_target()`
 */
 Landmark_fields_3 landmark_fields(const Coarse_surface_3& coarse,
-                                  const Options& options = Options());
+                                  const Component_options& options = Component_options());
 
 /*!
 \ingroup PkgCanonicalPose3Ref
@@ -135,7 +135,7 @@ Landmark_fields_3 landmark_fields(const Coarse_surface_3& coarse,
 */
 Landmark_fields_3 landmark_fields(const Surface_component_3& surface,
                                   const std::vector<std::size_t>& landmarks,
-                                  const Options& options = Options());
+                                  const Method_options& options = Method_options());
 
 /*!
 \ingroup PkgCanonicalPose3Ref
@@ -158,7 +158,8 @@ handedness requires it, and aligns it with the surface; or returns the given tar
 \sa `align_target()`
 */
 Target_3 mds_target(const Surface_component_3& surface, const Coarse_surface_3& coarse,
-                    const Landmark_fields_3& fields, const Options& options = Options());
+                    const Landmark_fields_3& fields,
+                    const Component_options& options = Component_options());
 
 /*!
 \ingroup PkgCanonicalPose3Ref
@@ -182,7 +183,7 @@ stretch of one pose would be passed on to the next one.
 */
 Target_3 refined_target(const Surface_component_3& surface, const Coarse_surface_3& coarse,
                         const Landmark_fields_3& fields, const Point_matrix& pose,
-                        const Options& options = Options());
+                        const Method_options& options = Method_options());
 
 /*!
 \ingroup PkgCanonicalPose3Ref
@@ -238,7 +239,7 @@ inline namespace CGAL_CANONICAL_POSE_3_BODIES {
 */
 inline Surface_body_3 surface_body(const Surface_component_3& surface,
                                    const Coarse_surface_3& coarse, const Landmark_fields_3& fields,
-                                   const Options& options = Options())
+                                   const Component_options& options = Component_options())
 {
   return internal::body_of_surface(surface, coarse, fields, options, internal::linked_bodies());
 }
@@ -266,7 +267,7 @@ and aligned with the surface. It has the handedness of the surface.
 \sa `Tetrahedral_arap_registrar_3::set_unfolding()`
 */
 Target_3 unfolded_target(const Surface_component_3& surface, const Surface_body_3& body,
-                         const Options& options = Options());
+                         const Method_options& options = Method_options());
 
 /*!
 \ingroup PkgCanonicalPose3Ref
@@ -309,7 +310,8 @@ the other one is not inside out either, its stress is at most 1.2 times that of 
 */
 Result registered_pose(const Surface_component_3& surface, const Coarse_surface_3& coarse,
                        const Landmark_fields_3& fields, const Target_3& target,
-                       const Surface_body_3& body, const Options& options = Options());
+                       const Surface_body_3& body,
+                       const Component_options& options = Component_options());
 
 /*!
 \ingroup PkgCanonicalPose3Ref

@@ -97,7 +97,7 @@ private:
 };
 
 inline Eigen::VectorXd body_weights(const Body_rows& rows, const Eigen::VectorXd& shares,
-                                    const Options& options)
+                                    const Component_options& options)
 {
   const Eigen::VectorXd weights
     = rows.sums(options.paper_weights ? Eigen::VectorXd::Ones(shares.size()).eval() : shares);
@@ -107,7 +107,7 @@ inline Eigen::VectorXd body_weights(const Body_rows& rows, const Eigen::VectorXd
 }
 
 // The options of the registrar for one component.
-inline Registration_options registration_options(const Options& options,
+inline Registration_options registration_options(const Method_options& options,
                                                  const Surface_component_3& surface,
                                                  const Body_view& body, const double length_scale)
 {
@@ -122,7 +122,7 @@ inline Registration_options registration_options(const Options& options,
   return result;
 }
 
-inline double volume_ratio_limit(const Options& options, const Target_3& target)
+inline double volume_ratio_limit(const Method_options& options, const Target_3& target)
 {
   constexpr double limit = 1.15;
   return options.volume_ratio_limit.value_or(
@@ -177,7 +177,7 @@ class Surface_registration
 {
 public:
   Surface_registration(const Surface_component_3& surface, const Surface_body_3& body,
-                       const Options& options)
+                       const Component_options& options)
     : m_surface(surface), m_body(body), m_options(options), m_view(body.body),
       m_rows(body.surface_vertices, m_view.embedding().rows()),
       m_shares(vertex_area_shares(surface.points, surface.triangles)),
@@ -394,7 +394,7 @@ private:
 
   const Surface_component_3& m_surface;
   const Surface_body_3& m_body;
-  const Options& m_options;
+  const Component_options& m_options;
   const Body_view m_view;
   const Body_rows m_rows;
   const Eigen::VectorXd m_shares;

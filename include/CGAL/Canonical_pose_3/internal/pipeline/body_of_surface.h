@@ -26,7 +26,7 @@ namespace internal {
 // See `surface_body()`. Must not run in parallel with the distances: TetGen and METIS, which may be
 // called by CHOLMOD, use the same std::rand().
 Surface_body_3 body_of_surface(const Surface_component_3& surface, const Coarse_surface_3& coarse,
-                               const Landmark_fields_3& fields, const Options& options,
+                               const Landmark_fields_3& fields, const Component_options& options,
                                const Body_makers& bodies);
 
 } // namespace internal

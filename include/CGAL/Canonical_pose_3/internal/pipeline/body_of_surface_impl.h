@@ -57,8 +57,8 @@ inline Elastic_body_3 checked_body(Elastic_body_3 body, const Eigen::Index n)
 // Only the body, its kind and warnings.
 inline Surface_body_3 requested_body(const Surface_component_3& surface,
                                      const Coarse_surface_3& coarse,
-                                     const Landmark_fields_3& fields, const Options& options,
-                                     const Body_makers& bodies)
+                                     const Landmark_fields_3& fields,
+                                     const Component_options& options, const Body_makers& bodies)
 {
   const Point_matrix& points = surface.points;
   const std::vector<Index_triangle>& triangles = surface.triangles;
@@ -100,7 +100,7 @@ inline Surface_body_3 requested_body(const Surface_component_3& surface,
 CGAL_CANONICAL_POSE_3_INLINE Surface_body_3 body_of_surface(const Surface_component_3& surface,
                                                             const Coarse_surface_3& coarse,
                                                             const Landmark_fields_3& fields,
-                                                            const Options& options,
+                                                            const Component_options& options,
                                                             const Body_makers& bodies)
 {
   const Thread_limit limit(options.number_of_threads);

@@ -220,7 +220,7 @@ inline Prepared_surface_3 prepared(Diagnosis_3 diagnosis, const Point_matrix& po
   {
     const std::size_t c = result.components.size();
     result.components.emplace_back();
-    Options& local = result.components.back().options;
+    Component_options& local = result.components.back().options;
     static_cast<Method_options&>(local) = options;
     local.return_landmark_fields = options.return_landmark_fields && surfaces.size() == 1;
     local.constraints.function = options.constraints.function;

@@ -26,7 +26,7 @@ namespace internal {
 
 // The length scale L: the largest distance; or, without a target, for which few landmarks suffice,
 // the largest one from the first two landmarks. The second one is the vertex farthest from the first.
-inline double length_scale(const Landmark_fields_3& fields, const Options& options)
+inline double length_scale(const Landmark_fields_3& fields, const Method_options& options)
 {
   constexpr Eigen::Index two = 2;
   return options.target_mode == Options::Target_mode::UNFOLDING
@@ -35,7 +35,7 @@ inline double length_scale(const Landmark_fields_3& fields, const Options& optio
 }
 
 // Adds what is known of the distances to the summary of a target.
-inline void describe_fields(const Landmark_fields_3& fields, const Options& options,
+inline void describe_fields(const Landmark_fields_3& fields, const Method_options& options,
                             Registration_summary::Target& summary)
 {
   summary.landmarks = fields.landmarks.size();

@@ -29,7 +29,7 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-inline std::size_t first_landmark(const Surface_component_3& surface, const Options& options)
+inline std::size_t first_landmark(const Surface_component_3& surface, const Method_options& options)
 {
   if(options.random_seed == 0)
     return extremal_point(surface.points, surface.triangles);
@@ -41,7 +41,7 @@ inline std::size_t first_landmark(const Surface_component_3& surface, const Opti
 // distances on the surface, and `std::logic_error` unless they are to the given landmarks, if any.
 inline Landmark_fields_3 fields_of_function(const Landmark_fields_function& function,
                                             const Surface_component_3& surface,
-                                            const Options& options,
+                                            const Method_options& options,
                                             const std::vector<std::size_t>& landmarks = {})
 {
   Landmark_fields_3 fields = with_faces_of_input(surface.face_of_triangle, [&] {

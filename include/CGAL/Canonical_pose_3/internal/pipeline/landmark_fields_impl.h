@@ -87,7 +87,7 @@ inline Landmark_fields_3 fields_at(const Landmark_fields_3& fields, const Coarse
 } // namespace internal
 
 CGAL_CANONICAL_POSE_3_INLINE Coarse_surface_3 coarse_surface(const Surface_component_3& surface,
-                                                             const Options& options)
+                                                             const Component_options& options)
 {
   const auto n = static_cast<std::size_t>(surface.points.rows());
   const std::size_t number = options.number_of_coarse_vertices == 0
@@ -100,7 +100,7 @@ CGAL_CANONICAL_POSE_3_INLINE Coarse_surface_3 coarse_surface(const Surface_compo
 }
 
 CGAL_CANONICAL_POSE_3_INLINE Landmark_fields_3 landmark_fields(const Coarse_surface_3& coarse,
-                                                               const Options& options)
+                                                               const Component_options& options)
 {
   if(options.given.landmark_fields)
     return internal::fields_at(*options.given.landmark_fields, coarse);
@@ -108,7 +108,7 @@ CGAL_CANONICAL_POSE_3_INLINE Landmark_fields_3 landmark_fields(const Coarse_surf
 }
 
 CGAL_CANONICAL_POSE_3_INLINE Landmark_fields_3 landmark_fields(const Surface_component_3& surface,
-                                                               const Options& options)
+                                                               const Method_options& options)
 {
   const internal::Thread_limit limit(options.number_of_threads);
   internal::check_number_of_landmarks(options.number_of_landmarks,
@@ -126,7 +126,7 @@ CGAL_CANONICAL_POSE_3_INLINE Landmark_fields_3 landmark_fields(const Surface_com
 
 CGAL_CANONICAL_POSE_3_INLINE Landmark_fields_3
 landmark_fields(const Surface_component_3& surface, const std::vector<std::size_t>& landmarks,
-                const Options& options)
+                const Method_options& options)
 {
   const internal::Thread_limit limit(options.number_of_threads);
   if(options.landmark_fields_function)

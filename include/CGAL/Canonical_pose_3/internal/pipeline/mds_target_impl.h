@@ -42,7 +42,7 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 namespace internal {
 
-inline Mds_kernel kernel_of(const Options& options)
+inline Mds_kernel kernel_of(const Method_options& options)
 {
   if(options.mds_kernel)
     return *options.mds_kernel;
@@ -82,7 +82,7 @@ inline Target_3 embedded_target(const Landmark_fields_3& fields, const Mds_kerne
 CGAL_CANONICAL_POSE_3_INLINE Target_3 mds_target(const Surface_component_3& surface,
                                                  const Coarse_surface_3& coarse,
                                                  const Landmark_fields_3& fields,
-                                                 const Options& options)
+                                                 const Component_options& options)
 {
   const internal::Thread_limit limit(options.number_of_threads);
   CGAL_precondition(coarse.number_of_surface_vertices()

@@ -44,7 +44,7 @@ namespace internal {
 // The steps of canonical_pose_3() for one component. `make_body(coarse, fields)` returns a
 // `Surface_body_3`.
 template <class MakeBody>
-Result pose_of_component(const Surface_component_3& surface, const Options& options,
+Result pose_of_component(const Surface_component_3& surface, const Component_options& options,
                          const MakeBody& make_body)
 {
   Registration_summary times;

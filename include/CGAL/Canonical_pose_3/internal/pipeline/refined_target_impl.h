@@ -39,7 +39,7 @@ CGAL_CANONICAL_POSE_3_INLINE Target_3 refined_target(const Surface_component_3& 
                                                      const Coarse_surface_3& coarse,
                                                      const Landmark_fields_3& fields,
                                                      const Point_matrix& pose,
-                                                     const Options& options)
+                                                     const Method_options& options)
 {
   const internal::Thread_limit limit(options.number_of_threads);
   CGAL_precondition(pose.rows() == surface.points.rows());

@@ -38,7 +38,7 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-inline int number_of_rounds(const Options& options, const Target_3& target)
+inline int number_of_rounds(const Method_options& options, const Target_3& target)
 {
   constexpr int rounds = 3;
   const bool is_uncentered = options.mds_kernel
@@ -63,7 +63,7 @@ inline Registered_body refined_in_rounds(const Surface_registration& registratio
                                          const Surface_component_3& surface,
                                          const Coarse_surface_3& coarse,
                                          const Landmark_fields_3& fields, const Target_3& target,
-                                         const Options& options)
+                                         const Component_options& options)
 {
   const auto fields_on = [&](const Surface_component_3& posed) {
     return options.target_fields_function
@@ -107,7 +107,7 @@ CGAL_CANONICAL_POSE_3_INLINE Result registered_pose(const Surface_component_3& s
                                                     const Landmark_fields_3& fields,
                                                     const Target_3& target,
                                                     const Surface_body_3& body,
-                                                    const Options& options)
+                                                    const Component_options& options)
 {
   const internal::Thread_limit limit(options.number_of_threads);
   CGAL_precondition(target.points.rows() == surface.points.rows());

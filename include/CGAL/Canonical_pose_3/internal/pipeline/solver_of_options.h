@@ -23,7 +23,7 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // The requested linear solver. Throws `std::runtime_error` if the program was built without it.
-inline Linear_solver solver_of_options(const Options& options)
+inline Linear_solver solver_of_options(const Method_options& options)
 {
   if(options.linear_solver)
     return *options.linear_solver;

@@ -36,7 +36,7 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 CGAL_CANONICAL_POSE_3_INLINE Target_3 unfolded_target(const Surface_component_3& surface,
                                                       const Surface_body_3& body,
-                                                      const Options& options)
+                                                      const Method_options& options)
 {
   const internal::Thread_limit limit(options.number_of_threads);
   const internal::Body_view view(body.body);

@@ -25,7 +25,7 @@ namespace internal {
 // Calls a function with the requested model of GeodesicDistances_3, and returns its result.
 // `time_step_factor`: of the heat method.
 template <class Function>
-auto with_geodesics(const Indexed_mesh& mesh, const Options& options,
+auto with_geodesics(const Indexed_mesh& mesh, const Method_options& options,
                     const Lane_factor_maker lane_factor_maker, const double time_step_factor,
                     const Function& f)
 {
