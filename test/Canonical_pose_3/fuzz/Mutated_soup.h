@@ -10,6 +10,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_FUZZ_MUTATED_SOUP_H
 #define CGAL_CANONICAL_POSE_3_FUZZ_MUTATED_SOUP_H
 
+#include "Byte_source.h"
 #include "shapes.h"
 
 #include <algorithm>
@@ -17,29 +18,9 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 namespace Canonical_pose_fuzz {
-
-/// Numbers from the bytes of the fuzzer; zeros when none are left.
-class Byte_source
-{
-public:
-  Byte_source(const std::uint8_t* data, const std::size_t size) : m_data(data), m_end(data + size)
-  {}
-
-  bool is_empty() const { return m_data == m_end; }
-
-  std::uint8_t byte() { return is_empty() ? std::uint8_t(0) : *m_data++; }
-
-  /// A number below n, 0 if n is 0.
-  std::size_t below(const std::size_t n) { return n == 0 ? 0 : byte() % n; }
-
-private:
-  const std::uint8_t* m_data;
-  const std::uint8_t* m_end;
-};
 
 /// A procedural shape whose faces and coordinates are modified by the bytes.
 class Mutated_soup
@@ -143,7 +124,7 @@ private:
       points[v][axis] += (bytes.byte() - 127.5) / 64;
       break;
     case 3:
-      points[v][axis] = special_number(bytes);
+      points[v][axis] = bytes.special_number();
       break;
     case 4:
       scale(std::ldexp(1, 8 * (bytes.byte() - 128)));
@@ -166,15 +147,6 @@ private:
     for(auto& p : points)
       for(double& x : p)
         x *= factor;
-  }
-
-  static double special_number(Byte_source& bytes)
-  {
-    using Limits = std::numeric_limits<double>;
-    const std::array<double, 12> numbers
-      = {{0., -0., Limits::quiet_NaN(), Limits::infinity(), -Limits::infinity(), Limits::max(),
-          Limits::lowest(), Limits::min(), Limits::denorm_min(), 1e150, 1e-150, 1e15}};
-    return numbers[bytes.below(numbers.size())];
   }
 };
 

@@ -7,7 +7,8 @@
 //
 // Author(s) : The Canonical_pose_3 authors
 
-// Writes the initial inputs of a fuzzer: make_seeds file|mesh DIRECTORY.
+// Writes the initial inputs of a fuzzer: make_seeds file|mesh|complex|components|options
+// DIRECTORY.
 
 #include "Mesh_file.h"
 #include "readers.h"
@@ -70,12 +71,14 @@ void write_meshes(const std::filesystem::path& directory)
 
 int main(int argc, char* argv[])
 {
-  const std::string kind = argc == 3 ? argv[1] : "";
-  if(kind == "file")
+  if(argc != 3)
+  {
+    std::cerr << "usage: make_seeds file|mesh|complex|components|options DIRECTORY\n";
+    return EXIT_FAILURE;
+  }
+  if(argv[1] == std::string("file"))
     write_files(argv[2]);
-  else if(kind == "mesh")
-    write_meshes(argv[2]);
   else
-    std::cerr << "usage: make_seeds file|mesh DIRECTORY\n";
-  return kind == "file" || kind == "mesh" ? EXIT_SUCCESS : EXIT_FAILURE;
+    write_meshes(argv[2]); // the first byte of the others is a shape, too, or an option
+  return EXIT_SUCCESS;
 }
