@@ -8,6 +8,7 @@
 // Author(s) : The Canonical_pose_3 authors
 
 #include <CGAL/Canonical_pose_3/Eigen_factor_traits_d.h>
+#include <CGAL/Canonical_pose_3/Exact_geodesics_3.h>
 #include <CGAL/Canonical_pose_3/Gaussian_kernel.h>
 #include <CGAL/Canonical_pose_3/Indexed_tetrahedra_3.h>
 #include <CGAL/Canonical_pose_3/Lattice_body_3.h>
@@ -34,6 +35,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -217,6 +219,139 @@ TEST(Own_parts, of_components)
 }
 
 // Invalid results are refused.
+namespace {
+
+// Throws in its n-th call.
+class Throwing_in
+{
+public:
+  explicit Throwing_in(const int n) : m_n(n) {}
+
+  void operator()()
+  {
+    if(++m_calls == m_n)
+      throw std::invalid_argument("of the user");
+  }
+  int calls() const { return m_calls; }
+
+private:
+  int m_n, m_calls = 0;
+};
+
+struct Throwing_kernel : CP::Gaussian_kernel
+{
+  explicit Throwing_kernel(Throwing_in& tick) : tick(&tick) {}
+
+  double operator()(const double distance) const
+  {
+    (*tick)();
+    return CP::Gaussian_kernel::operator()(distance);
+  }
+
+  Throwing_in* tick;
+};
+
+} // namespace
+
+// What a function of the user throws reaches the user, in whichever call of it, and is not mistaken for
+// what our own distances throw on a bad pose.
+TEST(Own_parts, exceptions_pass_through)
+{
+  using Part = std::function<void(CP::Options&, Throwing_in&)>;
+  const auto fields = [](Throwing_in& tick) {
+    return [&tick](const Point_matrix& points, const Triangles& triangles, const std::size_t number,
+                   const std::size_t first, const std::vector<std::size_t>& landmarks) {
+      tick();
+      return wavefront_fields(points, triangles, number, first, landmarks);
+    };
+  };
+  for(const Part& part : std::vector<Part>{
+        [&](CP::Options&options, Throwing_in&tick) {
+          options.landmark_fields_function = fields(tick);
+        },
+        [&](CP::Options&options, Throwing_in&tick) {
+          options.target_fields_function = fields(tick);
+        },
+        [](CP::Options&options, Throwing_in&tick) {
+          options.make_body = [&tick](const Point_matrix& points, const Triangles& triangles,
+                                      const CP::Landmark_fields_3& landmark_fields) {
+            tick();
+            return fine_lattice(points, triangles, landmark_fields);
+          };
+        },
+        [](CP::Options&options, Throwing_in&tick) {
+          options.constraints.function = [&tick](const std::vector<std::size_t>&) {
+            tick();
+            return std::vector<CP::Registration_constraint_3>();
+          };
+        },
+        [](CP::Options&options, Throwing_in&tick) {
+          options.visitor = [&tick](const CP::Registration_progress&) {
+            tick();
+            return true;
+          };
+        },
+        [](CP::Options&options, Throwing_in&tick) { options.mds_kernel = Throwing_kernel(tick); }})
+  {
+    CP::Options options;
+    options.number_of_landmarks = 12;
+    Throwing_in never(0);
+    part(options, never);
+    pose(options);
+    ASSERT_GT(never.calls(), 0);
+    for(const int call : {1, 2, 3, 4, (never.calls() + 1) / 2, never.calls()})
+      if(call <= never.calls())
+      {
+        Throwing_in once(call);
+        part(options, once);
+        EXPECT_THROW_WITH(pose(options), std::invalid_argument, "of the user");
+      }
+  }
+}
+
+// Faces of a pose that have no area end the rounds. The distances, exact ones of this package, are
+// measured on a pose that is made flat.
+TEST(Own_parts, faces_without_area_end_the_rounds)
+{
+  CP::Options options;
+  options.number_of_landmarks = 12;
+  options.landmark_fields_function = [](Point_matrix points, const Triangles& triangles,
+                                        const std::size_t number, const std::size_t first,
+                                        const std::vector<std::size_t>& landmarks) {
+    if(!landmarks.empty())
+      points.rightCols(2).setZero();
+    return CP::landmark_fields_function<CP::Exact_geodesics_3<Mesh>>()(points, triangles, number,
+                                                                       first, landmarks);
+  };
+  const CP::Result result = shapes::pose_of(shapes::bent_bar(), options);
+  EXPECT_TRUE(result.summary.rounds.empty());
+  EXPECT_TRUE(std::any_of(
+    result.summary.warnings.begin(), result.summary.warnings.end(), [](const std::string& w) {
+      return w.find("distances on the pose could not be computed: face") != std::string::npos;
+    }));
+}
+
+// A function may measure on another mesh, with more faces: its faces are not those of the input.
+TEST(Own_parts, faces_of_another_mesh_keep_their_number)
+{
+  CP::Options options;
+  options.landmark_fields_function = [](const Point_matrix&, const Triangles&,
+                                        const std::size_t number, const std::size_t first,
+                                        const std::vector<std::size_t>& landmarks) {
+    Triangles triangles;
+    Point_matrix points = Point_matrix::Zero(30000, 3);
+    for(std::size_t t = 0; t < 10000; ++t)
+    {
+      triangles.push_back({{3 * t, 3 * t + 1, 3 * t + 2}});
+      points(static_cast<Eigen::Index>(3 * t), 0) = t < 9999 ? 1 : 0;
+      points(static_cast<Eigen::Index>(3 * t + 1), 1) = 1;
+    }
+    return CP::landmark_fields_function<CP::Exact_geodesics_3<Mesh>>()(points, triangles, number,
+                                                                       first, landmarks);
+  };
+  EXPECT_THROW_WITH(pose(options), std::invalid_argument, "face 9999 is degenerate");
+}
+
 TEST(Own_parts, bad_ones_are_named)
 {
   const auto expect_refused = [](const CP::Options& options, const std::string& text) {

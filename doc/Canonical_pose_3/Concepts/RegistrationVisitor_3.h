@@ -23,9 +23,22 @@ public:
   /// @{
 
   /// is called once after each iteration, in the thread that runs the registration, and returns
-  /// whether to continue. If it returns `false`, the iteration stops, and the result is the current
-  /// pose. This is the best one so far, as the energy does not increase without fairing. Exceptions
-  /// propagate to the caller of the registration, whose arguments are then unchanged.
+  /// whether to continue. If it returns `false`, the iteration stops, and the result is the best pose
+  /// so far.
+  ///
+  /// In `CGAL::Canonical_pose_3::Tetrahedral_arap_registrar_3`, this is the iterate with the least
+  /// energy; without fairing, the last one, since the energy does not increase. In
+  /// `CGAL::canonical_pose_3()`, it is that with the least energy with respect to the target of the
+  /// result, the last one, and with the detail length of the options, also in a round, whose own
+  /// energies are for half of it. So as long as the target is the same, the result of canceling
+  /// later never has a higher energy. A new round or a scaled target starts anew: energies for different
+  /// targets cannot be compared; those of later rounds are better targets, but farther from the
+  /// surface. At the end, inverted cells are untangled, if requested, which may increase the energy.
+  ///
+  /// No iteration follows the one after which `false` was returned.
+  ///
+  /// Exceptions propagate unchanged to the caller of the registration, whose arguments are then
+  /// unchanged, too.
   bool operator()(const CGAL::Canonical_pose_3::Registration_progress& progress);
 
   /// @}

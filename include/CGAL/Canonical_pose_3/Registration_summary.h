@@ -41,7 +41,7 @@ struct Registration_summary
     CONVERGED,       ///< the stopping inequalities of `Registration_options` hold.
     ITERATION_LIMIT, ///< the maximum number of iterations was reached, or inverted cells were
                      ///< untangled without reaching a minimum of the energy; the pose is usable.
-    CANCELED,        ///< the visitor stopped the iteration; the pose is usable.
+    CANCELED,        ///< the visitor stopped the iteration; the pose is the best one so far.
     NOT_FINITE       ///< numbers overflowed; there is no pose.
   };
 

@@ -12,6 +12,7 @@
 
 #include <CGAL/Canonical_pose_3/internal/intrinsic/Intrinsic_triangulation.h>
 #include <CGAL/Canonical_pose_3/internal/intrinsic/Vertex_components.h>
+#include <CGAL/Canonical_pose_3/internal/soup/Face_defect.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
@@ -46,7 +47,7 @@ inline void check_some_area(const Face_corners& corners, const Point_matrix& poi
     if(side.cross(other).norm() > 1e-13 * longest)
       return;
   }
-  throw std::invalid_argument("face 0 is degenerate, and so are all the others");
+  throw Face_defect(0, "is degenerate, and so are all the others");
 }
 
 // The intrinsic Delaunay triangulation of a surface, with nearly degenerate faces mollified, and

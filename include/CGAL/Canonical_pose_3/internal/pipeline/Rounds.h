@@ -14,6 +14,7 @@
 #include <CGAL/Canonical_pose_3/Registration_summary.h>
 #include <CGAL/Canonical_pose_3/Target_3.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/Surface_registration.h>
+#include <CGAL/Canonical_pose_3/internal/soup/Face_defect.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
@@ -22,7 +23,6 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -108,7 +108,7 @@ private:
       {
         refined = m_refined(m_registration.surface_pose(pose), measured.summary);
       }
-      catch(const std::invalid_argument& error) // the pose may have faces without area
+      catch(const Face_defect& error) // of our own distances: the pose may have faces without area
       {
         current = std::move(measured);
         current.target.warnings.push_back(

@@ -155,6 +155,9 @@ struct Registered_body
   Point_matrix points;
   Target_3 target;
   bool is_stiff = false; // since it collapsed
+  // If there is a visitor: that of least energy for this target, with the detail length of the call.
+  Best_pose best_pose = {1};
+  Point_matrix target_of_best_pose = Point_matrix(0, 3);
   // After all rounds: the distances of the target, and by how much it changed in the last round,
   // relative to the one before.
   Landmark_fields_3 fields;
@@ -191,14 +194,18 @@ public:
   }
 
   // Registers to the target of `previous`, starting at its pose if there is one. If the visitor
-  // canceled, only inverted cells are untangled.
+  // canceled, only inverted cells are untangled in the best pose for the target.
   Registered_body operator()(const Registered_body& previous) const
   {
-    if(previous.summary.termination != Registration_summary::CANCELED)
-      return registered(previous, m_registration_options);
+    Registered_body result
+      = is_canceled(previous) ? previous : registered(previous, m_registration_options);
+    if(!is_canceled(result))
+      return result;
+    if(has_best_pose(result))
+      result.points = result.best_pose.points;
     Registration_options last = m_registration_options;
     last.number_of_iterations = 0;
-    Registered_body result = registered(previous, last);
+    result = registered(result, last);
     result.summary.termination = Registration_summary::CANCELED;
     return result;
   }
@@ -215,6 +222,8 @@ public:
       return result;
     Registered_body start = previous;
     take_costs(start.summary, result.summary);
+    start.best_pose = result.best_pose;
+    start.target_of_best_pose = result.target_of_best_pose;
     result = registered(start, measurement_options(m_registration_options, stiff));
     result.is_stiff = true;
     return result;
@@ -242,8 +251,7 @@ public:
   // Whether there is a pose, and the visitor did not cancel the registration.
   static bool is_complete(const Registered_body& registered)
   {
-    return registered.summary.is_usable()
-           && registered.summary.termination != Registration_summary::CANCELED;
+    return registered.summary.is_usable() && !is_canceled(registered);
   }
 
   // `pose`: of the surface vertices of the body.
@@ -318,6 +326,17 @@ public:
   }
 
 private:
+  static bool has_best_pose(const Registered_body& registered)
+  {
+    const Point_matrix& target = registered.target_of_best_pose;
+    return target.rows() == registered.target.points.rows() && target == registered.target.points;
+  }
+
+  static bool is_canceled(const Registered_body& registered)
+  {
+    return registered.summary.termination == Registration_summary::CANCELED;
+  }
+
   Registered_body registered(const Registered_body& previous,
                              const Registration_options& options) const
   {
@@ -334,7 +353,7 @@ private:
     if(options.number_of_iterations > 0 && is_complete(result)
        && result.summary.volume_ratio > limit)
       shrink(previous.target, limit, result);
-    if(options.is_injective() && result.summary.is_usable())
+    if(options.is_injective() && is_complete(result))
       m_registration->untangle(result.points, result.summary);
     return result;
   }
@@ -374,14 +393,24 @@ private:
   {
     const Registration_summary before = std::move(registered.summary);
     Registration_visitor visitor;
+    bool is_stopped = false; // even if it has converged in the same iteration: more would follow
     if(m_options.visitor)
       visitor = [&](Registration_progress progress) { // counts all iterations
         progress.iteration += before.iterations;
-        return m_options.visitor(progress);
+        is_stopped = !m_options.visitor(progress);
+        return !is_stopped;
       };
     m_registration->set_target(m_rows.means(registered.target.points));
-    registered.summary = m_registration->register_to_target(registered.points, visitor);
+    if(visitor && !has_best_pose(registered))
+    {
+      registered.best_pose = {m_registration_options.detail_length};
+      registered.target_of_best_pose = registered.target.points;
+    }
+    registered.summary
+      = m_registration->register_to_target(registered.points, visitor, &registered.best_pose);
     Registration_summary& summary = registered.summary;
+    if(is_stopped)
+      summary.termination = Registration_summary::CANCELED;
     Registration_summary times = before;
     for(const Registration_summary::Stage& stage : summary.stages)
       times.add_seconds(stage.first, stage.second);

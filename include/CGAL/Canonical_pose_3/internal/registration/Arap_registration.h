@@ -23,12 +23,22 @@
 
 #include <Eigen/Core>
 
+#include <limits>
 #include <memory>
 
 namespace CGAL {
 namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
+
+// The pose of the body with the least energy among all iterates that a visitor has seen. The energy is
+// that for a detail length which may differ from those of the registrations.
+struct Best_pose
+{
+  double detail_length;
+  double energy = (std::numeric_limits<double>::infinity)();
+  Point_matrix points = Point_matrix(0, 3);
+};
 
 // The implementation of `Tetrahedral_arap_registrar_3` for any body, rotations and solver.
 class Arap_registration
@@ -44,8 +54,11 @@ public:
   virtual void set_target(const Point_matrix& target) = 0;
   virtual void set_unfolding(const Unfolding& unfolding) = 0;
   virtual void factor() = 0;
+  // If the visitor cancels, the result is the best iterate, or, with `best`, which is updated, the
+  // last one.
   virtual Registration_summary register_to_target(Point_matrix& body_points,
-                                                  const Registration_visitor& visitor)
+                                                  const Registration_visitor& visitor,
+                                                  Best_pose* best = nullptr)
     = 0;
   // Untangles inverted cells of the body that was registered last, and updates the summary.
   virtual void untangle(Point_matrix& body_points, Registration_summary& summary) = 0;

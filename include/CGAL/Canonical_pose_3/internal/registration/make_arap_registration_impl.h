@@ -142,7 +142,8 @@ public:
   }
 
   Registration_summary register_to_target(Point_matrix& body_points,
-                                          const Registration_visitor& visitor) override
+                                          const Registration_visitor& visitor,
+                                          Best_pose* const best) override
   {
     CGAL_precondition(m_unfolding || m_target.rows() == m_weights.size());
     CGAL_precondition(body_points.rows() == 0 || body_points.rows() == m_body.points().rows());
@@ -160,7 +161,13 @@ public:
     });
     timed(summary, "local_steps", [&] { evaluate(v, summary); });
     summary.energy_history.push_back(summary.energy);
-    iterate(v, body_points.rows() > 0, visitor, summary);
+    Best_pose own{m_options.detail_length};
+    iterate(v, body_points.rows() > 0, visitor, best != nullptr ? *best : own, summary);
+    if(summary.termination == Registration_summary::CANCELED && own.energy < summary.energy)
+    {
+      v = own.points / m_length_scale;
+      timed(summary, "local_steps", [&] { evaluate(v, summary); });
+    }
     if(m_options.is_injective() && summary.is_usable() && summary.inverted > 0)
       repair(v, summary);
     if(summary.is_usable())
@@ -417,9 +424,23 @@ private:
                        summary.energy_arap, summary.energy_constraints, largest_move(step)});
   }
 
-  void iterate(Point_matrix& v, const bool is_warm_start, const Registration_visitor& visitor,
-               Registration_summary& summary)
+  // Keeps v, the position of the last local step, if it is better.
+  void keep(const Point_matrix& v, const Registration_summary& summary, Best_pose& best) const
   {
+    const double factor = best.detail_length / m_options.detail_length;
+    const double energy
+      = summary.energy_match + factor * factor * summary.energy_arap + summary.energy_constraints;
+    if(!(energy < best.energy))
+      return;
+    best.energy = energy;
+    best.points = v * m_length_scale;
+  }
+
+  void iterate(Point_matrix& v, const bool is_warm_start, const Registration_visitor& visitor,
+               Best_pose& best, Registration_summary& summary)
+  {
+    if(visitor)
+      keep(v, summary, best);
     const bool is_accelerated = !m_fairing && m_options.tikhonov == 0;
     Quasi_newton_direction direction(is_accelerated ? m_options.acceleration_window : 0);
     Eigen::MatrixXd step, solution;
@@ -468,6 +489,8 @@ private:
       v.swap(next);
       ++summary.iterations;
       summary.energy_history.push_back(summary.energy);
+      if(visitor)
+        keep(v, summary, best);
       const bool goes_on = !std::isfinite(summary.energy) || visit(visitor, summary, step);
       const bool was_small = is_small;
       is_small = std::abs(previous - summary.energy)

@@ -40,7 +40,7 @@ private:
 };
 
 // Calls f(). If it throws a defect of a triangle, the message refers to the face that contains the
-// triangle.
+// triangle. (A function of the user may have measured on another mesh.)
 template <class Function>
 auto with_faces_of_input(const std::vector<std::size_t>& face_of_triangle, const Function& f)
 {
@@ -50,6 +50,8 @@ auto with_faces_of_input(const std::vector<std::size_t>& face_of_triangle, const
   }
   catch(const Face_defect& defect)
   {
+    if(defect.face() >= face_of_triangle.size())
+      throw;
     throw Face_defect(face_of_triangle[defect.face()], defect.defect());
   }
 }
