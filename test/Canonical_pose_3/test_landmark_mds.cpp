@@ -180,6 +180,6 @@ TEST(Landmark_mds, bad_distances_are_named)
                     "have 3 landmarks, but 4 columns");
   EXPECT_THROW_WITH(builder.build(CP::Landmark_fields_3()), std::invalid_argument,
                     "have no column");
-  EXPECT_THROW(CP::Landmark_mds_target_builder_3<>(CP::Squared_distance_kernel(), 0),
-               CGAL::Precondition_exception);
+  EXPECT_THROW_WITH(CP::Landmark_mds_target_builder_3<>(CP::Squared_distance_kernel(), 0),
+                    std::invalid_argument, "option dimension is 0");
 }

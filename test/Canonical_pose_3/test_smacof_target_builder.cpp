@@ -344,7 +344,8 @@ TEST(Smacof, what_does_not_fit_is_refused)
   Point_matrix start = points;
   start(5, 1) = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW(builder.build(fields, start, weights), CGAL::Precondition_exception);
-  EXPECT_THROW(Smacof_target_builder_3{std::numeric_limits<double>::infinity()},
-               CGAL::Precondition_exception);
-  EXPECT_THROW(Smacof_target_builder_3(1, -0.1), CGAL::Precondition_exception);
+  EXPECT_THROW_WITH(Smacof_target_builder_3{std::numeric_limits<double>::infinity()},
+                    std::invalid_argument, "option weight_exponent is inf");
+  EXPECT_THROW_WITH(Smacof_target_builder_3(1, -0.1), std::invalid_argument,
+                    "option robust_scale is -0.1");
 }

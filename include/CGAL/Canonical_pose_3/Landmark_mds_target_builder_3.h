@@ -15,6 +15,7 @@
 #include <CGAL/Canonical_pose_3/internal/linear_algebra/dense_products.h>
 #include <CGAL/Canonical_pose_3/internal/linear_algebra/leading_eigenvectors.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+#include <CGAL/Canonical_pose_3/internal/support/require_option.h>
 #include <CGAL/Canonical_pose_3/internal/target/check_landmark_fields.h>
 
 #include <CGAL/assertions.h>
@@ -64,11 +65,11 @@ public:
   using Kernel = MdsKernel;
 
   /// constructs a builder without landmarks, for an embedding into `dimension` dimensions.
-  /// \pre `dimension >= 1`
+  /// \throws std::invalid_argument unless `dimension >= 1`
   explicit Landmark_mds_target_builder_3(MdsKernel kernel = MdsKernel(), const int dimension = 3)
     : m_kernel(std::move(kernel)), m_dimension(dimension)
   {
-    CGAL_precondition(dimension >= 1);
+    internal::require_option(dimension >= 1, "dimension", dimension, ">= 1");
   }
 
   /*!

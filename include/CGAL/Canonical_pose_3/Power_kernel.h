@@ -11,8 +11,7 @@
 #define CGAL_CANONICAL_POSE_3_POWER_KERNEL_H
 
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
-
-#include <CGAL/assertions.h>
+#include <CGAL/Canonical_pose_3/internal/support/require_option.h>
 
 #include <cmath>
 
@@ -35,10 +34,10 @@ class Power_kernel
 {
 public:
   /// constructs the kernel.
-  /// \pre `exponent` is positive and finite.
+  /// \throws std::invalid_argument unless `exponent` is positive and finite.
   explicit Power_kernel(const double exponent = 1.5) : m_exponent(exponent)
   {
-    CGAL_precondition(exponent > 0 && std::isfinite(exponent));
+    internal::require_positive("exponent", exponent);
   }
 
   /// returns the exponent \f$ p \f$.

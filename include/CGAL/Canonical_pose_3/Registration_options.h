@@ -11,12 +11,11 @@
 #define CGAL_CANONICAL_POSE_3_REGISTRATION_OPTIONS_H
 
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+#include <CGAL/Canonical_pose_3/internal/support/require_option.h>
 
 #include <cmath>
 #include <cstddef>
 #include <optional>
-#include <stdexcept>
-#include <string>
 
 namespace CGAL {
 namespace Canonical_pose_3 {
@@ -44,11 +43,11 @@ struct Registration_options
   /// stops when \f$ |E_{k-1} - E_k| \le \f$ `energy_tolerance`
   /// \f$ \cdot \max(E_{k-1}, 10^{-15}) \f$ and the condition of `move_tolerance` holds; the lower
   /// bound, dimensionless like \f$ E \f$, accounts for energies that are 0 up to rounding. With
-  /// acceleration, this must hold in two consecutive iterations.
+  /// acceleration, this must hold in two consecutive iterations. Nonnegative.
   double energy_tolerance = 1e-5;
 
   /// stops when no surface vertex moves by more than `move_tolerance` \f$ \cdot L \f$ in an
-  /// iteration without acceleration and the condition of `energy_tolerance` holds.
+  /// iteration without acceleration and the condition of `energy_tolerance` holds. Nonnegative.
   double move_tolerance = 5e-4;
 
   /// number of previous steps that correct a step by limited-memory BFGS
@@ -63,10 +62,10 @@ struct Registration_options
   /// increase.
   int fairing_passes = 0;
 
-  /// \f$ \lambda \f$ of the fairing.
+  /// \f$ \lambda \f$ of the fairing. Finite.
   double fairing_lambda = 0.5;
 
-  /// \f$ \mu \f$ of the fairing.
+  /// \f$ \mu \f$ of the fairing. Finite.
   double fairing_mu = -0.53;
 
   /// whether the result must not have inverted or flat cells, that is, cells whose orientation
@@ -100,23 +99,15 @@ struct Registration_options
   /// \throws std::invalid_argument stating the first value that is out of range.
   void check() const
   {
-    require(std::isfinite(detail_length) && detail_length > 0, "detail_length", detail_length,
-            "> 0");
-    require(std::isfinite(tikhonov) && tikhonov >= 0, "tikhonov", tikhonov, ">= 0");
-    require(number_of_iterations >= 0, "number_of_iterations", number_of_iterations, ">= 0");
-    require(energy_tolerance >= 0, "energy_tolerance", energy_tolerance, ">= 0");
-    require(move_tolerance >= 0, "move_tolerance", move_tolerance, ">= 0");
-    require(acceleration_window >= 0, "acceleration_window", acceleration_window, ">= 0");
-    require(fairing_passes >= 0, "fairing_passes", fairing_passes, ">= 0");
-  }
-
-private:
-  static void require(const bool holds, const std::string& name, const double value,
-                      const std::string& bound)
-  {
-    if(!holds)
-      throw std::invalid_argument("option " + name + " is " + std::to_string(value)
-                                  + ", but must be " + bound);
+    internal::require_positive("detail_length", detail_length);
+    internal::require_nonnegative("tikhonov", tikhonov);
+    internal::require_nonnegative("number_of_iterations", number_of_iterations);
+    internal::require_nonnegative("energy_tolerance", energy_tolerance);
+    internal::require_nonnegative("move_tolerance", move_tolerance);
+    internal::require_nonnegative("acceleration_window", acceleration_window);
+    internal::require_nonnegative("fairing_passes", fairing_passes);
+    internal::require_finite("fairing_lambda", fairing_lambda);
+    internal::require_finite("fairing_mu", fairing_mu);
   }
 };
 

@@ -51,9 +51,9 @@ Nothing here depends on a surface: distances can come from anywhere.
 class Smacof_target_builder_3
 {
 public:
-  /// constructs a builder.
-  /// \pre `weight_exponent` is finite, and `robust_scale` is nonnegative and finite; 0 for weights
-  ///      that do not depend on residuals.
+  /// constructs a builder; `robust_scale` is 0 for weights that do not depend on residuals.
+  /// \throws std::invalid_argument unless `weight_exponent` is finite, and `robust_scale` is
+  ///         nonnegative and finite.
   explicit Smacof_target_builder_3(double weight_exponent = 1, double robust_scale = 0);
 
   /*!

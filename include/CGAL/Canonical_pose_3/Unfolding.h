@@ -11,10 +11,7 @@
 #define CGAL_CANONICAL_POSE_3_UNFOLDING_H
 
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
-
-#include <cmath>
-#include <stdexcept>
-#include <string>
+#include <CGAL/Canonical_pose_3/internal/support/require_option.h>
 
 namespace CGAL {
 namespace Canonical_pose_3 {
@@ -41,12 +38,7 @@ struct Unfolding
   double weight = 0.5;
 
   /// \throws std::invalid_argument if the weight is out of range.
-  void check() const
-  {
-    if(!(weight > 0) || !std::isfinite(weight))
-      throw std::invalid_argument("the weight of the unfolding is " + std::to_string(weight)
-                                  + ", but must be > 0");
-  }
+  void check() const { internal::require_positive("unfolding.weight", weight); }
 };
 
 } // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION

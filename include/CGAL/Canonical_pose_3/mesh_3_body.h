@@ -58,7 +58,8 @@ the vertices of a nearby cell. The body is deterministic.
        fraction of \f$ L \f$. The distance to the boundary is at most a tenth of it.
 
 \throws std::invalid_argument if `diagnose()` finds a defect, stating the defect and an element;
-       also if the cells would be smaller than a thousandth of the surface.
+       also if the length or the size is not positive and finite, or the cells would be smaller than a
+       thousandth of the surface.
 \throws std::runtime_error if the surface is too thin for cells of this size, so that all or part of
        it is lost.
 

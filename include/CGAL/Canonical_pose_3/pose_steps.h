@@ -110,9 +110,8 @@ given ones for its vertices: the third step of `canonical_pose_3()`, after `coar
 \param coarse the coarse surface.
 \param options as above, and `given.landmark_fields`.
 
-\pre The landmarks of the given distances, if any, are vertices of the coarse surface.
-
-\throws std::invalid_argument as above.
+\throws std::invalid_argument as above, or if a landmark of the given distances is not a vertex of
+        the coarse surface.
 
 \sa `mds_target()`
 */
@@ -128,9 +127,8 @@ Landmark_fields_3 landmark_fields(const Coarse_surface_3& coarse,
 \param landmarks vertices of the surface.
 \param options `geodesics`, `landmark_fields_function`, the solver and `number_of_threads` are used.
 
-\pre The landmarks are vertices of the surface.
-
-\throws std::invalid_argument if the distances require faces with an area and a face has none, or
+\throws std::invalid_argument if there is no landmark, a landmark is not a vertex of the surface, the
+        distances require faces with an area and a face has none, or
         the function in the options returns invalid distances.
 */
 Landmark_fields_3 landmark_fields(const Surface_component_3& surface,

@@ -15,6 +15,7 @@
 #include <CGAL/Canonical_pose_3/internal/body/mesh_3_complex.h>
 #include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+#include <CGAL/Canonical_pose_3/internal/support/require_option.h>
 #include <CGAL/Canonical_pose_3/mesh_3_body.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
@@ -31,6 +32,8 @@ CGAL_CANONICAL_POSE_3_INLINE Embedded_body_3
 mesh_3_body_of_clean_surface(Point_matrix points, const std::vector<Index_triangle>& triangles,
                              const double length_scale, const double cell_size)
 {
+  require_positive("length_scale", length_scale);
+  require_positive("cell_size", cell_size);
   const int exponent = normalize(points); // so that squares of lengths neither vanish nor overflow
   const double size = cell_size * std::ldexp(length_scale, -exponent);
   const double extent = (points.colwise().maxCoeff() - points.colwise().minCoeff()).maxCoeff();

@@ -19,6 +19,7 @@
 #include <CGAL/Canonical_pose_3/cell_stiffness.h>
 #include <CGAL/Canonical_pose_3/internal/lattice/Geodesic_bounds.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/Body_makers.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/check_method_options.h>
 #include <CGAL/Canonical_pose_3/internal/support/Thread_limit.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/body_of_surface.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/describe_fields.h>
@@ -103,6 +104,7 @@ CGAL_CANONICAL_POSE_3_INLINE Surface_body_3 body_of_surface(const Surface_compon
                                                             const Component_options& options,
                                                             const Body_makers& bodies)
 {
+  check_method_options(options);
   const Thread_limit limit(options.number_of_threads);
   CGAL_precondition(coarse.number_of_surface_vertices()
                     == static_cast<std::size_t>(surface.points.rows()));

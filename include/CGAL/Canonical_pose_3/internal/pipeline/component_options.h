@@ -15,9 +15,11 @@
 #include <CGAL/Canonical_pose_3/Prepared_surface_3.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/Options_constraints.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/Vertex_map.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/check_method_options.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/make_vertex_map.h>
 #include <CGAL/Canonical_pose_3/internal/registration/Constraint_element_traits.h>
 #include <CGAL/Canonical_pose_3/internal/registration/check_registration.h>
+#include <CGAL/Canonical_pose_3/internal/soup/check_soup.h>
 #include <CGAL/Canonical_pose_3/internal/support/Indexed_vector.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/support/values_at.h>
@@ -25,7 +27,6 @@
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <cstddef>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -36,24 +37,9 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// Throws `std::invalid_argument` if powers of lengths could overflow or underflow.
-inline void check_unit(const Point_matrix& points)
-{
-  constexpr double smallest = 1e-90, largest = 1e90;
-  const double size = points.size() > 0 ? points.cwiseAbs().maxCoeff() : 0;
-  if(size > largest || (size > 0 && size < smallest))
-  {
-    std::ostringstream message;
-    message << "the largest coordinate is " << size << ", but must be between " << smallest
-            << " and " << largest << ": choose another unit";
-    throw std::invalid_argument(message.str());
-  }
-}
-
 // Throws `std::invalid_argument` for options that do not apply to unfolding.
 inline void check_unfolding(const Options& options)
 {
-  options.unfolding.check();
   if(options.given.target)
     throw std::invalid_argument("option given.target is set, but the target is that of unfolding");
   if(options.takes_mirror_image)
@@ -64,20 +50,11 @@ inline void check_unfolding(const Options& options)
 // Throws `std::invalid_argument` for options that do not fit an input of n vertices.
 inline void check_options(const Options& options, const std::size_t n)
 {
-  options.registration.check();
+  check_method_options(options);
   check_factors(options.matching_weights, static_cast<Eigen::Index>(n), "matching weight", "vertex",
                 true);
-  if(options.number_of_landmarks == 0)
-    throw std::invalid_argument("option number_of_landmarks is 0, but must be >= 1");
-  if(options.number_of_rounds && *options.number_of_rounds < 0)
-    throw std::invalid_argument("option number_of_rounds is "
-                                + std::to_string(*options.number_of_rounds) + ", but must be >= 0");
   if(options.target_mode == Options::Target_mode::UNFOLDING)
     check_unfolding(options);
-  if(options.volume_ratio_limit && !(*options.volume_ratio_limit > 0))
-    throw std::invalid_argument("option volume_ratio_limit is "
-                                + std::to_string(*options.volume_ratio_limit)
-                                + ", but must be > 0");
   Options_constraints(options.constraints, n);
   for(Eigen::Index i = 0; i < options.followers.rows(); ++i)
     if(!options.followers.row(i).allFinite())
@@ -162,6 +139,7 @@ inline Landmark_fields_3 component_fields(const Landmark_fields_3& fields, const
       check_distance(fields, row, j, "the given distances", map.row_name);
       result.distances(i, j) = fields.distances(row, j);
     }
+  check_covering_radius(fields, "the given distances");
   return result;
 }
 

@@ -12,6 +12,7 @@
 
 #include <CGAL/Canonical_pose_3/Options.h>
 #include <CGAL/Canonical_pose_3/geodesic_distances.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/check_method_options.h>
 #include <CGAL/Canonical_pose_3/internal/support/Thread_limit.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/solver_of_options.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/with_geodesics.h>
@@ -52,6 +53,7 @@ geodesic_distances(const Point_matrix& points,
                    const std::vector<std::size_t>& sources, const Options& options,
                    const Distances_function& function)
 {
+  internal::check_method_options(options);
   const internal::Thread_limit limit(options.number_of_threads);
   const Repaired_surface_3 surface = repair_surface(points, polygons);
   const std::vector<std::size_t> copies = internal::first_copies(surface);

@@ -16,6 +16,7 @@
 #include <CGAL/Canonical_pose_3/Surface_component_3.h>
 #include <CGAL/Canonical_pose_3/farthest_point_landmarks.h>
 #include <CGAL/Canonical_pose_3/front_landmarks.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/check_method_options.h>
 #include <CGAL/Canonical_pose_3/internal/support/Thread_limit.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/fields_of_function.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/solver_of_options.h>
@@ -25,15 +26,16 @@
 #include <CGAL/Canonical_pose_3/internal/soup/root_of_area.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/support/values_at.h>
+#include <CGAL/Canonical_pose_3/internal/target/check_landmark_fields.h>
 #include <CGAL/Canonical_pose_3/internal/target/check_number_of_landmarks.h>
 #include <CGAL/Canonical_pose_3/pose_steps.h>
-
-#include <CGAL/assertions.h>
 
 #include <Eigen/Core>
 
 #include <algorithm>
 #include <cstddef>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -74,7 +76,9 @@ inline Landmark_fields_3 fields_at(const Landmark_fields_3& fields, const Coarse
   {
     const auto position
       = std::lower_bound(coarse.vertices.begin(), coarse.vertices.end(), landmark);
-    CGAL_precondition(position != coarse.vertices.end() && *position == landmark);
+    if(position == coarse.vertices.end() || *position != landmark)
+      throw std::invalid_argument("the given landmark " + std::to_string(landmark)
+                                  + " is not a vertex of the coarse surface");
     result.landmarks.push_back(static_cast<std::size_t>(position - coarse.vertices.begin()));
   }
   result.distances.resize(static_cast<Eigen::Index>(coarse.vertices.size()),
@@ -110,6 +114,7 @@ CGAL_CANONICAL_POSE_3_INLINE Landmark_fields_3 landmark_fields(const Coarse_surf
 CGAL_CANONICAL_POSE_3_INLINE Landmark_fields_3 landmark_fields(const Surface_component_3& surface,
                                                                const Method_options& options)
 {
+  internal::check_method_options(options);
   const internal::Thread_limit limit(options.number_of_threads);
   internal::check_number_of_landmarks(options.number_of_landmarks,
                                       static_cast<std::size_t>(surface.points.rows()));
@@ -128,17 +133,17 @@ CGAL_CANONICAL_POSE_3_INLINE Landmark_fields_3
 landmark_fields(const Surface_component_3& surface, const std::vector<std::size_t>& landmarks,
                 const Method_options& options)
 {
+  internal::check_method_options(options);
   const internal::Thread_limit limit(options.number_of_threads);
+  internal::check_landmarks(landmarks, static_cast<std::size_t>(surface.points.rows()),
+                            "the landmarks");
   if(options.landmark_fields_function)
     return internal::fields_of_function(options.landmark_fields_function, surface, options,
                                         landmarks);
   const internal::Indexed_mesh mesh = internal::indexed_mesh(surface.points, surface.triangles);
   std::vector<internal::Indexed_mesh::Vertex_index> sources;
   for(const std::size_t landmark : landmarks)
-  {
-    CGAL_precondition(landmark < static_cast<std::size_t>(surface.points.rows()));
     sources.push_back(internal::vertex_of_row(landmark));
-  }
   Landmark_fields_3 result = landmark_fields(internal::with_geodesics(
     mesh, options, internal::solver_of_options(options).lane_factor_maker(),
     internal::smoothing_time_step_factor(surface),

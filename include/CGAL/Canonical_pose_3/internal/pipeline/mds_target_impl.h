@@ -20,6 +20,7 @@
 #include <CGAL/Canonical_pose_3/Surface_component_3.h>
 #include <CGAL/Canonical_pose_3/Target_3.h>
 #include <CGAL/Canonical_pose_3/align_target.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/check_method_options.h>
 #include <CGAL/Canonical_pose_3/internal/support/Thread_limit.h>
 #include <CGAL/Canonical_pose_3/internal/soup/closed.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/describe_fields.h>
@@ -84,6 +85,7 @@ CGAL_CANONICAL_POSE_3_INLINE Target_3 mds_target(const Surface_component_3& surf
                                                  const Landmark_fields_3& fields,
                                                  const Component_options& options)
 {
+  internal::check_method_options(options);
   const internal::Thread_limit limit(options.number_of_threads);
   CGAL_precondition(coarse.number_of_surface_vertices()
                     == static_cast<std::size_t>(surface.points.rows()));

@@ -17,6 +17,7 @@
 #include <CGAL/Canonical_pose_3/Surface_component_3.h>
 #include <CGAL/Canonical_pose_3/Target_3.h>
 #include <CGAL/Canonical_pose_3/align_target.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/check_method_options.h>
 #include <CGAL/Canonical_pose_3/internal/support/Thread_limit.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/describe_fields.h>
 #include <CGAL/Canonical_pose_3/internal/soup/root_of_area.h>
@@ -41,6 +42,7 @@ CGAL_CANONICAL_POSE_3_INLINE Target_3 refined_target(const Surface_component_3& 
                                                      const Point_matrix& pose,
                                                      const Method_options& options)
 {
+  internal::check_method_options(options);
   const internal::Thread_limit limit(options.number_of_threads);
   CGAL_precondition(pose.rows() == surface.points.rows());
   CGAL_precondition(fields.distances.rows() == coarse.surface.points.rows());

@@ -21,6 +21,7 @@
 #include <CGAL/Canonical_pose_3/internal/pipeline/Handed_rounds.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/Rounds.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/Surface_registration.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/check_method_options.h>
 #include <CGAL/Canonical_pose_3/internal/support/Thread_limit.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/fields_of_function.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/timed.h>
@@ -109,6 +110,7 @@ CGAL_CANONICAL_POSE_3_INLINE Result registered_pose(const Surface_component_3& s
                                                     const Surface_body_3& body,
                                                     const Component_options& options)
 {
+  internal::check_method_options(options);
   const internal::Thread_limit limit(options.number_of_threads);
   CGAL_precondition(target.points.rows() == surface.points.rows());
   CGAL_precondition(coarse.number_of_surface_vertices()

@@ -18,6 +18,7 @@
 #include <CGAL/Canonical_pose_3/internal/body/Body_view.h>
 #include <CGAL/Canonical_pose_3/internal/energy/default_rotation_routines.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/Surface_registration.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/check_method_options.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/solver_of_options.h>
 #include <CGAL/Canonical_pose_3/internal/registration/Arap_registration.h>
 #include <CGAL/Canonical_pose_3/internal/soup/root_of_area.h>
@@ -38,6 +39,7 @@ CGAL_CANONICAL_POSE_3_INLINE Target_3 unfolded_target(const Surface_component_3&
                                                       const Surface_body_3& body,
                                                       const Method_options& options)
 {
+  internal::check_method_options(options);
   const internal::Thread_limit limit(options.number_of_threads);
   const internal::Body_view view(body.body);
   const Eigen::VectorXd shares = vertex_area_shares(surface.points, surface.triangles);

@@ -133,7 +133,8 @@ CGAL_CANONICAL_POSE_3_INLINE Segmentation_tree_3 consensus_segmentation_tree(
                                                  number_of_patches, farthest_face(graph));
   const Lines_of_sight lines(graph, triangles, patches.centers);
   const Eigen::VectorXd log_thickness = smoothed(graph, patches, lines.log_thickness());
-  const bool is_number_given = options.number_of_parts > 0;
+  const std::size_t number_of_parts = (std::min)(options.number_of_parts, polygons.size());
+  const bool is_number_given = number_of_parts > 0;
   bool is_pose_faithful = false;
   std::vector<Viewed_surface> geometries = {{graph, lines.visibility(), lines.distances()}};
   if(surface.has_pose())
@@ -153,8 +154,8 @@ CGAL_CANONICAL_POSE_3_INLINE Segmentation_tree_3 consensus_segmentation_tree(
   Segmentation_tree_3 tree
     = is_number_given
         ? symmetric_hierarchy(geometries, patches,
-                              votes.similarities(options.number_of_parts, options.random_seed))
-            .tree(options.number_of_parts)
+                              votes.similarities(number_of_parts, options.random_seed))
+            .tree(number_of_parts)
         : tree_with_agreement(graph, patches, votes, options.random_seed);
   tree.leaf_of_face = surface.labels_of_faces(tree.leaf_of_face);
   return tree;

@@ -15,7 +15,9 @@
 #include <CGAL/Canonical_pose_3/internal/segmentation/Random_numbers.h>
 #include <CGAL/Canonical_pose_3/internal/soup/Triangle_soup.h>
 #include <CGAL/Canonical_pose_3/internal/soup/twice_area.h>
+#include <CGAL/Canonical_pose_3/internal/support/Thread_limit.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+#include <CGAL/Canonical_pose_3/internal/support/require_option.h>
 #include <CGAL/Canonical_pose_3/k_means_segmentation.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
@@ -79,14 +81,18 @@ k_means_parts(const Point_matrix& points, const std::vector<std::vector<std::siz
       "option number_of_parts is 0, but k-means cannot determine the number of parts");
   if(polygons.empty())
     throw std::invalid_argument("the surface has no face");
+  require_enumerator("weights", weights, K_means_weights::AREAS);
+  const Thread_limit limit(options.number_of_threads);
   check_finite(points);
   Point_matrix scaled = points;
   normalize(scaled);
   const Weighted_centroids faces = weighted_centroids(scaled, polygons);
   const bool by_area = weights == K_means_weights::AREAS && faces.areas.sum() > 0;
-  K_means k_means(by_area ? faces.centroids : Eigen::MatrixXd(scaled),
-                  by_area ? faces.areas : Eigen::VectorXd::Ones(scaled.rows()).eval(),
-                  options.number_of_parts);
+  K_means k_means(
+    by_area ? faces.centroids : Eigen::MatrixXd(scaled),
+    by_area ? faces.areas : Eigen::VectorXd::Ones(scaled.rows()).eval(),
+    (std::min)(options.number_of_parts,
+               static_cast<std::size_t>(by_area ? faces.areas.size() : scaled.rows())));
   Random_numbers random(options.random_seed);
   k_means.run(random, number_of_runs);
   std::map<std::size_t, std::size_t> number_of_cluster;

@@ -76,12 +76,11 @@ CGAL_CANONICAL_POSE_3_INLINE Segmentation_tree_3 sweep_segmentation_tree(
   const Patches patches
     = farthest_point_patches(graph, concave_lengths(graph, preferences.edge_concavity),
                              number_of_patches, farthest_face(graph));
+  std::size_t number_of_parts = (std::min)(options.number_of_parts, polygons.size());
   const Patch_graph neighbors
     = patch_graph(graph, patches, preferences, Eigen::VectorXd::Zero(graph.areas.size()));
   const Sweep_partition partition = sweep_partition(
-    neighbors, cuts, (std::max)(4 * options.number_of_parts, least_number_of_leaves),
-    patches.size(), 0);
-  std::size_t number_of_parts = options.number_of_parts;
+    neighbors, cuts, (std::max)(4 * number_of_parts, least_number_of_leaves), patches.size(), 0);
   if(number_of_parts == 0)
     number_of_parts = 1
                       + static_cast<std::size_t>(

@@ -12,6 +12,7 @@
 
 #include <CGAL/Canonical_pose_3/internal/soup/Corner_table.h>
 #include <CGAL/Canonical_pose_3/internal/soup/Triangle_soup.h>
+#include <CGAL/Canonical_pose_3/internal/soup/check_soup.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
@@ -54,12 +55,7 @@ private:
   static Point_matrix checked(Point_matrix points, const Polygons& polygons)
   {
     check_finite(points);
-    const std::size_t n = static_cast<std::size_t>(points.rows());
-    for(std::size_t f = 0; f < polygons.size(); ++f)
-      for(const std::size_t v : polygons[f])
-        if(v >= n)
-          throw std::invalid_argument("face " + std::to_string(f) + " names vertex "
-                                      + std::to_string(v) + ", but there are " + std::to_string(n));
+    check_elements(polygons, static_cast<std::size_t>(points.rows()), "face");
     normalize(points);
     return points;
   }

@@ -14,6 +14,7 @@
 #include <CGAL/Canonical_pose_3/Smacof_target_builder_3.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/support/for_each_block.h>
+#include <CGAL/Canonical_pose_3/internal/support/require_option.h>
 #include <CGAL/Canonical_pose_3/internal/target/Stress_weights.h>
 #include <CGAL/Canonical_pose_3/internal/target/check_landmark_fields.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
@@ -263,8 +264,8 @@ Smacof_target_builder_3::Smacof_target_builder_3(const double weight_exponent,
                                                  const double robust_scale)
   : m_weight_exponent(weight_exponent), m_robust_scale(robust_scale)
 {
-  CGAL_precondition(std::isfinite(weight_exponent));
-  CGAL_precondition(std::isfinite(robust_scale) && robust_scale >= 0);
+  internal::require_finite("weight_exponent", weight_exponent);
+  internal::require_nonnegative("robust_scale", robust_scale);
 }
 
 CGAL_CANONICAL_POSE_3_INLINE void Smacof_target_builder_3::build(const Landmark_fields_3& fields,

@@ -23,6 +23,19 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
+// Throws `std::invalid_argument` if there are no landmarks, or one is not one of `n` vertices. `what`: what
+// messages call them.
+inline void check_landmarks(const std::vector<std::size_t>& landmarks, const std::size_t n,
+                            const std::string& what)
+{
+  if(landmarks.empty())
+    throw std::invalid_argument(what + " are none");
+  for(const std::size_t landmark : landmarks)
+    if(landmark >= n)
+      throw std::invalid_argument(what + " have landmark " + std::to_string(landmark)
+                                  + ", but there are " + std::to_string(n) + " vertices");
+}
+
 // Throws `std::invalid_argument` unless there are distances of `n` vertices to as many landmarks as there are columns, at
 // least one. `what`: what messages call the fields.
 inline void check_shape(const Landmark_fields_3& fields, const std::size_t n,
@@ -40,10 +53,7 @@ inline void check_shape(const Landmark_fields_3& fields, const std::size_t n,
   if(fields.landmarks.size() != columns)
     refuse("have " + std::to_string(fields.landmarks.size()) + " landmarks, but "
            + std::to_string(columns) + " columns");
-  for(const std::size_t landmark : fields.landmarks)
-    if(landmark >= n)
-      refuse("have landmark " + std::to_string(landmark) + ", but there are " + std::to_string(n)
-             + " vertices");
+  check_landmarks(fields.landmarks, n, what);
 }
 
 // Throws `std::invalid_argument` if entry (i, j) is negative or not finite. `vertex`: what messages call vertex i.
@@ -59,7 +69,13 @@ inline void check_distance(const Landmark_fields_3& fields, const Eigen::Index i
                                 + " is " + (distance < 0 ? "negative" : "not finite"));
 }
 
-// Does both for all distances.
+inline void check_covering_radius(const Landmark_fields_3& fields, const std::string& what)
+{
+  if(!(fields.covering_radius >= 0) || !std::isfinite(fields.covering_radius))
+    throw std::invalid_argument(what + " have a covering_radius that is negative or not finite");
+}
+
+// Does all of this, for all distances.
 inline void check_landmark_fields(const Landmark_fields_3& fields, const std::size_t n,
                                   const std::string& what)
 {
@@ -67,6 +83,7 @@ inline void check_landmark_fields(const Landmark_fields_3& fields, const std::si
   for(Eigen::Index j = 0; j < fields.distances.cols(); ++j)
     for(Eigen::Index i = 0; i < fields.distances.rows(); ++i)
       check_distance(fields, i, j, what);
+  check_covering_radius(fields, what);
 }
 
 } // namespace internal
