@@ -427,7 +427,8 @@ TEST(Coarse_surface, kept_vertices_survive)
     EXPECT_TRUE(
       std::includes(coarse.vertices.begin(), coarse.vertices.end(), kept.begin(), kept.end()));
   }
-  EXPECT_THROW(CP::coarse_surface(surface, 20, {642}), CGAL::Precondition_exception);
+  EXPECT_THROW_WITH(CP::coarse_surface(surface, 20, {642}), std::invalid_argument,
+                    "vertex 642 is to be kept, but there are 642");
 }
 
 // A vertex that survives is not contracted, whether it is kept or not. So a call with the landmarks

@@ -147,7 +147,8 @@ public:
     const internal::Delaunay_surface surface(internal::face_corners(tmesh, m_rows), m_points);
     m_exponent = surface.exponent();
     m_component = surface.components().of_vertices();
-    embed(surface, static_cast<Eigen::Index>(number_of_eigenfunctions));
+    embed(surface,
+          static_cast<Eigen::Index>((std::min)(number_of_eigenfunctions, m_component.size())));
   }
 
   /// \cond SKIP_IN_MANUAL

@@ -12,6 +12,7 @@
 
 #include <CGAL/Canonical_pose_3/internal/body/body_cells.h>
 #include <CGAL/Canonical_pose_3/internal/soup/Triangle_tree.h>
+#include <CGAL/Canonical_pose_3/internal/soup/check_soup.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
@@ -60,7 +61,7 @@ public:
   \param triangles the surface: triples of rows of `body.embedding()`. Degenerate triangles are
          ignored: a point near such a triangle is equally near to its neighbors.
 
-  \throws std::invalid_argument if all triangles are degenerate.
+  \throws std::invalid_argument if a triangle has an invalid row, or all triangles are degenerate.
 
   <em>Complexity:</em> \f$ O(n \log n) \f$.
   */
@@ -68,7 +69,8 @@ public:
     : m_body(body), m_embedding(body.embedding()),
       m_cells_of_vertex(
         internal::cells_of_vertices(static_cast<std::size_t>(body.points().rows()), body.cells())),
-      m_triangles(triangles), m_tree(body.embedding() * body.points(), triangles)
+      m_triangles(checked(triangles, static_cast<std::size_t>(body.embedding().rows()))),
+      m_tree(body.embedding() * body.points(), triangles)
   {}
 
   /// \cond SKIP_IN_MANUAL
@@ -105,6 +107,13 @@ public:
   }
 
 private:
+  static const std::vector<std::array<std::size_t, 3>>&
+  checked(const std::vector<std::array<std::size_t, 3>>& triangles, const std::size_t n)
+  {
+    internal::check_elements(triangles, n);
+    return triangles;
+  }
+
   struct Row
   {
     std::size_t cell;

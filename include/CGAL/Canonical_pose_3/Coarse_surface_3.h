@@ -109,7 +109,9 @@ vertices, the result is a copy of it.
        complicated topology may keep more.
 \param kept vertices of the surface that must be vertices of the result.
 
-\pre The surface is an oriented 2-manifold, all points are finite, and `kept` are vertices of it.
+\pre The surface is an oriented 2-manifold, and all points are finite.
+
+\throws std::invalid_argument if one of `kept` is not a vertex of the surface.
 
 <em>Complexity:</em> \f$ O(n \log n) \f$.
 */

@@ -14,12 +14,12 @@
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
-#include <CGAL/assertions.h>
-
 #include <Eigen/SparseCore>
 
 #include <array>
 #include <cstddef>
+#include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -52,24 +52,26 @@ public:
   \param cells four rows of `points` per cell, in either orientation.
   \param number_of_surface_vertices number of leading rows that are surface vertices.
 
-  \pre `number_of_surface_vertices` is at most the number of rows.
-
-  \throws std::invalid_argument see `Embedded_body_3::Embedded_body_3()`.
+  \throws std::invalid_argument if `number_of_surface_vertices` exceeds the number of rows; see also
+         `Embedded_body_3::Embedded_body_3()`.
 
   <em>Complexity:</em> linear.
   */
   Conforming_body_3(const Point_matrix& points, std::vector<std::array<int, 4>> cells,
                     const std::size_t number_of_surface_vertices)
-    : Embedded_body_3(
-      points, std::move(cells),
-      identity_rows(static_cast<Eigen::Index>(number_of_surface_vertices), points.rows()))
+    : Embedded_body_3(points, std::move(cells),
+                      identity_rows(number_of_surface_vertices, points.rows()))
   {}
 
 private:
-  static Eigen::SparseMatrix<double> identity_rows(const Eigen::Index rows,
+  static Eigen::SparseMatrix<double> identity_rows(const std::size_t number,
                                                    const Eigen::Index columns)
   {
-    CGAL_precondition(rows <= columns);
+    if(number > static_cast<std::size_t>(columns))
+      throw std::invalid_argument("there are " + std::to_string(number)
+                                  + " surface vertices, but only " + std::to_string(columns)
+                                  + " body vertices");
+    const auto rows = static_cast<Eigen::Index>(number);
     Eigen::SparseMatrix<double> matrix(rows, columns);
     matrix.reserve(rows);
     for(Eigen::Index i = 0; i < rows; ++i)

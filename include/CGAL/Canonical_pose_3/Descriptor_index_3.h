@@ -156,6 +156,22 @@ private:
   Eigen::MatrixXd m_values; // a column per shape, and further ones in reserve
 };
 
+namespace internal {
+
+// Throws `std::invalid_argument` unless there are finite nonnegative distances of all pairs.
+inline void check_distances_of_pairs(const Eigen::MatrixXd& distances, const std::string& what)
+{
+  if(distances.rows() != distances.cols())
+    throw std::invalid_argument(what + " is not square");
+  for(Eigen::Index j = 0; j < distances.cols(); ++j)
+    for(Eigen::Index i = 0; i < distances.rows(); ++i)
+      if(!(distances(i, j) >= 0) || !std::isfinite(distances(i, j)))
+        throw std::invalid_argument("entry (" + std::to_string(i) + ", " + std::to_string(j)
+                                    + ") of " + what + " is negative or not finite");
+}
+
+} // namespace internal
+
 /*!
 \ingroup PkgCanonicalPose3Ref
 
@@ -165,8 +181,8 @@ all pairs.
 \param distances matrices from `Descriptor_index_3::distances()`, of the same shapes.
 \param weights positive, one per matrix; all are 1 if empty.
 
-\throws std::invalid_argument if there is no matrix, they have different sizes, or a weight is not
-        positive or missing.
+\throws std::invalid_argument if there is no matrix, they have different sizes, an entry is negative
+        or not finite, or a weight is not positive or missing.
 */
 inline Eigen::MatrixXd fused_distances(const std::vector<Eigen::MatrixXd>& distances,
                                        const std::vector<double>& weights = {})
@@ -183,6 +199,8 @@ inline Eigen::MatrixXd fused_distances(const std::vector<Eigen::MatrixXd>& dista
     const double weight = weights.empty() ? 1 : weights[i];
     if(distances[i].rows() != n || distances[i].cols() != n)
       throw std::invalid_argument("matrix " + std::to_string(i) + " of distances has another size");
+    internal::check_distances_of_pairs(distances[i],
+                                       "matrix " + std::to_string(i) + " of distances");
     if(!(weight > 0) || !std::isfinite(weight))
       throw std::invalid_argument("weight " + std::to_string(i) + " is not positive");
     const double sum = distances[i].sum();
@@ -206,7 +224,8 @@ symmetric.
 \param distances symmetric, of all pairs of shapes.
 \param number_of_neighbors in the graph, per shape.
 
-\throws std::invalid_argument if the matrix is not square, or the number is 0.
+\throws std::invalid_argument if the matrix is not square, an entry is negative or not finite, or the
+        number is 0.
 
 <em>Complexity:</em> \f$ O(n^3) \f$ for \f$ n \f$ shapes.
 */
@@ -214,13 +233,12 @@ inline Eigen::MatrixXd manifold_ranking(const Eigen::MatrixXd& distances,
                                         const std::size_t number_of_neighbors = 5)
 {
   constexpr double spread = .8; // of the score to neighbors
-  if(distances.rows() != distances.cols())
-    throw std::invalid_argument("the matrix of distances is not square");
+  internal::check_distances_of_pairs(distances, "the matrix of distances");
   if(number_of_neighbors == 0)
     throw std::invalid_argument("the number of neighbors is 0");
   const Eigen::Index n = distances.rows();
-  const auto k
-    = static_cast<std::size_t>((std::min)(static_cast<Eigen::Index>(number_of_neighbors), n - 1));
+  const std::size_t k
+    = (std::min)(number_of_neighbors, static_cast<std::size_t>((std::max)(n, Eigen::Index(1)) - 1));
   std::vector<std::vector<Eigen::Index>> neighbors;
   Eigen::VectorXd farthest_neighbor = Eigen::VectorXd::Zero(n);
   for(Eigen::Index i = 0; i < n; ++i)

@@ -65,7 +65,7 @@ public:
 
   \pre `distances.rows() == points.rows()`, and there is at least one column.
 
-  \throws std::invalid_argument if the spacing is negative or so small that there would be tens of
+  \throws std::invalid_argument if a triangle has an invalid row, the spacing is negative or so small that there would be tens of
          millions of cubes, a vertex is isolated, the surface has no area, or a distance is not
          finite (for instance for several components).
 

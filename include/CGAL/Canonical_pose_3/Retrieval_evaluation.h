@@ -90,8 +90,11 @@ public:
     if(dissimilarities.rows() != static_cast<Eigen::Index>(n))
       throw std::invalid_argument("there are " + std::to_string(n) + " classes, but "
                                   + std::to_string(dissimilarities.rows()) + " shapes");
-    if(dissimilarities.array().isNaN().any())
-      throw std::invalid_argument("a dissimilarity is not a number");
+    for(Eigen::Index j = 0; j < dissimilarities.cols(); ++j)
+      for(Eigen::Index i = 0; i < dissimilarities.rows(); ++i)
+        if(std::isnan(dissimilarities(i, j)))
+          throw std::invalid_argument("a dissimilarity is not a number: that of shape "
+                                      + std::to_string(j) + " from query " + std::to_string(i));
     for(std::size_t i = 0; i < n; ++i)
       evaluate(i, answers_to(dissimilarities, i));
     const auto number_of_queries = std::count(m_is_query.begin(), m_is_query.end(), true);

@@ -13,11 +13,11 @@
 #include <CGAL/Canonical_pose_3/internal/support/Disjoint_sets.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 
-#include <CGAL/assertions.h>
-
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -66,10 +66,21 @@ struct Segmentation_tree_3
   \param requested_number_of_parts the number of parts; if there are not as many leaves, or more
          connected components, the nearest possible number.
 
+  \throws std::invalid_argument if a face names a leaf, or a merge a node, that does not exist, or
+         there are as many merges as leaves.
+
   <em>Complexity:</em> linear in the number of faces.
   */
   std::vector<std::size_t> parts(const std::size_t requested_number_of_parts) const
   {
+    if(merges.size() > number_of_leaves || (merges.size() == number_of_leaves && !merges.empty()))
+      throw std::invalid_argument("there are " + std::to_string(merges.size()) + " merges of "
+                                  + std::to_string(number_of_leaves) + " leaves");
+    for(std::size_t f = 0; f < leaf_of_face.size(); ++f)
+      if(leaf_of_face[f] >= number_of_leaves)
+        throw std::invalid_argument("face " + std::to_string(f) + " is in leaf "
+                                    + std::to_string(leaf_of_face[f]) + ", but there are "
+                                    + std::to_string(number_of_leaves));
     const std::size_t number_of_merges
       = number_of_leaves
         - (std::min)((std::max)(requested_number_of_parts, least_number_of_parts()),
@@ -78,7 +89,10 @@ struct Segmentation_tree_3
     for(std::size_t i = 0; i < number_of_merges; ++i)
       for(const std::size_t node : merges[i].nodes)
       {
-        CGAL_precondition(node < number_of_leaves + i);
+        if(node >= number_of_leaves + i)
+          throw std::invalid_argument("merge " + std::to_string(i) + " names node "
+                                      + std::to_string(node) + ", but there are "
+                                      + std::to_string(number_of_leaves + i));
         nodes.unite(node, number_of_leaves + i);
       }
     return internal::label_components(nodes, leaf_of_face.size(),

@@ -98,6 +98,7 @@ public:
     for(Eigen::Index i = 0; i < middles.rows(); ++i)
     {
       const Symmetric_pair_3& s = element(static_cast<std::size_t>(i));
+      CGAL_precondition((std::max)(s.p, s.q) < static_cast<std::size_t>(points.rows()));
       middles.row(i) = (points.row(s.p) + points.row(s.q)) / 2;
       differences.row(i) = points.row(s.p) - points.row(s.q);
       stiffness[i] = s.stiffness;

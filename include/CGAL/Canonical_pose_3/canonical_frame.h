@@ -21,6 +21,7 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <string>
 
 namespace CGAL {
 namespace Canonical_pose_3 {
@@ -44,7 +45,8 @@ on the ends of limbs, and so on the posture.)
 
 \pre There are as many weights as points.
 
-\throws std::invalid_argument if the sum of the weights is not positive, or a coordinate is not finite.
+\throws std::invalid_argument if a weight is negative or not finite, their sum is not positive, or a
+       coordinate is not finite.
 
 <em>Complexity:</em> \f$ O(n) \f$.
 
@@ -53,11 +55,13 @@ on the ends of limbs, and so on the posture.)
 inline Eigen::Isometry3d canonical_frame(const Point_matrix& points, const Eigen::VectorXd& weights)
 {
   CGAL_precondition(points.rows() == weights.size());
+  for(Eigen::Index i = 0; i < weights.size(); ++i)
+    if(!(weights[i] >= 0) || !std::isfinite(weights[i]))
+      throw std::invalid_argument("weight " + std::to_string(i) + " is negative or not finite");
   const double sum = weights.sum();
   if(!(sum > 0) || !std::isfinite(sum))
-    throw std::invalid_argument("the sum of the weights is not positive");
-  if(!points.allFinite())
-    throw std::invalid_argument("a coordinate is not finite");
+    throw std::invalid_argument("the sum of the weights is not positive, or not finite");
+  internal::check_finite(points);
   const double largest = points.cwiseAbs().maxCoeff();
   const double unit = largest > 0 ? largest : 1;
   const Point_matrix scaled = points / unit;

@@ -11,6 +11,7 @@
 #define CGAL_CANONICAL_POSE_3_FARTHEST_POINT_LANDMARKS_H
 
 #include <CGAL/Canonical_pose_3/Landmark_fields_3.h>
+#include <CGAL/Canonical_pose_3/internal/soup/check_soup.h>
 #include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
@@ -47,6 +48,8 @@ is returned.
 
 \pre `points` has at least one row.
 
+\throws std::invalid_argument if a triangle has an invalid row.
+
 <em>Complexity:</em> linear.
 
 \sa `farthest_point_landmarks()`
@@ -55,6 +58,7 @@ inline std::size_t extremal_point(Point_matrix points,
                                   const std::vector<std::array<std::size_t, 3>>& triangles)
 {
   CGAL_precondition(points.rows() > 0);
+  internal::check_elements(triangles, static_cast<std::size_t>(points.rows()));
   internal::normalize(points);
   Eigen::RowVector3d weighted = Eigen::RowVector3d::Zero();
   double area = 0;
@@ -136,6 +140,7 @@ farthest_point_landmarks(const GeodesicDistances& geodesics, const std::size_t l
   result.distances.resize(n, columns);
   Eigen::VectorXd nearest;
   Eigen::Index next = static_cast<Eigen::Index>(geodesics.index(first));
+  CGAL_precondition(next >= 0 && next < n);
   for(Eigen::Index j = 0; j < columns; ++j)
   {
     const auto landmark = vertex_of_row[next];

@@ -14,6 +14,7 @@
 #include <CGAL/Canonical_pose_3/Options.h>
 #include <CGAL/Canonical_pose_3/farthest_point_landmarks.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+#include <CGAL/Canonical_pose_3/internal/target/check_landmark_fields.h>
 #include <CGAL/Canonical_pose_3/make_triangle_mesh.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
@@ -48,7 +49,8 @@ Landmark_fields_function landmark_fields_function()
             const std::vector<std::size_t>& landmarks) {
     const auto mesh
       = make_triangle_mesh<typename GeodesicDistances::Triangle_mesh>(points, triangles);
-    const auto vertex = [&mesh](const std::size_t row) {
+    const auto vertex = [&](const std::size_t row) {
+      internal::check_landmarks({row}, static_cast<std::size_t>(points.rows()), "the landmarks");
       return *std::next(vertices(mesh).begin(), static_cast<std::ptrdiff_t>(row));
     };
     const GeodesicDistances geodesics(mesh);

@@ -13,19 +13,21 @@
 #include <CGAL/Canonical_pose_3/internal/pipeline/options_of_parameters.h>
 #include <CGAL/Canonical_pose_3/internal/soup/Corner_table.h>
 #include <CGAL/Canonical_pose_3/internal/soup/Triangle_soup.h>
+#include <CGAL/Canonical_pose_3/internal/soup/check_soup.h>
 #include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
 #include <CGAL/Canonical_pose_3/internal/soup/twice_area.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/assertions.h>
 
 #include <Eigen/Core>
 
 #include <algorithm>
 #include <cstddef>
 #include <map>
+#include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -68,7 +70,9 @@ struct Segmentation_part_3
 
 \returns the parts, in the order of their numbers.
 
-\pre There is one part per polygon; the rows are valid.
+\throws std::invalid_argument if there is not one part per polygon, a part is not less than the
+       number of polygons, a coordinate is not finite (or so large or small that areas would be 0 or
+       infinite), or a polygon has an invalid row; the message states the element.
 
 <em>Complexity:</em> \f$ O(n \log n) \f$.
 */
@@ -77,7 +81,18 @@ segmentation_parts(const Point_matrix& points,
                    const std::vector<std::vector<std::size_t>>& polygons,
                    const std::vector<std::size_t>& part_of_polygon)
 {
-  CGAL_precondition(part_of_polygon.size() == polygons.size());
+  if(part_of_polygon.size() != polygons.size())
+    throw std::invalid_argument("there are " + std::to_string(part_of_polygon.size())
+                                + " parts of polygons, but " + std::to_string(polygons.size())
+                                + " polygons");
+  for(std::size_t f = 0; f < polygons.size(); ++f)
+    if(part_of_polygon[f] >= polygons.size())
+      throw std::invalid_argument("face " + std::to_string(f) + " is in part "
+                                  + std::to_string(part_of_polygon[f]) + ", but there are only "
+                                  + std::to_string(polygons.size()) + " polygons");
+  internal::check_finite(points);
+  internal::check_unit(points);
+  internal::check_elements(polygons, static_cast<std::size_t>(points.rows()), "face");
   std::vector<Segmentation_part_3> result;
   if(polygons.empty())
     return result;

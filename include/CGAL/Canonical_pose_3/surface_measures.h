@@ -10,6 +10,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_SURFACE_MEASURES_H
 #define CGAL_CANONICAL_POSE_3_SURFACE_MEASURES_H
 
+#include <CGAL/Canonical_pose_3/internal/soup/check_soup.h>
 #include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
 #include <CGAL/Canonical_pose_3/internal/soup/twice_area.h>
 #include <CGAL/Canonical_pose_3/internal/support/Buckets.h>
@@ -38,11 +39,12 @@ triangles. The sum is 1.
 \param points \f$ n \times 3 \f$, positions.
 \param triangles triples of rows of `points`.
 
-\throws std::invalid_argument if the area is zero or overflows.
+\throws std::invalid_argument if the area is zero or overflows, or a triangle has an invalid row.
 */
 inline Eigen::VectorXd vertex_area_shares(const Point_matrix& points,
                                           const std::vector<std::array<std::size_t, 3>>& triangles)
 {
+  internal::check_elements(triangles, static_cast<std::size_t>(points.rows()));
   const double unit = points.size() > 0 ? points.cwiseAbs().maxCoeff() : 0;
   Eigen::VectorXd area = Eigen::VectorXd::Zero(points.rows());
   for(const auto& t : triangles)
@@ -109,10 +111,16 @@ the lengths of an edge at rest and in the pose. Edges of length 0 at rest are ig
 \param rest \f$ n \times 3 \f$, positions at rest.
 \param pose \f$ n \times 3 \f$, positions in the pose.
 \param triangles triples of rows.
+
+\pre The numbers of rows agree.
+
+\throws std::invalid_argument if a triangle has an invalid row.
 */
 inline double median_edge_strain(const Point_matrix& rest, const Point_matrix& pose,
                                  const std::vector<std::array<std::size_t, 3>>& triangles)
 {
+  CGAL_precondition(rest.rows() == pose.rows());
+  internal::check_elements(triangles, static_cast<std::size_t>(rest.rows()));
   std::vector<double> strains;
   internal::for_each_edge(static_cast<std::size_t>(rest.rows()), triangles,
                           [&](const Eigen::Index v, const Eigen::Index w) {
@@ -143,12 +151,19 @@ is 0.
 \param pose \f$ n \times 3 \f$, positions in the pose.
 \param elements `N` rows each.
 
+\pre The numbers of rows agree.
+
+\throws std::invalid_argument if an element has an invalid row.
+
 \sa `median_edge_strain()`
 */
 template <std::size_t N>
 Eigen::VectorXd vertex_strains(const Point_matrix& rest, const Point_matrix& pose,
                                const std::vector<std::array<std::size_t, N>>& elements)
 {
+  CGAL_precondition(rest.rows() == pose.rows());
+  internal::check_elements(elements, static_cast<std::size_t>(rest.rows()),
+                           N == 3 ? "triangle" : "tetrahedron");
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(rest.rows());
   Eigen::VectorXd number = Eigen::VectorXd::Zero(rest.rows());
   internal::for_each_edge(static_cast<std::size_t>(rest.rows()), elements,
@@ -175,10 +190,13 @@ its triangles. It is 0 where there is none, for instance at vertices without tri
 
 \param points \f$ n \times 3 \f$, positions.
 \param triangles triples of rows of `points`.
+
+\throws std::invalid_argument if a triangle has an invalid row.
 */
 inline Point_matrix vertex_normals(const Point_matrix& points,
                                    const std::vector<std::array<std::size_t, 3>>& triangles)
 {
+  internal::check_elements(triangles, static_cast<std::size_t>(points.rows()));
   const double unit = points.size() > 0 ? points.cwiseAbs().maxCoeff() : 0;
   Point_matrix normals = Point_matrix::Zero(points.rows(), 3);
   for(const auto& t : triangles)

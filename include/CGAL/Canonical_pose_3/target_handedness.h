@@ -104,6 +104,8 @@ Target and input may be in any unit, the same for both.
 
 \pre The numbers of rows agree, all coordinates are finite, and the sum of the weights is positive.
 
+\throws std::invalid_argument if a triangle has an invalid row.
+
 <em>Complexity:</em> linear.
 
 \sa `align_target()`

@@ -11,6 +11,7 @@
 #define CGAL_CANONICAL_POSE_3_TRIANGULATE_POLYGONS_H
 
 #include <CGAL/Canonical_pose_3/internal/soup/Loop_triangulation.h>
+#include <CGAL/Canonical_pose_3/internal/soup/check_soup.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
@@ -46,12 +47,17 @@ most 64 corners. Nothing is repaired; triangles are returned as they are.
 \param points \f$ n \times 3 \f$, positions.
 \param polygons sequences of rows of `points`.
 
+\throws std::invalid_argument if a coordinate is not finite, or a polygon has an invalid row; the
+       message states the vertex, or the polygon.
+
 \sa `repair_surface()`
 */
 inline Triangulated_polygons
 triangulate_polygons(const Point_matrix& points,
                      const std::vector<std::vector<std::size_t>>& polygons)
 {
+  internal::check_finite(points);
+  internal::check_elements(polygons, static_cast<std::size_t>(points.rows()), "face");
   Triangulated_polygons result;
   result.triangles.reserve(polygons.size());
   Point_matrix scaled; // so that areas do not overflow

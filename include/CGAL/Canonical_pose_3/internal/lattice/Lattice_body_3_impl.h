@@ -13,6 +13,7 @@
 #include <CGAL/Canonical_pose_3/Lattice_body_3.h>
 #include <CGAL/Canonical_pose_3/internal/lattice/Geodesic_bounds.h>
 #include <CGAL/Canonical_pose_3/internal/lattice/Lattice_builder.h>
+#include <CGAL/Canonical_pose_3/internal/soup/check_soup.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
@@ -34,6 +35,8 @@ Lattice_body_3::Lattice_body_3(const Point_matrix& points,
                                const std::vector<std::array<std::size_t, 3>>& caps)
 {
   CGAL_precondition(distances.rows() == points.rows() && distances.cols() > 0);
+  internal::check_elements(triangles, static_cast<std::size_t>(points.rows()));
+  internal::check_elements(caps, static_cast<std::size_t>(points.rows()), "cap");
   m_data = internal::Lattice_builder(points, std::move(triangles),
                                      internal::Geodesic_bounds(distances, distances.maxCoeff()),
                                      spacing, caps)

@@ -111,6 +111,7 @@ private:
       for(std::size_t i = 0, k = length; k < n; ++i, ++k)
       {
         least[i * n + k] = std::numeric_limits<double>::infinity();
+        apex[i * n + k] = i + 1; // even if no cost is finite
         for(std::size_t j = i + 1; j < k; ++j)
         {
           const double sum = least[i * n + j] + least[j * n + k] + cost(i, j, k);

@@ -101,7 +101,9 @@ CGAL_CANONICAL_POSE_3_INLINE Coarse_surface_3 coarse_surface(const Surface_compo
 {
   const auto n = static_cast<std::size_t>(surface.points.rows());
   for(const std::size_t v : kept)
-    CGAL_precondition(v < n);
+    if(v >= n)
+      throw std::invalid_argument("vertex " + std::to_string(v) + " is to be kept, but there are "
+                                  + std::to_string(n));
   if(number_of_vertices >= n)
     return internal::copied_surface(surface);
   Point_matrix points = surface.points;

@@ -10,6 +10,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_TARGET_TARGET_HANDEDNESS_IMPL_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_TARGET_TARGET_HANDEDNESS_IMPL_H
 
+#include <CGAL/Canonical_pose_3/internal/soup/check_soup.h>
 #include <CGAL/Canonical_pose_3/internal/soup/signed_volume.h>
 #include <CGAL/Canonical_pose_3/internal/soup/twice_area.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
@@ -50,6 +51,7 @@ CGAL_CANONICAL_POSE_3_INLINE Target_handedness_3 target_handedness(
   CGAL_precondition(target.rows() == points.rows() && weights.size() == points.rows());
   CGAL_precondition(weights.sum() > 0);
   CGAL_precondition(target.allFinite() && points.allFinite());
+  internal::check_elements(triangles, static_cast<std::size_t>(points.rows()));
   const int exponent = internal::normalize(target) - internal::normalize(points);
   const double volume = internal::signed_volume(points, triangles);
   const double volume_ratio
