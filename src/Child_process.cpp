@@ -9,6 +9,7 @@
 
 #include "Child_process.h"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
@@ -102,7 +103,8 @@ Child_process::Child_process(const std::vector<std::string>& arguments, const Li
   if(m_limits.megabytes > 0)
   {
     rlimit limit;
-    limit.rlim_cur = limit.rlim_max = static_cast<rlim_t>(m_limits.megabytes * 1048576);
+    limit.rlim_cur = limit.rlim_max
+      = static_cast<rlim_t>((std::min)(m_limits.megabytes * 1048576, 9e18));
     setrlimit(RLIMIT_AS, &limit);
   }
   rlimit no_core_file = {0, 0};

@@ -14,11 +14,14 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
+#include <limits>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -109,6 +112,26 @@ void take_constraints(const Raw_arguments& raw, Options& options)
   }
 }
 
+// The type of the option must be `Integer`. Only digits are accepted: no other notation, no sign of a
+// number that cannot be negative, no overflow.
+template <class Integer>
+CLI::Validator integer(const Integer least)
+{
+  const std::string name = least > 0 ? "POSITIVE" : "NONNEGATIVE";
+  return CLI::Validator(
+    [=](std::string& text) {
+      Integer value;
+      const char* const end = text.data() + text.size();
+      const std::from_chars_result result = std::from_chars(text.data(), end, value);
+      if(result.ec != std::errc() || result.ptr != end || value < least)
+        return "'" + text + "' is not an integer from " + std::to_string(least) + " to "
+               + std::to_string((std::numeric_limits<Integer>::max)());
+      text = std::to_string(value); // leading zeros would mean octal numbers
+      return std::string();
+    },
+    name, name);
+}
+
 CLI::Validator number(const bool positive)
 {
   const std::string name = positive ? "POSITIVE" : "NONNEGATIVE";
@@ -153,7 +176,7 @@ void add_common(CLI::App& command, Arguments& arguments)
   command
     .add_option("--threads", arguments.options.number_of_threads,
                 "at most so many threads; 0: as many as there are")
-    ->check(number(false))
+    ->transform(integer(0))
     ->capture_default_str();
   command.add_flag("--quiet", arguments.quiet, "print nothing but errors");
 }
@@ -203,7 +226,7 @@ void add_pose_options(CLI::App& command, Arguments& arguments, Raw_arguments& ra
     ->check(CLI::IsMember({"classical", "gaussian", "gaussian-uncentred"}))
     ->capture_default_str();
   command.add_option("--landmarks", options.number_of_landmarks, "number of landmarks")
-    ->check(number(true))
+    ->transform(integer(std::size_t(1)))
     ->capture_default_str();
   command
     .add_option("--detail-length", options.registration.detail_length,
@@ -218,7 +241,7 @@ void add_pose_options(CLI::App& command, Arguments& arguments, Raw_arguments& ra
   command
     .add_option("--iterations", options.registration.number_of_iterations,
                 "cap on the number of iterations")
-    ->check(number(true))
+    ->transform(integer(1))
     ->capture_default_str();
   command.add_option("--paper-weights", raw.paper_weights,
                      "ALPHA,BETA: the weights as the paper prints them");
@@ -235,7 +258,7 @@ void add_pose_options(CLI::App& command, Arguments& arguments, Raw_arguments& ra
       "--rounds", options.number_of_rounds,
       "how often distances are measured again on the pose, at most; by default 3, or 0 "
       "with --given-target, --paper-weights, --target-mode unfold or the uncentered kernel")
-    ->check(number(false));
+    ->transform(integer(0));
   command
     .add_option("--components", raw.components,
                 "more than one connected component: refuse, largest, each")
@@ -250,7 +273,7 @@ void add_pose_options(CLI::App& command, Arguments& arguments, Raw_arguments& ra
     ->check(CLI::IsMember({"auto", "eigen", "cholmod"}))
     ->capture_default_str();
   command.add_option("--seed", options.random_seed, "0, or the seed that draws the first landmark")
-    ->check(number(false))
+    ->transform(integer(0u))
     ->capture_default_str();
   add_common(command, arguments);
 }
@@ -394,7 +417,7 @@ void add_collection(CLI::App& command, Arguments& arguments, Raw_arguments& raw)
   command
     .add_option("--workers", arguments.number_of_workers,
                 "so many shapes at a time; 0: as many as there are processors")
-    ->check(number(false))
+    ->transform(integer(std::size_t(0)))
     ->capture_default_str();
   command.add_option("--time-limit", arguments.time_limit, "seconds for a shape; 0: no limit")
     ->check(number(false))
@@ -424,7 +447,7 @@ void add_search(CLI::App& command, Arguments& arguments, Raw_arguments& raw)
   command.add_option("QUERY", arguments.input, "surface")->required();
   add_database(command, arguments);
   command.add_option("-n", arguments.number_of_answers, "number of answers")
-    ->check(number(true))
+    ->transform(integer(std::size_t(1)))
     ->capture_default_str();
   add_weighted_descriptors(command, arguments);
   command.add_option("--pose", arguments.pose, "take this pose instead of computing one")
@@ -463,7 +486,7 @@ void add_geodesics(CLI::App& command, Arguments& arguments)
   add_input(command, arguments);
   command.add_option("--source", arguments.sources, "number of a vertex, from 0; may be repeated")
     ->required()
-    ->check(number(false))
+    ->transform(integer(std::size_t(0)))
     ->allow_extra_args(false);
   command
     .add_option("-o,--output", arguments.output,
@@ -522,6 +545,10 @@ std::optional<int> parse_command_line(const int argc, char* argv[], Arguments& a
   CLI::App app("Brings 3D shapes into their detail-preserving canonical pose.", "canonical-pose");
   app.set_version_flag("--version", CANONICAL_POSE_VERSION);
   app.require_subcommand(1);
+  app.failure_message([](const CLI::App*, const CLI::Error& error) { // one line for bad values
+    return std::string("canonical-pose: ") + error.what()
+           + (error.get_name() == "ValidationError" ? "\n" : "; see --help\n");
+  });
   CLI::App* const pose = app.add_subcommand("pose", "brings a shape into its canonical pose");
   CLI::App* const check
     = app.add_subcommand("check", "tells what is wrong with a surface, if anything");

@@ -40,6 +40,8 @@ expect_exit(2 geodesics ball.off -o out/a.txt)
 expect_exit(2 pose ball.off -o out/a.off --geodesics mmp)
 expect_exit(2 geodesics ball.off -o out/a.txt --source -1)
 
+include(${CMAKE_CURRENT_LIST_DIR}/test_tool_numbers.cmake)
+
 # ---- failures: exit 1, one line on stderr that states the reason, and no file --------------------------
 
 foreach(input IN LISTS bad_inputs)
