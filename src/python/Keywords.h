@@ -17,6 +17,7 @@
 
 #include <pybind11/pybind11.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <optional>
@@ -45,7 +46,10 @@ public:
   template <class Integer>
   void take_integer(const char* const name, const long long least, Integer& result)
   {
-    constexpr auto most = static_cast<unsigned long long>((std::numeric_limits<Integer>::max)());
+    // Larger integers than `long long` holds have arrived as its largest one.
+    constexpr auto most
+      = (std::min)(static_cast<unsigned long long>((std::numeric_limits<Integer>::max)()),
+                   static_cast<unsigned long long>((std::numeric_limits<long long>::max)()) - 1);
     if(const std::optional<long long> value = integer(name, least, most))
       result = static_cast<Integer>(*value);
   }

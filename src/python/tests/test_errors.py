@@ -122,6 +122,7 @@ def test_cells(cells, message):
     ({"detail_length": float("nan")}, "detail_length is not finite"),
     ({"landmarks": 0}, "option landmarks is 0, but must be >= 1"),
     ({"landmarks": -2**70}, "option landmarks is -1180591620717411303424, but must be >= 1"),
+    ({"landmarks": 2**70}, "option landmarks is 1180591620717411303424, which is too large"),
     ({"iterations": 2**31}, "option iterations is 2147483648, which is too large"),
     ({"rounds": -1}, "option rounds is -1, but must be >= 0"),
     ({"threads": -1}, "option threads is -1, but must be >= 0"),
