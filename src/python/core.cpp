@@ -32,7 +32,7 @@
 #include <pybind11/stl.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
 #endif
 
 #include <algorithm>
@@ -155,13 +155,7 @@ py::dict describe(const py::object& vertices, const py::object& faces,
   const Mesh_file surface = surface_of(vertices, faces);
   const Options options = options_of(keywords);
   std::optional<Point_matrix> pose = pose_of(given_pose, surface);
-  std::vector<Eigen::VectorXd> values = without_lock([&] {
-#ifdef CGAL_LINKED_WITH_TBB
-    std::optional<tbb::global_control> limit; // descriptors have no options of their own
-    if(options.number_of_threads > 0)
-      limit.emplace(tbb::global_control::max_allowed_parallelism,
-                    static_cast<std::size_t>(options.number_of_threads));
-#endif
+  const auto describe_surface = [&] {
     const Point_matrix points = tool::matrix_of(tool::points_of(surface));
     std::vector<Eigen::VectorXd> result;
     for(const tool::Descriptor& descriptor : chosen)
@@ -171,11 +165,18 @@ py::dict describe(const py::object& vertices, const py::object& faces,
       result.push_back(descriptor.values(descriptor.needs_pose ? *pose : points, surface.faces));
     }
     return result;
+  };
+  const std::vector<Eigen::VectorXd> values = without_lock([&] {
+#ifdef CGAL_LINKED_WITH_TBB
+    if(options.number_of_threads > 0) // descriptors have no options of their own
+      return tbb::task_arena(options.number_of_threads).execute(describe_surface);
+#endif
+    return describe_surface();
   });
   py::dict result;
   for(std::size_t i = 0; i < chosen.size(); ++i)
     result[chosen[i].name.c_str()]
-      = py::dict(py::arg("version") = chosen[i].version, py::arg("values") = std::move(values[i]));
+      = py::dict(py::arg("version") = chosen[i].version, py::arg("values") = values[i]);
   return result;
 }
 

@@ -22,8 +22,15 @@
 #include "shapes.h"
 #include "sparse_matrices.h"
 
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
+#endif
+
+#include <algorithm>
 #include <cstddef>
 #include <functional>
+#include <stdexcept>
 #include <thread>
 #include <vector>
 
@@ -112,3 +119,54 @@ TEST(Concurrent_calls, poses)
   });
   expect_same_bytes(jobs, 2);
 }
+
+#ifdef CGAL_LINKED_WITH_TBB
+// The limit concerns the loops of the call, and not those of other threads of the program: the
+// functions of the user run within it, in the thread of the call, and the process is allowed as many
+// threads as before. So it is after an exception of the user.
+TEST(Concurrent_calls, limit_of_threads_concerns_the_call_only)
+{
+  const auto allowed = [] {
+    return tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+  };
+  const tbb::global_control four(tbb::global_control::max_allowed_parallelism, 4);
+  const shapes::Triangle_soup bar = shapes::bent_bar();
+  tbb::task_arena(4).execute([&] {
+    ASSERT_EQ(tbb::this_task_arena::max_concurrency(), 4);
+    const std::thread::id caller = std::this_thread::get_id();
+    CP::Options options;
+    const Eigen::MatrixXd expected = shapes::pose_of(bar, options).pose;
+    for(const int limit : {1, 2, 4, 9})
+    {
+      options.number_of_threads = limit;
+      int calls = 0, nested_calls = 0;
+      options.visitor = [&](const CP::Registration_progress&) {
+        EXPECT_EQ(tbb::this_task_arena::max_concurrency(), (std::min)(limit, 4));
+        EXPECT_EQ(allowed(), 4u);
+        EXPECT_EQ(std::this_thread::get_id(), caller);
+        if(++calls == 1) // a call within a call keeps the limit of both
+        {
+          CP::Options nested;
+          nested.number_of_threads = 3;
+          nested.visitor = [&](const CP::Registration_progress&) {
+            ++nested_calls;
+            EXPECT_EQ(tbb::this_task_arena::max_concurrency(), (std::min)(limit, 3));
+            return true;
+          };
+          shapes::pose_of(bar, nested);
+        }
+        return true;
+      };
+      EXPECT_EQ(Eigen::MatrixXd(shapes::pose_of(bar, options).pose), expected);
+      EXPECT_GT(calls, 0);
+      EXPECT_GT(nested_calls, 0);
+      EXPECT_EQ(tbb::this_task_arena::max_concurrency(), 4);
+    }
+    options.number_of_threads = 1;
+    options.visitor
+      = [](const CP::Registration_progress&) -> bool { throw std::runtime_error("enough"); };
+    EXPECT_THROW_WITH(shapes::pose_of(bar, options), std::runtime_error, "enough");
+    EXPECT_EQ(tbb::this_task_arena::max_concurrency(), 4);
+  });
+}
+#endif

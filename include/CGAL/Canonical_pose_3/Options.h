@@ -216,7 +216,7 @@ struct Method_options
   /// if set, replaces `solver`.
   std::optional<Linear_solver> linear_solver;
 
-  /// maximum number of threads; 0 for no limit. The result does not depend on it.
+  /// maximum number of threads of the call; 0 for no limit. The result does not depend on it.
   int number_of_threads = 0;
 
   /// if set, a model of `RegistrationVisitor_3` that observes the registration and may stop it. If

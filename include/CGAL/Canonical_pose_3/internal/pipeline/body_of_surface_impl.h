@@ -105,7 +105,8 @@ CGAL_CANONICAL_POSE_3_INLINE Surface_body_3 body_of_surface(const Surface_compon
                                                             const Body_makers& bodies)
 {
   check_method_options(options);
-  const Thread_limit limit(options.number_of_threads);
+  if(const Thread_limit limit(options.number_of_threads); limit.is_exceeded())
+    return limit.execute([&] { return body_of_surface(surface, coarse, fields, options, bodies); });
   CGAL_precondition(coarse.number_of_surface_vertices()
                     == static_cast<std::size_t>(surface.points.rows()));
   CGAL_precondition(fields.distances.rows() == coarse.surface.points.rows());

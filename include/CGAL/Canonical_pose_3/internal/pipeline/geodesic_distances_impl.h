@@ -54,7 +54,9 @@ geodesic_distances(const Point_matrix& points,
                    const Distances_function& function)
 {
   internal::check_method_options(options);
-  const internal::Thread_limit limit(options.number_of_threads);
+  if(const internal::Thread_limit limit(options.number_of_threads); limit.is_exceeded())
+    return limit.execute(
+      [&] { return geodesic_distances(points, polygons, sources, options, function); });
   const Repaired_surface_3 surface = repair_surface(points, polygons);
   const std::vector<std::size_t> copies = internal::first_copies(surface);
   const auto none = std::find(copies.begin(), copies.end(), surface.origins.size());

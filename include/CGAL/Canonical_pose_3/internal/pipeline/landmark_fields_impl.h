@@ -115,7 +115,8 @@ CGAL_CANONICAL_POSE_3_INLINE Landmark_fields_3 landmark_fields(const Surface_com
                                                                const Method_options& options)
 {
   internal::check_method_options(options);
-  const internal::Thread_limit limit(options.number_of_threads);
+  if(const internal::Thread_limit limit(options.number_of_threads); limit.is_exceeded())
+    return limit.execute([&] { return landmark_fields(surface, options); });
   internal::check_number_of_landmarks(options.number_of_landmarks,
                                       static_cast<std::size_t>(surface.points.rows()));
   if(options.landmark_fields_function)
@@ -134,9 +135,10 @@ landmark_fields(const Surface_component_3& surface, const std::vector<std::size_
                 const Method_options& options)
 {
   internal::check_method_options(options);
-  const internal::Thread_limit limit(options.number_of_threads);
   internal::check_landmarks(landmarks, static_cast<std::size_t>(surface.points.rows()),
                             "the landmarks");
+  if(const internal::Thread_limit limit(options.number_of_threads); limit.is_exceeded())
+    return limit.execute([&] { return landmark_fields(surface, landmarks, options); });
   if(options.landmark_fields_function)
     return internal::fields_of_function(options.landmark_fields_function, surface, options,
                                         landmarks);

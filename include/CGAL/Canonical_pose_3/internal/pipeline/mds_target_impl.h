@@ -86,7 +86,8 @@ CGAL_CANONICAL_POSE_3_INLINE Target_3 mds_target(const Surface_component_3& surf
                                                  const Component_options& options)
 {
   internal::check_method_options(options);
-  const internal::Thread_limit limit(options.number_of_threads);
+  if(const internal::Thread_limit limit(options.number_of_threads); limit.is_exceeded())
+    return limit.execute([&] { return mds_target(surface, coarse, fields, options); });
   CGAL_precondition(coarse.number_of_surface_vertices()
                     == static_cast<std::size_t>(surface.points.rows()));
   CGAL_precondition(fields.distances.rows() == coarse.surface.points.rows());

@@ -93,7 +93,8 @@ CGAL_CANONICAL_POSE_3_INLINE Result pose_of_complex(const Point_matrix& points,
                                                     const std::vector<std::array<int, 4>>& cells,
                                                     const Options& options)
 {
-  const Thread_limit limit(options.number_of_threads);
+  if(const Thread_limit limit(options.number_of_threads); limit.is_exceeded())
+    return limit.execute([&] { return pose_of_complex(points, cells, options); });
   check_options(options, static_cast<std::size_t>(points.rows()));
   if(options.contacts == Options::Contacts::CUT)
     throw std::invalid_argument("contacts of a tetrahedral complex cannot be cut");

@@ -36,7 +36,8 @@ CGAL_CANONICAL_POSE_3_INLINE Result
 pose_of_surface(const Point_matrix& points, const std::vector<std::vector<std::size_t>>& polygons,
                 const Options& options, const Body_makers& bodies)
 {
-  const Thread_limit limit(options.number_of_threads);
+  if(const Thread_limit limit(options.number_of_threads); limit.is_exceeded())
+    return limit.execute([&] { return pose_of_surface(points, polygons, options, bodies); });
   Real_timer timer;
   timer.start();
   const Prepared_surface_3 prepared = prepare_surface(points, polygons, options);

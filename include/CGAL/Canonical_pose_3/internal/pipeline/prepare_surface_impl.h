@@ -155,7 +155,8 @@ CGAL_CANONICAL_POSE_3_INLINE Prepared_surface_3
 prepare_surface(const Point_matrix& points, const std::vector<std::vector<std::size_t>>& polygons,
                 const Options& options)
 {
-  const internal::Thread_limit limit(options.number_of_threads);
+  if(const internal::Thread_limit limit(options.number_of_threads); limit.is_exceeded())
+    return limit.execute([&] { return prepare_surface(points, polygons, options); });
   internal::check_options(options, static_cast<std::size_t>(points.rows()));
   internal::check_factors(options.stiffness, points.rows(), "stiffness", "vertex", false);
   const internal::Examined_surface examined

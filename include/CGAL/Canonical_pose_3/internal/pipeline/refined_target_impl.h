@@ -43,7 +43,8 @@ CGAL_CANONICAL_POSE_3_INLINE Target_3 refined_target(const Surface_component_3& 
                                                      const Method_options& options)
 {
   internal::check_method_options(options);
-  const internal::Thread_limit limit(options.number_of_threads);
+  if(const internal::Thread_limit limit(options.number_of_threads); limit.is_exceeded())
+    return limit.execute([&] { return refined_target(surface, coarse, fields, pose, options); });
   CGAL_precondition(pose.rows() == surface.points.rows());
   CGAL_precondition(fields.distances.rows() == coarse.surface.points.rows());
   const Surface_component_3 posed = coarse.posed(pose);

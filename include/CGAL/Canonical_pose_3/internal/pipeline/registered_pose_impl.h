@@ -111,7 +111,9 @@ CGAL_CANONICAL_POSE_3_INLINE Result registered_pose(const Surface_component_3& s
                                                     const Component_options& options)
 {
   internal::check_method_options(options);
-  const internal::Thread_limit limit(options.number_of_threads);
+  if(const internal::Thread_limit limit(options.number_of_threads); limit.is_exceeded())
+    return limit.execute(
+      [&] { return registered_pose(surface, coarse, fields, target, body, options); });
   CGAL_precondition(target.points.rows() == surface.points.rows());
   CGAL_precondition(coarse.number_of_surface_vertices()
                     == static_cast<std::size_t>(surface.points.rows()));

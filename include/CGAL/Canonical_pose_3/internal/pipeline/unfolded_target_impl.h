@@ -40,7 +40,8 @@ CGAL_CANONICAL_POSE_3_INLINE Target_3 unfolded_target(const Surface_component_3&
                                                       const Method_options& options)
 {
   internal::check_method_options(options);
-  const internal::Thread_limit limit(options.number_of_threads);
+  if(const internal::Thread_limit limit(options.number_of_threads); limit.is_exceeded())
+    return limit.execute([&] { return unfolded_target(surface, body, options); });
   const internal::Body_view view(body.body);
   const Eigen::VectorXd shares = vertex_area_shares(surface.points, surface.triangles);
   Registration_options registration_options;

@@ -124,7 +124,8 @@ CGAL_CANONICAL_POSE_3_INLINE Segmentation_tree_3 consensus_segmentation_tree(
   using namespace internal;
   constexpr double concavity = .3;
   constexpr std::size_t number_of_patches = 300;
-  const Thread_limit limit(options.number_of_threads);
+  if(const Thread_limit limit(options.number_of_threads); limit.is_exceeded())
+    return limit.execute([&] { return consensus_segmentation_tree(points, polygons, pose, options); });
   const Segmented_surface surface(points, polygons, pose);
   const std::vector<Index_triangle> triangles = surface.closed_triangles();
 

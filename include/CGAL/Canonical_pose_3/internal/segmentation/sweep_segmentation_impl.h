@@ -70,7 +70,8 @@ CGAL_CANONICAL_POSE_3_INLINE Segmentation_tree_3 sweep_segmentation_tree(
   constexpr Cut_preferences cuts = {.7, 0};
   constexpr double cost_limit = 2;
   constexpr std::size_t number_of_patches = 250, least_number_of_leaves = 32;
-  const Thread_limit limit(options.number_of_threads);
+  if(const Thread_limit limit(options.number_of_threads); limit.is_exceeded())
+    return limit.execute([&] { return sweep_segmentation_tree(points, polygons, pose, options); });
   const Segmented_surface surface(points, polygons, pose);
   const Face_graph graph = surface.has_pose() ? surface.graph_of_pose() : surface.graph();
   const Patches patches

@@ -13,11 +13,9 @@
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
 #endif
 
-#include <cstddef>
-#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -26,26 +24,43 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// Limits the number of threads during its lifetime; 0: no limit.
+// A limit of the number of threads of a call, which does not concern other threads of the process;
+// 0: no limit. A function with a limit starts with
+//   if(const Thread_limit limit(number); limit.is_exceeded())
+//     return limit.execute([&] { return the_function_itself(...); });
 class Thread_limit
 {
 public:
-  explicit Thread_limit(const int number_of_threads)
+  explicit Thread_limit(const int number_of_threads) : m_number_of_threads(number_of_threads)
   {
     if(number_of_threads < 0)
       throw std::invalid_argument("option number_of_threads is " + std::to_string(number_of_threads)
                                   + ", but must be >= 0");
+  }
+
+  // Whether parallel loops of this thread may use more threads: not inside of execute().
+  bool is_exceeded() const
+  {
 #ifdef CGAL_LINKED_WITH_TBB
-    if(number_of_threads > 0)
-      m_limit.emplace(tbb::global_control::max_allowed_parallelism,
-                      static_cast<std::size_t>(number_of_threads));
+    return m_number_of_threads > 0 && tbb::this_task_arena::max_concurrency() > m_number_of_threads;
+#else
+    return false;
+#endif
+  }
+
+  // Calls f() in this thread, within the limit.
+  template <class Function>
+  auto execute(const Function& f) const
+  {
+#ifdef CGAL_LINKED_WITH_TBB
+    return tbb::task_arena(m_number_of_threads).execute(f);
+#else
+    return f();
 #endif
   }
 
 private:
-#ifdef CGAL_LINKED_WITH_TBB
-  std::optional<tbb::global_control> m_limit;
-#endif
+  int m_number_of_threads;
 };
 
 } // namespace internal
