@@ -9,6 +9,7 @@
 #include "geodesic_fixtures.h"
 #include "sparse_matrices.h"
 
+#include <CGAL/Canonical_pose_3/internal/linear_algebra/Lane_factor.h>
 #include <CGAL/Canonical_pose_3/internal/linear_algebra/Sparse_factor.h>
 #ifdef CGAL_CANONICAL_POSE_3_USE_CHOLMOD
 #include <CGAL/Canonical_pose_3/Cholmod_factor_traits_d.h>
@@ -17,11 +18,41 @@
 
 #include <gtest/gtest.h>
 
+#ifdef __unix__
+#include <dlfcn.h>
+#endif
+
+#include <cstdlib>
 #include <limits>
+#include <new>
 #include <thread>
 
 using namespace CGAL::Canonical_pose_3;
 using namespace Canonical_pose_test;
+
+namespace {
+
+// Allocations of more bytes fail.
+std::size_t most_bytes = std::size_t(-1);
+
+class Little_memory
+{
+public:
+  Little_memory() { most_bytes = 1000000; }
+  ~Little_memory() { most_bytes = std::size_t(-1); }
+};
+
+} // namespace
+
+// Eigen's sparse matrices are in such arrays.
+void* operator new[](const std::size_t size)
+{
+  if(size > most_bytes)
+    throw std::bad_alloc();
+  return ::operator new(size);
+}
+void operator delete[](void* const pointer) noexcept { ::operator delete(pointer); }
+void operator delete[](void* const pointer, std::size_t) noexcept { ::operator delete(pointer); }
 
 template <class Traits>
 class Factor_traits : public testing::Test
@@ -136,50 +167,129 @@ TYPED_TEST(Factor_traits, vectors_of_cgal)
   EXPECT_EQ(x.eigen_object(), y.eigen_object());
 }
 
-#if defined(CGAL_CANONICAL_POSE_3_USE_CHOLMOD) && defined(CGAL_CANONICAL_POSE_3_HAS_WEAK_OPENMP)
+#if defined(CGAL_CANONICAL_POSE_3_USE_CHOLMOD) && defined(CGAL_CANONICAL_POSE_3_HAS_WEAK_REFERENCES)
 // OpenMP is off in the scope of the object only. For a user who has turned it off, it remains so.
 TEST(Cholmod_factor_traits, turns_openmp_off)
 {
   using namespace internal;
-  if(canonical_pose_3_get_openmp_levels == nullptr)
+  if(get_openmp_levels == nullptr)
     GTEST_SKIP() << "CHOLMOD of this machine does not use OpenMP";
-  const int before = canonical_pose_3_get_openmp_levels();
+  const int before = get_openmp_levels();
   for(int levels : {3, 0})
   {
-    canonical_pose_3_set_openmp_levels(levels);
+    set_openmp_levels(levels);
     {
       const Openmp_off off;
-      EXPECT_EQ(canonical_pose_3_get_openmp_levels(), 0);
+      EXPECT_EQ(get_openmp_levels(), 0);
     }
-    EXPECT_EQ(canonical_pose_3_get_openmp_levels(), levels);
+    EXPECT_EQ(get_openmp_levels(), levels);
     Sparse_factor factor(make_factor<Cholmod_factor_traits_d>);
     factor.factor(grid_matrix(14, 14, 0.01), "the test matrix");
-    EXPECT_EQ(canonical_pose_3_get_openmp_levels(), levels);
+    EXPECT_EQ(get_openmp_levels(), levels);
   }
-  canonical_pose_3_set_openmp_levels(before);
+  set_openmp_levels(before);
 }
 #endif
 
-#if defined(CGAL_CANONICAL_POSE_3_USE_CHOLMOD) && defined(CGAL_CANONICAL_POSE_3_HAS_WEAK_OPENBLAS)
+#if defined(CGAL_CANONICAL_POSE_3_USE_CHOLMOD) && defined(CGAL_CANONICAL_POSE_3_HAS_WEAK_REFERENCES)
 // OpenBLAS splits sums depending on the number of its threads. For any user setting, results do not
 // change, and neither does the setting.
 TEST(Cholmod_factor_traits, holds_openblas_to_one_thread)
 {
   using namespace internal;
-  if(openblas_set_num_threads == nullptr || openblas_get_num_threads == nullptr)
+  if(set_openblas_threads == nullptr || get_openblas_threads == nullptr)
     GTEST_SKIP() << "the BLAS of this machine is not OpenBLAS";
-  const int before = openblas_get_num_threads();
+  const int before = get_openblas_threads();
   const Sparse_matrix matrix = grid_matrix(20, 20, 0.01);
   std::vector<Eigen::MatrixXd> results;
   for(int threads : {1, 2})
   {
-    openblas_set_num_threads(threads);
+    set_openblas_threads(threads);
     Sparse_factor factor(make_factor<Cholmod_factor_traits_d>);
     factor.factor(matrix, "the test matrix");
     results.push_back(factor.solve(waves(matrix.rows(), 3)));
-    EXPECT_EQ(openblas_get_num_threads(), threads);
+    EXPECT_EQ(get_openblas_threads(), threads);
   }
   EXPECT_EQ(results[0], results[1]);
-  openblas_set_num_threads(before);
+  set_openblas_threads(before);
 }
+#endif
+
+// A matrix cannot be factored for three reasons; a message does not blame the matrix for the other
+// two. Each array of these two matrices has less than a million bytes, but not those of the factors.
+TEST(Eigen_factor_traits, reports_lack_of_memory)
+{
+  const Sparse_matrix matrix = grid_matrix(14, 14, 0.01);
+  internal::Sparse_factor factor(internal::make_factor<Eigen_factor_traits_d>);
+  {
+    const Little_memory little;
+    EXPECT_EQ(message_of<std::runtime_error>([&] { factor.factor(matrix, "the test matrix"); }),
+              "there is not enough memory for the factor of a matrix with 2744 rows (Eigen "
+              "SimplicialLDLT)");
+  }
+  EXPECT_FALSE(factor.is_factored());
+  factor.factor(matrix, "the test matrix");
+  EXPECT_TRUE(factor.is_factored());
+}
+
+// Two columns with as many entries as an index can count, the sum overflows to -2.
+TEST(Eigen_factor_traits, reports_factors_that_are_too_large)
+{
+  constexpr int most = (std::numeric_limits<int>::max)();
+  const std::vector<int> begin = {0, most, -2};
+  EXPECT_NO_THROW(internal::Checked_ldlt::check(begin.data(), 1));
+  EXPECT_EQ(message_of<std::runtime_error>([&] { internal::Checked_ldlt::check(begin.data(), 2); }),
+            "the factor of a matrix with 2 rows is too large: it has more than 2147483647 entries "
+            "(Eigen SimplicialLDLT)");
+}
+
+#ifdef CGAL_CANONICAL_POSE_3_USE_CHOLMOD
+TEST(Cholmod_factor_traits, reports_factors_that_are_too_large)
+{
+  internal::Cholmod_common common;
+  for(const int status : {CHOLMOD_OK, CHOLMOD_NOT_POSDEF})
+  {
+    common.get()->status = status;
+    EXPECT_NO_THROW(common.check(7));
+  }
+  common.get()->status = CHOLMOD_TOO_LARGE;
+  EXPECT_EQ(message_of<std::runtime_error>([&] { common.check(7); }),
+            "the factor of a matrix with 7 rows is too large: it has more than 2147483647 entries "
+            "(CHOLMOD)");
+}
+
+#if defined(__unix__) && SUITESPARSE_VERSION < SUITESPARSE_VER_CODE(6, 0)
+// Column by column (a surface), and in dense blocks (a volume).
+TEST(Cholmod_factor_traits, reports_lack_of_memory)
+{
+  auto* const functions
+    = static_cast<SuiteSparse_config_struct*>(dlsym(RTLD_DEFAULT, "SuiteSparse_config"));
+  if(functions == nullptr)
+    GTEST_SKIP() << "SuiteSparse is not a shared library";
+  const SuiteSparse_config_struct original = *functions;
+  for(const Sparse_matrix& matrix : {grid_matrix(100, 1, 0.01), grid_matrix(14, 14, 0.01)})
+  {
+    const std::string expected = "there is not enough memory for the factor of a matrix with "
+                                 + std::to_string(matrix.rows()) + " rows (CHOLMOD)";
+    internal::Sparse_factor factor(internal::make_factor<Cholmod_factor_traits_d>);
+    const auto lane_factor = internal::make_lane_factor<Cholmod_factor_traits_d>();
+    lane_factor->analyze(matrix);
+    functions->malloc_func
+      = [](const std::size_t size) { return size > most_bytes ? nullptr : std::malloc(size); };
+    functions->realloc_func = [](void* const pointer, const std::size_t size) {
+      return size > most_bytes ? nullptr : std::realloc(pointer, size);
+    };
+    {
+      const Little_memory little;
+      EXPECT_EQ(message_of<std::runtime_error>([&] { factor.factor(matrix, "the test matrix"); }),
+                expected);
+      EXPECT_EQ(message_of<std::runtime_error>([&] { lane_factor->factor(matrix); }), expected);
+    }
+    *functions = original;
+    factor.factor(matrix, "the test matrix");
+    EXPECT_TRUE(factor.is_factored());
+    EXPECT_TRUE(lane_factor->factor(matrix));
+  }
+}
+#endif
 #endif

@@ -18,6 +18,18 @@ foreach(object IN LISTS objects)
     message(SEND_ERROR "${object} defines what is not inline:\n${found}")
   endif()
   math(EXPR number "${number} + 1")
+
+  # References of the package to functions that may not exist do not make those of the program weak: a missing
+  # function would be called instead of reported by the linker.
+  if(object MATCHES "strong_references")
+    execute_process(COMMAND ${NM} --undefined-only ${object} OUTPUT_VARIABLE symbols)
+    foreach(function IN ITEMS openblas_get_num_threads openblas_set_num_threads omp_get_max_active_levels
+        omp_set_max_active_levels)
+      if(NOT symbols MATCHES " U _?${function}")
+        message(SEND_ERROR "${object}: the reference to ${function} is not strong:\n${symbols}")
+      endif()
+    endforeach()
+  endif()
 endforeach()
 message(STATUS "${number} object files")
 if(number EQUAL 0)

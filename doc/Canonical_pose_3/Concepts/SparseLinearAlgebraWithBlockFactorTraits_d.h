@@ -10,6 +10,8 @@ It refines CGAL's concept in three ways: it supports blocks, it reports matrices
 positive definite, and its results depend neither on the number of threads nor, for each column, on
 the other columns.
 
+Models are default constructible. They need not be copyable.
+
 \cgalRefines `SparseLinearAlgebraWithFactorTraits_d`
 
 \cgalHasModel `CGAL::Canonical_pose_3::Cholmod_factor_traits_d`
@@ -40,6 +42,8 @@ public:
 
   /// factors `A`, reading its lower triangle, and sets `D` to 1.
   /// \returns `false`, without printing or throwing, if `A` is not numerically positive definite
+  /// \throws std::runtime_error if `A` cannot be factored for another reason: memory runs out, or the
+  ///         factor is too large for the indices of the solver. It is passed on to the user.
   bool factor(const Matrix& A, NT& D);
 
   /// solves \f$ A x = b \f$ with the last matrix passed to `factor()`. It may be called from

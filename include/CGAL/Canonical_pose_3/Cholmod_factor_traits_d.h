@@ -74,7 +74,9 @@ public:
 
   /// factors `matrix`, reading only its lower triangle.
   /// \returns `false` if the matrix is not numerically positive definite: a pivot is not positive,
-  /// not finite, or below 1e-14 times the original diagonal entry; or if memory runs out.
+  /// not finite, or below 1e-14 times the original diagonal entry.
+  /// \throws std::runtime_error if memory runs out, or the factor has more than \f$ 2^{31} - 1 \f$
+  ///         entries.
   bool factor(const Matrix& matrix, NT& denominator)
   {
     denominator = 1;
@@ -87,8 +89,7 @@ public:
     compressed.makeCompressed();
     cholmod_sparse view = internal::lower_triangle(compressed);
     const auto result = internal::analyzed(view, common);
-    if(result == nullptr || !cholmod_factorize(&view, result.get(), common.get())
-       || result->minor < result->n
+    if(!internal::factorize(view, result.get(), common)
        || !internal::has_positive_pivots(*result, compressed.diagonal()))
       return false;
     m_factor = result;

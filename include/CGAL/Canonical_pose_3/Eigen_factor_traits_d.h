@@ -10,6 +10,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_EIGEN_FACTOR_TRAITS_D_H
 #define CGAL_CANONICAL_POSE_3_EIGEN_FACTOR_TRAITS_D_H
 
+#include <CGAL/Canonical_pose_3/internal/linear_algebra/factor_failures.h>
 #include <CGAL/Canonical_pose_3/internal/linear_algebra/is_positive_pivot.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 
@@ -18,10 +19,54 @@
 
 #include <Eigen/Core>
 #include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <new>
 
 namespace CGAL {
 namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
+namespace internal {
+
+// Eigen does not notice if there are more entries than its indices can count.
+class Checked_ldlt : public Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>
+{
+  using Base = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>;
+
+public:
+  static constexpr const char* NAME = "Eigen SimplicialLDLT";
+
+  Checked_ldlt& compute(const Eigen::SparseMatrix<double>& matrix)
+  {
+    const auto rows = static_cast<std::size_t>(matrix.rows());
+    try
+    {
+      analyzePattern(matrix);
+      check(m_matrix.outerIndexPtr(), rows);
+      factorize(matrix);
+    }
+    catch(const std::bad_alloc&)
+    {
+      throw_out_of_memory(rows, NAME);
+    }
+    return *this;
+  }
+
+  // `begin`: of each column among the entries of the factor, and of the end; they may have overflowed.
+  static void check(const int* begin, const std::size_t number_of_rows)
+  {
+    std::size_t number = 0;
+    for(std::size_t j = 0; j < number_of_rows; ++j)
+      number += static_cast<std::uint32_t>(begin[j + 1]) - static_cast<std::uint32_t>(begin[j]);
+    if(number > static_cast<std::size_t>((std::numeric_limits<int>::max)()))
+      throw_too_large(number_of_rows, NAME);
+  }
+};
+
+} // namespace internal
 
 /*!
 \ingroup PkgCanonicalPose3Ref
@@ -37,10 +82,9 @@ the number of threads.
 \sa `CGAL::Canonical_pose_3::Cholmod_factor_traits_d`
 \sa `CGAL::Canonical_pose_3::Default_factor_traits_d`
 */
-class Eigen_factor_traits_d
-  : public Eigen_solver_traits<Eigen::SimplicialLDLT<Eigen_sparse_matrix<double>::EigenType>>
+class Eigen_factor_traits_d : public Eigen_solver_traits<internal::Checked_ldlt>
 {
-  using Base = Eigen_solver_traits<Eigen::SimplicialLDLT<Eigen_sparse_matrix<double>::EigenType>>;
+  using Base = Eigen_solver_traits<internal::Checked_ldlt>;
 
 public:
   /// \name Types
@@ -58,6 +102,8 @@ public:
   /// factors `matrix`, reading only its lower triangle.
   /// \returns `false` if the matrix is not numerically positive definite: a pivot is not positive,
   /// not finite, or below 1e-14 times the original diagonal entry.
+  /// \throws std::runtime_error if memory runs out, or the factor has more than \f$ 2^{31} - 1 \f$
+  ///         entries.
   bool factor(const Matrix& matrix, NT& denominator)
   {
     m_is_factored = Base::factor(matrix, denominator) && has_positive_pivots(matrix);
@@ -91,7 +137,7 @@ public:
   }
 
   /// returns "Eigen SimplicialLDLT".
-  static const char* name() { return "Eigen SimplicialLDLT"; }
+  static const char* name() { return internal::Checked_ldlt::NAME; }
 
   /// @}
 

@@ -61,7 +61,7 @@ public:
   {
     const Eigen::SparseMatrix<double> laplacian = cotangent_laplacian(triangulation());
     std::vector<double> lengths;
-    in_parallel([&] { check(m_heat->analyze(laplacian), "heat equation cannot be analyzed"); },
+    in_parallel([&] { m_heat->analyze(laplacian); },
                 [&] { lengths = heat_lengths(triangulation(), components(), time_step_factor); });
     m_poisson = m_heat->copy();
     m_places = m_heat->places();
@@ -98,7 +98,7 @@ public:
 
   Eigen::VectorXd distance_to_nearest(const std::vector<Eigen::Index>& sources) const override
   {
-    Eigen::VectorXd result = Eigen::VectorXd::Constant(m_heat_diagonal.size(), INFINITE);
+    Eigen::VectorXd result = Eigen::VectorXd::Constant(m_heat_diagonal.size(), UNREACHED);
     std::mutex mutex;
     for_each_block_of_fields(sources, [&](std::size_t, std::size_t width, Lane_rows& rows) {
       const std::lock_guard<std::mutex> lock(mutex);
@@ -112,7 +112,7 @@ public:
   }
 
 private:
-  static constexpr double INFINITE = (std::numeric_limits<double>::infinity)();
+  static constexpr double UNREACHED = (std::numeric_limits<double>::infinity)();
 
   struct Workspace
   {
@@ -232,7 +232,7 @@ private:
       for(Eigen::Index i = 0; i < m_heat_diagonal.size(); ++i)
         for(std::size_t k = 0; k < width; ++k)
           if(components()[i] != components()[sources[k]])
-            lanes(rows, i)[k] = INFINITE;
+            lanes(rows, i)[k] = UNREACHED;
   }
 
   Delaunay_surface m_surface;

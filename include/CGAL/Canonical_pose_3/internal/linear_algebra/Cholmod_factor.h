@@ -23,6 +23,7 @@
 #include <cstddef>
 #include <memory>
 #include <mutex>
+#include <stdexcept>
 
 namespace CGAL {
 namespace Canonical_pose_3 {
@@ -60,19 +61,34 @@ inline cholmod_sparse lower_triangle(const Eigen::SparseMatrix<double>& matrix)
 
 // The symbolic factor, in CHOLMOD's default order: that of AMD, or that of METIS if AMD is not good
 // and METIS is better. CHOLMOD itself would call METIS from several threads at the same time.
+// Throws if there is none.
 inline Cholmod_factor_pointer analyzed(cholmod_sparse& matrix, Cholmod_common& common)
 {
   cholmod_common& c = *common.get();
   c.nmethods = 1;
   c.method[0].ordering = CHOLMOD_AMD;
   Cholmod_factor_pointer by_amd = own_cholmod_factor(cholmod_analyze(&matrix, &c));
-  if(by_amd == nullptr || c.fl < 500 * c.lnz || c.lnz < 5 * c.anz)
+  if(by_amd == nullptr)
+  {
+    common.check(matrix.nrow);
+    throw std::runtime_error("CHOLMOD cannot analyze a matrix");
+  }
+  if(c.fl < 500 * c.lnz || c.lnz < 5 * c.anz)
     return by_amd;
   const double nonzeros = c.lnz;
   c.method[0].ordering = CHOLMOD_METIS;
   const std::lock_guard<std::mutex> lock(mutex_of_random_numbers());
   Cholmod_factor_pointer by_metis = own_cholmod_factor(cholmod_analyze(&matrix, &c));
   return by_metis != nullptr && c.lnz < nonzeros ? by_metis : by_amd;
+}
+
+// Factors a matrix that was analyzed. Returns false if it is not numerically positive definite, and
+// throws if it cannot be factored for another reason.
+inline bool factorize(cholmod_sparse& matrix, cholmod_factor* factor, Cholmod_common& common)
+{
+  const bool is_factored = cholmod_factorize(&matrix, factor, common.get()) != 0;
+  common.check(matrix.nrow);
+  return is_factored && factor->minor == factor->n;
 }
 
 // `diagonal`: that of the matrix, in its original order.

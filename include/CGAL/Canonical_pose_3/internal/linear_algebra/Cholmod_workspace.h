@@ -10,6 +10,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_LINEAR_ALGEBRA_CHOLMOD_WORKSPACE_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_LINEAR_ALGEBRA_CHOLMOD_WORKSPACE_H
 
+#include <CGAL/Canonical_pose_3/internal/linear_algebra/factor_failures.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 
 #include <Eigen/Core>
@@ -45,6 +46,15 @@ public:
 
   cholmod_common* get() { return &m_common; }
 
+  // Throws if a call failed for another reason than the values of a matrix.
+  void check(const std::size_t number_of_rows) const
+  {
+    if(m_common.status == CHOLMOD_TOO_LARGE)
+      throw_too_large(number_of_rows, "CHOLMOD");
+    if(m_common.status == CHOLMOD_OUT_OF_MEMORY)
+      throw_out_of_memory(number_of_rows, "CHOLMOD");
+  }
+
 private:
   cholmod_common m_common;
 };
@@ -76,7 +86,10 @@ public:
     b.dtype = CHOLMOD_DOUBLE;
     if(!cholmod_solve2(CHOLMOD_A, factor, &b, nullptr, &m_solution, nullptr, &m_first, &m_second,
                        m_common.get()))
+    {
+      m_common.check(factor->n);
       return false;
+    }
     solutions = Eigen::Map<const Eigen::MatrixXd>(static_cast<const double*>(m_solution->x),
                                                   solutions.rows(), solutions.cols());
     return solutions.allFinite();

@@ -39,20 +39,15 @@ template <class FactorTraits>
 class Lane_factor
 {
 public:
-  // Analyzes the pattern, for this object and for copies created before factoring; returns false if
-  // out of memory.
-  bool analyze(const Eigen::SparseMatrix<double>& matrix)
-  {
-    m_size = matrix.rows();
-    return true;
-  }
+  // Analyzes the pattern, for this object and for copies created before factoring.
+  void analyze(const Eigen::SparseMatrix<double>& matrix) { m_size = matrix.rows(); }
 
   // Returns false if the matrix is not positive definite.
   bool factor(const Eigen::SparseMatrix<double>& matrix)
   {
     typename FactorTraits::NT denominator;
-    m_traits = FactorTraits(); // copies may share a factor
-    return m_traits.factor(typename FactorTraits::Matrix(matrix), denominator);
+    m_traits = std::make_shared<FactorTraits>(); // copies of this object may differ
+    return m_traits->factor(typename FactorTraits::Matrix(matrix), denominator);
   }
 
   std::vector<int> places() const
@@ -70,14 +65,14 @@ public:
     const auto columns = static_cast<Eigen::Index>(width);
     Eigen::Map<Rows> all(rows.data(), m_size, NUMBER_OF_LANES);
     Eigen::MatrixXd solutions;
-    m_traits.linear_solver(Eigen::MatrixXd(all.leftCols(columns)), solutions);
+    m_traits->linear_solver(Eigen::MatrixXd(all.leftCols(columns)), solutions);
     all.leftCols(columns) = solutions;
   }
 
   static const char* name() { return FactorTraits::name(); }
 
 private:
-  FactorTraits m_traits;
+  std::shared_ptr<FactorTraits> m_traits; // which need not be copyable
   Eigen::Index m_size = 0;
 };
 
@@ -88,7 +83,7 @@ public:
   virtual ~Lane_factor_base() = default;
   // A factor with the same analysis.
   virtual std::unique_ptr<Lane_factor_base> copy() const = 0;
-  virtual bool analyze(const Eigen::SparseMatrix<double>& matrix) = 0;
+  virtual void analyze(const Eigen::SparseMatrix<double>& matrix) = 0;
   virtual bool factor(const Eigen::SparseMatrix<double>& matrix) = 0;
   virtual std::vector<int> places() const = 0;
   virtual void solve(Lane_rows& rows, std::size_t width) const = 0;
@@ -107,10 +102,7 @@ public:
   {
     return std::make_unique<Lane_factor_model>(*this);
   }
-  bool analyze(const Eigen::SparseMatrix<double>& matrix) override
-  {
-    return m_factor.analyze(matrix);
-  }
+  void analyze(const Eigen::SparseMatrix<double>& matrix) override { m_factor.analyze(matrix); }
   bool factor(const Eigen::SparseMatrix<double>& matrix) override
   {
     return m_factor.factor(matrix);

@@ -36,9 +36,9 @@ namespace internal {
 class Supernodal_factor
 {
 public:
-  // Analyzes the pattern; returns false if out of memory. Copies made afterwards share the
-  // analysis, and can be given another matrix with this pattern.
-  bool analyze(const Eigen::SparseMatrix<double>& matrix)
+  // Analyzes the pattern. Copies made afterwards share the analysis, and can be given another matrix
+  // with this pattern.
+  void analyze(const Eigen::SparseMatrix<double>& matrix)
   {
     Cholmod_common common;
     common.get()->supernodal = CHOLMOD_SUPERNODAL;
@@ -47,11 +47,10 @@ public:
     common.get()->zrelax[0] = 0.3;
     cholmod_sparse view = lower_triangle(matrix);
     m_analysis = analyzed(view, common);
-    return m_analysis != nullptr;
   }
 
   // Reads the lower triangle of the matrix. Returns false if the matrix is not numerically positive
-  // definite, or if out of memory.
+  // definite.
   bool factor(const Eigen::SparseMatrix<double>& matrix)
   {
     const Single_threaded_blas guard;
@@ -61,8 +60,9 @@ public:
     cholmod_sparse view = lower_triangle(matrix);
     const Cholmod_factor_pointer result
       = own_cholmod_factor(cholmod_copy_factor(m_analysis.get(), common.get()));
-    if(result == nullptr || !cholmod_factorize(&view, result.get(), common.get())
-       || result->minor < result->n || !has_positive_pivots(*result, matrix.diagonal()))
+    if(result == nullptr)
+      common.check(m_analysis->n);
+    if(!factorize(view, result.get(), common) || !has_positive_pivots(*result, matrix.diagonal()))
       return false;
     m_supernodes = Cholmod_supernodes(result);
     return true;

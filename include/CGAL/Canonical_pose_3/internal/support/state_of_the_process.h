@@ -25,23 +25,18 @@ inline std::mutex& mutex_of_random_numbers()
   return mutex;
 }
 
-#if defined(__GNUC__) && !defined(_WIN32)
-extern "C" {
-int openblas_get_num_threads(void) __attribute__((weak));
-void openblas_set_num_threads(int number_of_threads) __attribute__((weak));
-}
-#define CGAL_CANONICAL_POSE_3_HAS_WEAK_OPENBLAS
-#endif
-
 #if defined(__GNUC__) && defined(__ELF__)
-// Under other names, since <omp.h> declares the functions differently in each compiler.
-extern "C" {
-int canonical_pose_3_get_openmp_levels(void) __asm__("omp_get_max_active_levels")
-  __attribute__((weak));
-void canonical_pose_3_set_openmp_levels(int) __asm__("omp_set_max_active_levels")
-  __attribute__((weak));
-}
-#define CGAL_CANONICAL_POSE_3_HAS_WEAK_OPENMP
+// Null if the function is not part of this process. These are other names of the functions, so that
+// the program's own references to them remain as they are, and headers that declare them differ.
+[[maybe_unused]] static int get_openblas_threads()
+  __attribute__((weakref("openblas_get_num_threads")));
+[[maybe_unused]] static void set_openblas_threads(int)
+  __attribute__((weakref("openblas_set_num_threads")));
+[[maybe_unused]] static int get_openmp_levels()
+  __attribute__((weakref("omp_get_max_active_levels")));
+[[maybe_unused]] static void set_openmp_levels(int)
+  __attribute__((weakref("omp_set_max_active_levels")));
+#define CGAL_CANONICAL_POSE_3_HAS_WEAK_REFERENCES
 #endif
 
 // During the lifetime of such an object, the libraries that this thread calls do not start threads of
@@ -51,10 +46,9 @@ class Openmp_off
 public:
   Openmp_off()
   {
-#ifdef CGAL_CANONICAL_POSE_3_HAS_WEAK_OPENMP
-    if(canonical_pose_3_get_openmp_levels != nullptr
-       && canonical_pose_3_set_openmp_levels != nullptr)
-      m_levels = canonical_pose_3_get_openmp_levels();
+#ifdef CGAL_CANONICAL_POSE_3_HAS_WEAK_REFERENCES
+    if(get_openmp_levels != nullptr && set_openmp_levels != nullptr)
+      m_levels = get_openmp_levels();
 #endif
     set(0);
   }
@@ -65,9 +59,9 @@ public:
 private:
   void set([[maybe_unused]] const int levels) const
   {
-#ifdef CGAL_CANONICAL_POSE_3_HAS_WEAK_OPENMP
+#ifdef CGAL_CANONICAL_POSE_3_HAS_WEAK_REFERENCES
     if(m_levels > 0)
-      canonical_pose_3_set_openmp_levels(levels);
+      set_openmp_levels(levels);
 #endif
   }
 
@@ -88,20 +82,20 @@ public:
 private:
   static void count([[maybe_unused]] int step)
   {
-#ifdef CGAL_CANONICAL_POSE_3_HAS_WEAK_OPENBLAS
+#ifdef CGAL_CANONICAL_POSE_3_HAS_WEAK_REFERENCES
     static std::mutex mutex;
     static int living = 0, saved = 1;
-    if(openblas_get_num_threads == nullptr || openblas_set_num_threads == nullptr)
+    if(get_openblas_threads == nullptr || set_openblas_threads == nullptr)
       return;
     const std::lock_guard<std::mutex> lock(mutex);
     if(step > 0 && living == 0)
     {
-      saved = openblas_get_num_threads();
-      openblas_set_num_threads(1);
+      saved = get_openblas_threads();
+      set_openblas_threads(1);
     }
     living += step;
     if(living == 0)
-      openblas_set_num_threads(saved);
+      set_openblas_threads(saved);
 #endif
   }
 };

@@ -1,0 +1,46 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_INTERNAL_LINEAR_ALGEBRA_FACTOR_FAILURES_H
+#define CGAL_CANONICAL_POSE_3_INTERNAL_LINEAR_ALGEBRA_FACTOR_FAILURES_H
+
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+
+#include <cstddef>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
+namespace internal {
+
+// Reasons why a matrix cannot be factored although it may be positive definite.
+
+[[noreturn]] inline void throw_too_large(const std::size_t number_of_rows, const char* solver)
+{
+  throw std::runtime_error("the factor of a matrix with " + std::to_string(number_of_rows)
+                           + " rows is too large: it has more than "
+                           + std::to_string((std::numeric_limits<int>::max)()) + " entries ("
+                           + solver + ")");
+}
+
+[[noreturn]] inline void throw_out_of_memory(const std::size_t number_of_rows, const char* solver)
+{
+  throw std::runtime_error("there is not enough memory for the factor of a matrix with "
+                           + std::to_string(number_of_rows) + " rows (" + solver + ")");
+}
+
+} // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_INTERNAL_LINEAR_ALGEBRA_FACTOR_FAILURES_H
