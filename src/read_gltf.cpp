@@ -31,7 +31,7 @@ using tinygltf::Model;
 using tinygltf::Node;
 using tinygltf::Primitive;
 
-const std::size_t NONE = std::numeric_limits<std::size_t>::max();
+const std::size_t NONE = (std::numeric_limits<std::size_t>::max)();
 
 void check_extensions(const Model& model)
 {

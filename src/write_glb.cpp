@@ -40,7 +40,7 @@ using Triangles = std::vector<std::array<std::size_t, 3>>;
 // A vertex of the surface and its part; -1 if there are no parts, or if it belongs to no face.
 using Copy = std::pair<std::size_t, long long>;
 
-const double LARGEST_FLOAT = std::numeric_limits<float>::max();
+const double LARGEST_FLOAT = (std::numeric_limits<float>::max)();
 
 float to_float(const double x)
 {
@@ -154,12 +154,12 @@ private:
                              high = m_points.colwise().maxCoeff();
     const Eigen::RowVector3d center = 0.5 * low + 0.5 * high;
     const double radius = (0.5 * high - 0.5 * low).maxCoeff();
-    const double far = 8;
-    if(m_is_quantized || center.cwiseAbs().maxCoeff() > far * radius)
+    const double farthest = 8;
+    if(m_is_quantized || center.cwiseAbs().maxCoeff() > farthest * radius)
       m_frame.center = center;
     const double largest = (m_points.rowwise() - m_frame.center).cwiseAbs().maxCoeff();
     const double least_radius
-      = std::numeric_limits<float>::min() / std::numeric_limits<float>::epsilon();
+      = (std::numeric_limits<float>::min)() / std::numeric_limits<float>::epsilon();
     if(!(largest <= LARGEST_FLOAT) || (radius > 0 && radius < least_radius))
       throw std::invalid_argument(
         "the surface is too large or too small for glTF, which has single precision");

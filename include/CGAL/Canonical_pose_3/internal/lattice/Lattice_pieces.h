@@ -36,10 +36,10 @@ struct Lattice_piece
 
   int cell;
   int face;
-  int exit_vertex = NONE;                           // the end of the chord
-  float depth = 0;                                  // from the face to the cube
-  float rest = std::numeric_limits<float>::max();   // from the cube to the end of the chord
-  float length = std::numeric_limits<float>::max(); // of the chord
+  int exit_vertex = NONE;                             // the end of the chord
+  float depth = 0;                                    // from the face to the cube
+  float rest = (std::numeric_limits<float>::max)();   // from the cube to the end of the chord
+  float length = (std::numeric_limits<float>::max)(); // of the chord
 };
 
 // The cubes of a lattice over a surface, and the pieces of the surface and of its chords in each.
@@ -226,7 +226,7 @@ private:
   template <class Iterator>
   Iterator without_long_chords(const Iterator first, const Iterator last) const
   {
-    float shortest = std::numeric_limits<float>::max();
+    float shortest = (std::numeric_limits<float>::max)();
     for(auto p = first; p != last; ++p)
       shortest = (std::min)(shortest, p->length);
     const float bound = 3 * shortest + static_cast<float>(m_spacing);

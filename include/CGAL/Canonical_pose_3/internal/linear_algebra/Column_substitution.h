@@ -23,7 +23,7 @@ namespace internal {
 
 // The coordinates of points: right-hand sides that are solved for at the same time, so that the
 // factor is read once. Each has the same bytes independently of the others.
-constexpr std::size_t NUMBER_OF_COORDINATES = 3;
+inline constexpr std::size_t NUMBER_OF_COORDINATES = 3;
 
 // Arrays of numbers, one per coordinate.
 struct Coordinate_arrays
@@ -164,7 +164,7 @@ private:
 };
 
 // Columns that are processed at the same time.
-constexpr std::size_t COLUMNS_OF_A_PANEL = 4;
+inline constexpr std::size_t COLUMNS_OF_A_PANEL = 4;
 
 // Solves L x = b in place, for the blocks from `first` to `last`.
 struct Forward_column_substitution

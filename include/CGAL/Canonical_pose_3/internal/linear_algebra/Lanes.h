@@ -44,7 +44,7 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-constexpr std::size_t NUMBER_OF_LANES = 8;
+inline constexpr std::size_t NUMBER_OF_LANES = 8;
 
 // eight numbers per row
 using Lane_rows = std::vector<double>;
@@ -101,7 +101,7 @@ using Portable_vector = Vector_of_1;
 #endif
 
 template <class Vector>
-constexpr std::size_t NUMBER_OF_PARTS = NUMBER_OF_LANES / Vector::SIZE;
+inline constexpr std::size_t NUMBER_OF_PARTS = NUMBER_OF_LANES / Vector::SIZE;
 
 // Part `p` of row `i`.
 template <class Vector>

@@ -21,7 +21,7 @@ namespace internal {
 
 // Pivots of a factorization are the remainders of the diagonal of the matrix; for a singular
 // matrix, they are rounding errors of either sign.
-constexpr double SMALLEST_RELATIVE_PIVOT = 1e-14;
+inline constexpr double SMALLEST_RELATIVE_PIVOT = 1e-14;
 
 // also false if one of the two is not finite
 inline bool is_positive_pivot(double pivot, double diagonal_entry)

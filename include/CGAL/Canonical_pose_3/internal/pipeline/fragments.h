@@ -23,7 +23,7 @@ namespace internal {
 
 // Parts of an input that touch at vertices count as one if all but the largest are fragments, that
 // is, at most this share of it in total.
-constexpr double SHARE_OF_FRAGMENTS = 0.05;
+inline constexpr double SHARE_OF_FRAGMENTS = 0.05;
 
 // For each part, by decreasing size: the part of which it is a fragment, or itself.
 // `vertices_of(part, f)` calls f for all vertices of a part, which are less than

@@ -287,12 +287,12 @@ private:
   // Large for patches that see each other, or are close to each other.
   static Eigen::MatrixXd affinities(const Viewed_surface& surface, const double range)
   {
-    constexpr double near = .06, weight_of_near = .2;
+    constexpr double nearby = .06, weight_of_nearby = .2;
     const auto gaussian = [&](const double scale) -> Eigen::ArrayXXd {
       return (-surface.distances.array().square() / (2 * scale * scale)).exp();
     };
     Eigen::MatrixXd result
-      = surface.visibility.array() * gaussian(range) + weight_of_near * gaussian(near);
+      = surface.visibility.array() * gaussian(range) + weight_of_nearby * gaussian(nearby);
     result.diagonal().setZero();
     return result;
   }

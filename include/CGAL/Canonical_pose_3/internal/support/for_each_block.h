@@ -23,7 +23,7 @@ namespace internal {
 
 // Divides [0, n) into blocks of fixed size and calls f(block, begin, end) for each, in parallel if
 // TBB is available. The blocks, and thus sums per block, do not depend on the number of threads.
-constexpr std::size_t block_size = 1024;
+inline constexpr std::size_t block_size = 1024;
 
 inline std::size_t number_of_blocks(const std::size_t n, const std::size_t size = block_size)
 {

@@ -169,9 +169,9 @@ public:
     double sum = 0, squares = 0;
     for(Eigen::Index j = 0; j < m_distances.size(); ++j)
     {
-      const double d = m_distances[j], near = 1 / ((d + 1e-3) * (d + 1e-3));
-      move += near * near * m_displacements.row(j);
-      sum += near * near;
+      const double d = m_distances[j], nearness = 1 / ((d + 1e-3) * (d + 1e-3));
+      move += nearness * nearness * m_displacements.row(j);
+      sum += nearness * nearness;
       m_weights[j] = m_shares[j] * m_stress_weights.of_distance(d);
       squares += m_weights[j] * d * d;
     }
