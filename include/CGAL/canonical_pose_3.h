@@ -143,9 +143,9 @@ Canonical_pose_3::Result canonical_pose_3(const TriangleMesh& tmesh,
 
 \brief brings a polygon soup into its detail-preserving canonical pose.
 
-\tparam PointRange a model of `RandomAccessContainer` of points of a kernel
+\tparam PointRange a model of `RandomAccessContainer` of points of the traits
 \tparam PolygonRange a range of ranges of indices of points
-\tparam PosePointRange a model of `BackInsertionSequence` of points of the same kernel
+\tparam PosePointRange a model of `BackInsertionSequence` of points of the traits
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param points the points.
@@ -186,6 +186,21 @@ canonical_pose_3(const PointRange& points, const PolygonRange& polygons, PosePoi
       pose.push_back(Canonical_pose_3::internal::from_row(traits, result.pose.row(row)));
   }
   return result;
+}
+
+/*!
+\ingroup PkgCanonicalPose3Ref
+
+\brief brings a polygon soup into its detail-preserving canonical pose, with the default options.
+*/
+template <class PointRange, class PolygonRange, class PosePointRange, class T, class Tag,
+          class Base,
+          std::enable_if_t<Canonical_pose_3::internal::Is_range<PosePointRange>::value, int> = 0>
+Canonical_pose_3::Result canonical_pose_3(const PointRange& points, const PolygonRange& polygons,
+                                          PosePointRange& pose,
+                                          const Named_function_parameters<T, Tag, Base>& np)
+{
+  return canonical_pose_3(points, polygons, pose, Canonical_pose_3::Options(), np);
 }
 
 /*!

@@ -18,7 +18,9 @@
 
 #include <cstddef>
 #include <functional>
+#include <map>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace archetype {
@@ -35,8 +37,8 @@ struct Descriptor
   bool operator!=(const Descriptor& other) const { return index != other.index; }
 };
 
-/// A model of FaceListGraph with only the features that the one call requires: halfedges 3f, 3f +
-/// 1, and 3f + 2 are those of face f, and vertices have points.
+/// A model of FaceListGraph with only the features that the package requires: halfedges 3f, 3f +
+/// 1, and 3f + 2 are those of face f, halfedges of the border follow, and vertices have points.
 template <Numbering numbering>
 struct Triangle_graph
 {
@@ -66,7 +68,18 @@ struct Triangle_graph
   {
     for(const auto& p : soup.points)
       points.values->emplace_back(p[0], p[1], p[2]);
+    std::map<std::pair<std::size_t, std::size_t>, std::size_t> sides;
+    for(std::size_t h = 0; h < 3 * triangles.size(); ++h)
+      sides[{source_index(h), target_index(h)}] = h;
+    for(std::size_t h = 0; h < 3 * triangles.size(); ++h)
+    {
+      const auto found = sides.find({target_index(h), source_index(h)});
+      opposites.push_back(found != sides.end() ? found->second : 3 * triangles.size() + h);
+    }
   }
+
+  std::size_t target_index(std::size_t h) const { return triangles[h / 3][h % 3]; }
+  std::size_t source_index(std::size_t h) const { return triangles[h / 3][(h + 2) % 3]; }
 
   friend std::vector<Vertex> vertices(const Triangle_graph& g)
   {
@@ -87,14 +100,18 @@ struct Triangle_graph
   {
     return {h.index % 3 == 2 ? h.index - 2 : h.index + 1};
   }
-  friend Vertex target(Halfedge h, const Triangle_graph& g)
+  friend Halfedge prev(Halfedge h, const Triangle_graph&)
   {
-    return {g.triangles[h.index / 3][h.index % 3]};
+    return {h.index % 3 == 0 ? h.index + 2 : h.index - 1};
   }
+  friend Halfedge opposite(Halfedge h, const Triangle_graph& g) { return {g.opposites[h.index]}; }
+  friend Vertex target(Halfedge h, const Triangle_graph& g) { return {g.target_index(h.index)}; }
+  friend Vertex source(Halfedge h, const Triangle_graph& g) { return {g.source_index(h.index)}; }
   friend Vertex_map<Point> get(CGAL::vertex_point_t, const Triangle_graph& g) { return g.points; }
 
   Canonical_pose_test::Triangles triangles;
   Vertex_map<Point> points;
+  std::vector<std::size_t> opposites; // of the halfedges of the faces
 };
 
 using Hashed_graph = Triangle_graph<Numbering::HASH>;
@@ -116,11 +133,18 @@ struct std::hash<archetype::Hashed_graph::Vertex>
 };
 
 template <archetype::Numbering numbering>
+struct std::hash<archetype::Descriptor<numbering, 1>>
+{
+  std::size_t operator()(archetype::Descriptor<numbering, 1> h) const { return h.index; }
+};
+
+template <archetype::Numbering numbering>
 struct boost::graph_traits<archetype::Triangle_graph<numbering>>
 {
   using vertex_descriptor = archetype::Descriptor<numbering, 0>;
   using halfedge_descriptor = archetype::Descriptor<numbering, 1>;
   using face_descriptor = archetype::Descriptor<numbering, 2>;
+  static vertex_descriptor null_vertex() { return {}; }
 };
 
 template <archetype::Numbering numbering>

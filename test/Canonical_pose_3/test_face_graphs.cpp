@@ -18,7 +18,10 @@
 #include <CGAL/Canonical_pose_3/Heat_geodesics_3.h>
 #include <CGAL/Canonical_pose_3/Lattice_body_3.h>
 #include <CGAL/Canonical_pose_3/Wavefront_geodesics_3.h>
+#include <CGAL/Canonical_pose_3/diagnose.h>
+#include <CGAL/Canonical_pose_3/farthest_point_landmarks.h>
 #include <CGAL/Canonical_pose_3/front_landmarks.h>
+#include <CGAL/Canonical_pose_3/target_handedness.h>
 #include <CGAL/Surface_mesh.h>
 
 #ifdef CANONICAL_POSE_3_TEST_OPENMESH
@@ -34,6 +37,7 @@
 #include "matchers.h"
 #include "shapes.h"
 
+#include <cstddef>
 #include <map>
 #include <vector>
 
@@ -63,6 +67,27 @@ Eigen::MatrixXd some_distances(const Canonical_pose_test::Triangle_soup& soup)
   return Canonical_pose_test::to_matrix(soup.points).rowwise().norm();
 }
 
+template <class Geodesics, class Any_mesh>
+CP::Landmark_fields_3 landmarks(const Any_mesh& mesh)
+{
+  const Geodesics geodesics(mesh);
+  const CP::Landmark_fields_3 fields
+    = CP::front_landmarks(geodesics, 20, *std::next(vertices(mesh).begin(), 7));
+  EXPECT_EQ(geodesics.index(*std::next(vertices(mesh).begin(), 7)), 7u);
+  EXPECT_EQ(geodesics.distances(*std::next(vertices(mesh).begin(), 7)), fields.distances.col(0));
+  return fields;
+}
+
+template <template <class...> class Geodesics, class Any_mesh>
+void expect_equal_landmarks(const Any_mesh& mesh, const Canonical_pose_test::Triangle_soup& soup)
+{
+  const auto expected = landmarks<Geodesics<Mesh>>(to_mesh<Mesh>(soup));
+  const auto fields = landmarks<Geodesics<Any_mesh>>(mesh);
+  EXPECT_EQ(fields.landmarks, expected.landmarks);
+  EXPECT_EQ(fields.distances, expected.distances);
+  EXPECT_EQ(fields.covering_radius, expected.covering_radius);
+}
+
 } // namespace
 
 // CGAL's concept requires hashable descriptors. Here they have std::hash but no dynamic property,
@@ -84,6 +109,38 @@ TYPED_TEST(Archetypes_of_graphs, give_the_same_bytes)
                              .points());
   CGAL::canonical_pose_3(graph, graph.points);
   EXPECT_EQ(CP::point_matrix(graph, graph.points), pose_of(soup));
+}
+
+// Also an open one, whose border has halfedges of no face.
+TYPED_TEST(Archetypes_of_graphs, have_the_same_distances)
+{
+  for(const auto& soup : {bent_bar(), Canonical_pose_test::plane_grid_soup(9, 5, 3., 1.)})
+  {
+    expect_equal_landmarks<CP::Heat_geodesics_3>(TypeParam(soup), soup);
+    expect_equal_landmarks<CP::Wavefront_geodesics_3>(TypeParam(soup), soup);
+  }
+}
+
+// Functions that take a mesh and named parameters.
+TYPED_TEST(Archetypes_of_graphs, have_the_same_measures)
+{
+  const auto soup = bent_bar();
+  const TypeParam graph(soup);
+  const Mesh mesh = to_mesh<Mesh>(soup);
+  const auto map = CGAL::parameters::vertex_point_map(graph.points).geom_traits(Kernel());
+  EXPECT_EQ(CP::diagnose(graph).faces, soup.triangles.size());
+  EXPECT_TRUE(CP::diagnose(graph, map).is_clean());
+  EXPECT_EQ(CP::vertex_area_shares(graph), CP::vertex_area_shares(mesh));
+  EXPECT_EQ(CP::vertex_area_shares(graph, map), CP::vertex_area_shares(mesh, mesh.points()));
+  EXPECT_EQ(CP::extremal_vertex(graph, map).index, std::size_t(CP::extremal_vertex(mesh)));
+  const Point_matrix target = Canonical_pose_test::to_matrix(soup.points);
+  EXPECT_EQ(CP::target_handedness(target, graph, map).volume_ratio,
+            CP::target_handedness(target, mesh).volume_ratio);
+  const Eigen::MatrixXd distances = some_distances(soup);
+  const CP::Lattice_body_3 expected(mesh, mesh.points(), distances);
+  EXPECT_EQ(CP::Lattice_body_3(graph, distances).points(), expected.points());
+  EXPECT_EQ(CP::Lattice_body_3(graph, distances, map).points(), expected.points());
+  EXPECT_EQ(CP::Lattice_body_3(graph, distances, 0., map).points(), expected.points());
 }
 
 #ifdef CANONICAL_POSE_3_TEST_OPENMESH
@@ -112,33 +169,12 @@ Open_mesh open_mesh(const Canonical_pose_test::Triangle_soup& soup)
   return mesh;
 }
 
-template <class Geodesics, class Any_mesh>
-CP::Landmark_fields_3 landmarks(const Any_mesh& mesh)
-{
-  const Geodesics geodesics(mesh);
-  const CP::Landmark_fields_3 fields
-    = CP::front_landmarks(geodesics, 20, *std::next(vertices(mesh).begin(), 7));
-  EXPECT_EQ(geodesics.index(*std::next(vertices(mesh).begin(), 7)), 7u);
-  EXPECT_EQ(geodesics.distances(*std::next(vertices(mesh).begin(), 7)), fields.distances.col(0));
-  return fields;
-}
-
-template <template <class...> class Geodesics>
-void expect_equal_landmarks()
-{
-  const auto expected = landmarks<Geodesics<Mesh>>(to_mesh<Mesh>(bent_bar()));
-  const auto fields = landmarks<Geodesics<Open_mesh>>(open_mesh(bent_bar()));
-  EXPECT_EQ(fields.landmarks, expected.landmarks);
-  EXPECT_EQ(fields.distances, expected.distances);
-  EXPECT_EQ(fields.covering_radius, expected.covering_radius);
-}
-
 } // namespace
 
 TEST(Open_mesh, has_the_same_landmarks_and_distances)
 {
-  expect_equal_landmarks<CP::Heat_geodesics_3>();
-  expect_equal_landmarks<CP::Wavefront_geodesics_3>();
+  expect_equal_landmarks<CP::Heat_geodesics_3>(open_mesh(bent_bar()), bent_bar());
+  expect_equal_landmarks<CP::Wavefront_geodesics_3>(open_mesh(bent_bar()), bent_bar());
 }
 
 TEST(Open_mesh, lies_in_the_same_lattice)

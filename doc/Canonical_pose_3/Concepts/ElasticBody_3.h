@@ -12,7 +12,8 @@ identity matrix), the body may have additional vertices inside, or the surface m
 tetrahedra that are independent of its triangles.
 
 The registrar keeps references to the values returned by these functions: they must not be moved or
-modified during the lifetime of the registrar.
+modified during the lifetime of the registrar. Models need not be copyable; those that
+`CGAL::Canonical_pose_3::Elastic_body_3` is constructed from are move constructible.
 
 \cgalHasModel `CGAL::Canonical_pose_3::Lattice_body_3`
 \cgalHasModel `CGAL::Canonical_pose_3::Conforming_body_3`

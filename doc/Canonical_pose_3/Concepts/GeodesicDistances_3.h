@@ -9,7 +9,7 @@ the source.
 
 In all results, row `i` corresponds to the `i`-th vertex of the range `vertices(tmesh)` of the mesh.
 Distances are in the unit of the points. They are `+infinity` between vertices that are not
-connected, and never NaN.
+connected, and never NaN. Models need not be copyable.
 
 \cgalHasModel `CGAL::Canonical_pose_3::Heat_geodesics_3`
 \cgalHasModel `CGAL::Canonical_pose_3::Wavefront_geodesics_3`

@@ -17,6 +17,9 @@ Positions are in the unit of the mesh, the energy is in its square, and \f$ C \f
 The registrar divides energies by \f$ L^2 \f$. Row \f$ i \f$ corresponds to surface vertex \f$ i \f$
 of the body; the registrar transfers \f$ C \f$ and \f$ D \f$ to the body vertices.
 
+Models need not be copyable; those that `CGAL::Canonical_pose_3::Registration_constraint_3` is
+constructed from are move constructible.
+
 \cgalHasModel `CGAL::Canonical_pose_3::Spring_constraint_adaptor_3`
 \cgalHasModel `CGAL::Canonical_pose_3::Direction_constraint_adaptor_3`
 \cgalHasModel `CGAL::Canonical_pose_3::Handle_constraint_adaptor_3`

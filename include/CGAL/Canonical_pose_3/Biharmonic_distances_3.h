@@ -85,8 +85,7 @@ class Biharmonic_distances_3
   using Point_map = typename Default::Get<VertexPointMap, Default_point_map>::type;
   using Geometry =
     typename Default::Lazy_get<Traits, internal::Lazy_kernel_of_point_map<Point_map>>::type;
-  using Row_map =
-    typename boost::property_map<TriangleMesh, dynamic_vertex_property_t<std::size_t>>::const_type;
+  using Row_map = internal::Vertex_number_map<TriangleMesh>;
 
 public:
   /// \name Types

@@ -41,9 +41,12 @@ class Elastic_body_3
 {
 public:
   /// constructs from a body.
-  /// \tparam ElasticBody a model of `ElasticBody_3`
-  template <class ElasticBody,
-            std::enable_if_t<!std::is_same<ElasticBody, Elastic_body_3>::value, int> = 0>
+  /// \tparam ElasticBody a model of `ElasticBody_3`, move constructible
+  template <
+    class ElasticBody,
+    std::enable_if_t<std::conjunction<std::negation<std::is_same<ElasticBody, Elastic_body_3>>,
+                                      internal::Is_elastic_body<ElasticBody>>::value,
+                     int> = 0>
   Elastic_body_3(ElasticBody body)
     : m_body(std::make_shared<const ElasticBody>(std::move(body))),
       m_view(*static_cast<const ElasticBody*>(m_body.get()))

@@ -84,7 +84,8 @@ faces, whose shape is dominated by rounding errors, are refused.
 The mesh is copied, with points of `Exact_predicates_inexact_constructions_kernel` scaled by a power
 of two; any kernel and any unit can be used.
 
-\tparam TriangleMesh a model of `FaceListGraph`, oriented and 2-manifold, with or without boundary,
+\tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph` with dynamic properties,
+        as required by `CGAL::copy_face_graph()`, oriented and 2-manifold, with or without boundary,
         with any number of connected components and isolated vertices
 \tparam VertexPointMap a model of `ReadablePropertyMap` with
         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `Traits::Point_3` as
@@ -104,8 +105,7 @@ class Exact_geodesics_3
   using Point_map = typename Default::Get<VertexPointMap, Default_point_map>::type;
   using Geometry =
     typename Default::Lazy_get<Traits, internal::Lazy_kernel_of_point_map<Point_map>>::type;
-  using Row_map =
-    typename boost::property_map<TriangleMesh, dynamic_vertex_property_t<std::size_t>>::const_type;
+  using Row_map = internal::Vertex_number_map<TriangleMesh>;
 
   using Kernel = Exact_predicates_inexact_constructions_kernel;
   using Copy = Surface_mesh<Kernel::Point_3>;

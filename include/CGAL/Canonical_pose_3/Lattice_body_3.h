@@ -14,12 +14,14 @@
 #include <CGAL/Canonical_pose_3/internal/lattice/Lattice_body_data.h>
 #include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+#include <CGAL/Canonical_pose_3/internal/support/points_of_parameters.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <Eigen/SparseCore>
 
 #include <array>
 #include <cstddef>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -84,6 +86,24 @@ public:
                  const Eigen::MatrixXd& distances, const double spacing = 0)
     : Lattice_body_3(point_matrix(tmesh, vertex_point_map), internal::index_triangles(tmesh),
                      distances, spacing)
+  {}
+
+  /// constructs the body of a triangle mesh, with named parameters: `vertex_point_map` and
+  /// `geom_traits`, as for `CGAL::canonical_pose_3()`.
+  template <class TriangleMesh, class NamedParameters = parameters::Default_named_parameters,
+            std::enable_if_t<internal::Is_named_parameters<NamedParameters>::value, int> = 0>
+  explicit Lattice_body_3(const TriangleMesh& tmesh, const Eigen::MatrixXd& distances,
+                          const double spacing = 0,
+                          const NamedParameters& np = parameters::default_values())
+    : Lattice_body_3(internal::points_of_parameters(tmesh, np), internal::index_triangles(tmesh),
+                     distances, spacing)
+  {}
+
+  /// the same with the default spacing.
+  template <class TriangleMesh, class T, class Tag, class Base>
+  Lattice_body_3(const TriangleMesh& tmesh, const Eigen::MatrixXd& distances,
+                 const Named_function_parameters<T, Tag, Base>& np)
+    : Lattice_body_3(tmesh, distances, 0, np)
   {}
 
   /// \cond SKIP_IN_MANUAL

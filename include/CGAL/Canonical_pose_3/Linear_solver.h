@@ -15,6 +15,7 @@
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 
 #include <memory>
+#include <type_traits>
 
 namespace CGAL {
 namespace Canonical_pose_3 {
@@ -33,9 +34,13 @@ public:
   /// selects `Default_factor_traits_d`.
   Linear_solver() = default;
 
-  /// selects the type of the argument.
+  /// selects the type of the argument, which is not copied.
   /// \tparam FactorTraits a model of `SparseLinearAlgebraWithBlockFactorTraits_d`
-  template <class FactorTraits>
+  template <
+    class FactorTraits,
+    std::enable_if_t<std::conjunction<std::negation<std::is_same<FactorTraits, Linear_solver>>,
+                                      internal::Is_factor_traits<FactorTraits>>::value,
+                     int> = 0>
   explicit Linear_solver(const FactorTraits&)
     : m_factor_maker(internal::make_factor<FactorTraits>),
       m_lane_factor_maker(internal::make_lane_factor<FactorTraits>)

@@ -20,6 +20,21 @@
 namespace CGAL {
 namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
+namespace internal {
+
+// Whether T is a model of `MdsKernel`.
+template <class T, class = void>
+struct Is_mds_kernel : std::false_type
+{};
+
+template <class T>
+struct Is_mds_kernel<T, std::void_t<decltype(std::declval<const T&>().is_centered() ? 1 : 0),
+                                    decltype(std::string(std::declval<const T&>().name()))>>
+  : std::bool_constant<std::is_copy_constructible<T>::value
+                       && std::is_invocable_r<double, const T&, double>::value>
+{};
+
+} // namespace internal
 
 /*!
 \ingroup PkgCanonicalPose3Ref
@@ -35,7 +50,10 @@ class Mds_kernel
 public:
   /// constructs from a kernel.
   /// \tparam Kernel a model of `MdsKernel`
-  template <class Kernel, std::enable_if_t<!std::is_same<Kernel, Mds_kernel>::value, int> = 0>
+  template <class Kernel,
+            std::enable_if_t<std::conjunction<std::negation<std::is_same<Kernel, Mds_kernel>>,
+                                              internal::Is_mds_kernel<Kernel>>::value,
+                             int> = 0>
   Mds_kernel(Kernel kernel)
     : m_is_centered(kernel.is_centered()), m_name(kernel.name()), m_similarity(std::move(kernel))
   {}

@@ -41,9 +41,12 @@ class Registration_constraint_3
 {
 public:
   /// stores a constraint.
-  /// \tparam Constraint a model of `RegistrationConstraint_3`
+  /// \tparam Constraint a model of `RegistrationConstraint_3`, move constructible
   template <class Constraint,
-            std::enable_if_t<!std::is_same<Constraint, Registration_constraint_3>::value, int> = 0>
+            std::enable_if_t<
+              std::conjunction<std::negation<std::is_same<Constraint, Registration_constraint_3>>,
+                               internal::Is_registration_constraint<Constraint>>::value,
+              int> = 0>
   Registration_constraint_3(Constraint constraint)
   {
     struct Owner

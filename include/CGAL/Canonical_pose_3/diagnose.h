@@ -13,6 +13,7 @@
 #include <CGAL/Canonical_pose_3/Diagnosis_3.h>
 #include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+#include <CGAL/Canonical_pose_3/internal/support/points_of_parameters.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <array>
@@ -60,16 +61,20 @@ Diagnosis_3 diagnose(const Point_matrix& points,
 \brief examines a polygon mesh.
 
 \tparam PolygonMesh a model of `FaceListGraph`
-\tparam VertexPointMap a model of `ReadablePropertyMap` with vertex descriptors as keys and points
-       of a kernel as values
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param mesh the mesh.
+\param np `vertex_point_map` and `geom_traits`, as for `CGAL::canonical_pose_3()`; instead of them, a
+       point map.
 
 \throws std::invalid_argument if a coordinate is not finite; the message states the index of the
        vertex.
 */
-template <class PolygonMesh, class VertexPointMap>
-Diagnosis_3 diagnose(const PolygonMesh& mesh, VertexPointMap vertex_point_map)
+template <class PolygonMesh, class NamedParameters = parameters::Default_named_parameters>
+Diagnosis_3 diagnose(const PolygonMesh& mesh,
+                     const NamedParameters& np = parameters::default_values())
 {
-  return diagnose(point_matrix(mesh, vertex_point_map), internal::index_polygons(mesh));
+  return diagnose(internal::points_of_parameters(mesh, np), internal::index_polygons(mesh));
 }
 
 } // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION

@@ -14,6 +14,7 @@
 #include <CGAL/Canonical_pose_3/internal/soup/check_soup.h>
 #include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+#include <CGAL/Canonical_pose_3/internal/support/points_of_parameters.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <CGAL/assertions.h>
@@ -84,16 +85,20 @@ inline std::size_t extremal_point(Point_matrix points,
 first landmark of the one call.
 
 \tparam TriangleMesh a model of `FaceListGraph`
-\tparam VertexPointMap a model of `ReadablePropertyMap` with vertex descriptors as keys and points of a kernel as values
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param tmesh the mesh.
+\param np `vertex_point_map` and `geom_traits`, as for `CGAL::canonical_pose_3()`; instead of them, a
+       point map.
 
 \throws std::invalid_argument if a coordinate is not finite or a face is not a triangle.
 */
-template <class TriangleMesh, class VertexPointMap>
+template <class TriangleMesh, class NamedParameters = parameters::Default_named_parameters>
 typename boost::graph_traits<TriangleMesh>::vertex_descriptor
-extremal_vertex(const TriangleMesh& tmesh, VertexPointMap vertex_point_map)
+extremal_vertex(const TriangleMesh& tmesh, const NamedParameters& np = parameters::default_values())
 {
   const std::size_t row
-    = extremal_point(point_matrix(tmesh, vertex_point_map), internal::index_triangles(tmesh));
+    = extremal_point(internal::points_of_parameters(tmesh, np), internal::index_triangles(tmesh));
   return *std::next(vertices(tmesh).begin(), static_cast<std::ptrdiff_t>(row));
 }
 

@@ -102,6 +102,22 @@ k_means_segmentation(const TriangleMesh& tmesh, PoseVertexPointMap pose_vertex_p
     tmesh, segment_ids);
 }
 
+/*!
+\ingroup PkgCanonicalPose3Ref
+
+\brief does the same with the default weights.
+*/
+template <class TriangleMesh, class PoseVertexPointMap, class SegmentPropertyMap, class T,
+          class Tag, class Base>
+std::size_t
+k_means_segmentation(const TriangleMesh& tmesh, PoseVertexPointMap pose_vertex_point_map,
+                     SegmentPropertyMap segment_ids, const Segmentation_options& options,
+                     const Named_function_parameters<T, Tag, Base>& np)
+{
+  return k_means_segmentation(tmesh, pose_vertex_point_map, segment_ids, options,
+                              K_means_weights::VERTICES, np);
+}
+
 } // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL

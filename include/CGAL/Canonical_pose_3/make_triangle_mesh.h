@@ -11,9 +11,10 @@
 #define CGAL_CANONICAL_POSE_3_MAKE_TRIANGLE_MESH_H
 
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+#include <CGAL/Canonical_pose_3/internal/support/points_of_parameters.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
-#include <CGAL/Kernel_traits.h>
+#include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/properties.h>
 
@@ -36,23 +37,26 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 and faces are in the given order.
 
 \tparam TriangleMesh a model of `MutableFaceGraph` with an internal point property map
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param points \f$ n \times 3 \f$, positions.
 \param triangles triples of rows of `points`.
+\param np `geom_traits`, as for `CGAL::canonical_pose_3()`
 
 \throws std::invalid_argument if a triangle has an invalid row, or the triangles are not an oriented
        2-manifold; the message states the index of the triangle.
 
 <em>Complexity:</em> linear.
 */
-template <class TriangleMesh>
+template <class TriangleMesh, class NamedParameters = parameters::Default_named_parameters>
 TriangleMesh make_triangle_mesh(const Point_matrix& points,
-                                const std::vector<std::array<std::size_t, 3>>& triangles)
+                                const std::vector<std::array<std::size_t, 3>>& triangles,
+                                const NamedParameters& np = parameters::default_values())
 {
   using Graph_traits = boost::graph_traits<TriangleMesh>;
   using Point = typename boost::property_traits<
     typename boost::property_map<TriangleMesh, vertex_point_t>::type>::value_type;
-  const typename Kernel_traits<Point>::Kernel traits;
+  const auto traits = internal::traits_of_parameters<Point>(np);
   TriangleMesh mesh;
   std::vector<typename Graph_traits::vertex_descriptor> descriptors;
   for(Eigen::Index i = 0; i < points.rows(); ++i)

@@ -14,6 +14,7 @@
 #include <CGAL/Canonical_pose_3/diagnose.h>
 #include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+#include <CGAL/Canonical_pose_3/internal/support/points_of_parameters.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <array>
@@ -26,7 +27,7 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-constexpr double MESH_3_CELL_SIZE = 1. / 60;
+inline constexpr double MESH_3_CELL_SIZE = 1. / 60;
 
 // Precondition: the surface is clean.
 Embedded_body_3 mesh_3_body_of_clean_surface(Point_matrix points,
@@ -95,6 +96,25 @@ Embedded_body_3 mesh_3_body(const TriangleMesh& tmesh, VertexPointMap vertex_poi
                             const double cell_size = internal::MESH_3_CELL_SIZE)
 {
   return mesh_3_body(point_matrix(tmesh, vertex_point_map), internal::index_triangles(tmesh),
+                     length_scale, cell_size);
+}
+
+/*!
+\ingroup PkgCanonicalPose3Ref
+
+\brief fills a triangle mesh, with named parameters.
+
+\param tmesh the mesh.
+\param length_scale as above.
+\param cell_size as above.
+\param np `vertex_point_map` and `geom_traits`, as for `CGAL::canonical_pose_3()`
+*/
+template <class TriangleMesh, class T, class Tag, class Base>
+Embedded_body_3 mesh_3_body(const TriangleMesh& tmesh, const double length_scale,
+                            const double cell_size,
+                            const Named_function_parameters<T, Tag, Base>& np)
+{
+  return mesh_3_body(internal::points_of_parameters(tmesh, np), internal::index_triangles(tmesh),
                      length_scale, cell_size);
 }
 

@@ -76,6 +76,18 @@ Prepared_surface_3 prepare_surface(const TriangleMesh& tmesh, const Options& opt
 /*!
 \ingroup PkgCanonicalPose3Ref
 
+\brief does the same with the default options.
+*/
+template <class TriangleMesh, class T, class Tag, class Base>
+Prepared_surface_3 prepare_surface(const TriangleMesh& tmesh,
+                                   const Named_function_parameters<T, Tag, Base>& np)
+{
+  return prepare_surface(tmesh, Options(), np);
+}
+
+/*!
+\ingroup PkgCanonicalPose3Ref
+
 \brief simplifies a surface, since distances do not require all vertices: the second step of
 `canonical_pose_3()`, after `prepare_surface()`.
 

@@ -15,6 +15,7 @@
 #include <CGAL/Canonical_pose_3/internal/soup/twice_area.h>
 #include <CGAL/Canonical_pose_3/internal/support/Buckets.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+#include <CGAL/Canonical_pose_3/internal/support/points_of_parameters.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <Eigen/Geometry>
@@ -67,13 +68,17 @@ inline Eigen::VectorXd vertex_area_shares(const Point_matrix& points,
 \brief returns the share of each vertex in the area of a triangle mesh.
 
 \tparam TriangleMesh a model of `FaceListGraph`
-\tparam VertexPointMap a model of `ReadablePropertyMap` with vertex descriptors as keys and points
-       of a kernel as values
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param tmesh the mesh.
+\param np `vertex_point_map` and `geom_traits`, as for `CGAL::canonical_pose_3()`; instead of them, a
+       point map.
 */
-template <class TriangleMesh, class VertexPointMap>
-Eigen::VectorXd vertex_area_shares(const TriangleMesh& tmesh, VertexPointMap vertex_point_map)
+template <class TriangleMesh, class NamedParameters = parameters::Default_named_parameters>
+Eigen::VectorXd vertex_area_shares(const TriangleMesh& tmesh,
+                                   const NamedParameters& np = parameters::default_values())
 {
-  return vertex_area_shares(point_matrix(tmesh, vertex_point_map),
+  return vertex_area_shares(internal::points_of_parameters(tmesh, np),
                             internal::index_triangles(tmesh));
 }
 

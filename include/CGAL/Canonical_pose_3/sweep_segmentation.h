@@ -85,7 +85,7 @@ their length, less at concave edges, divided by a power of the smaller area.
 */
 template <class TriangleMesh, class PoseVertexPointMap, class SegmentPropertyMap,
           class NamedParameters = parameters::Default_named_parameters,
-          internal::Is_no_segmentation_options<SegmentPropertyMap> = 0>
+          internal::Is_segment_property_map<SegmentPropertyMap> = 0>
 std::size_t sweep_segmentation(const TriangleMesh& tmesh, PoseVertexPointMap pose_vertex_point_map,
                                SegmentPropertyMap segment_ids,
                                const Segmentation_options& options = Segmentation_options(),
@@ -110,6 +110,32 @@ std::size_t sweep_segmentation(const TriangleMesh& tmesh, SegmentPropertyMap seg
 {
   return internal::segment_mesh(sweep_segmentation_tree, tmesh, Point_matrix(0, 3), segment_ids,
                                 options, np);
+}
+
+/*!
+\ingroup PkgCanonicalPose3Ref
+
+\brief does the same with the default options.
+*/
+template <class TriangleMesh, class PoseVertexPointMap, class SegmentPropertyMap, class T,
+          class Tag, class Base, internal::Is_segment_property_map<SegmentPropertyMap> = 0>
+std::size_t sweep_segmentation(const TriangleMesh& tmesh, PoseVertexPointMap pose_vertex_point_map,
+                               SegmentPropertyMap segment_ids,
+                               const Named_function_parameters<T, Tag, Base>& np)
+{
+  return sweep_segmentation(tmesh, pose_vertex_point_map, segment_ids, Segmentation_options(), np);
+}
+
+/*!
+\ingroup PkgCanonicalPose3Ref
+
+\brief does the same without a pose, with the default options.
+*/
+template <class TriangleMesh, class SegmentPropertyMap, class T, class Tag, class Base>
+std::size_t sweep_segmentation(const TriangleMesh& tmesh, SegmentPropertyMap segment_ids,
+                               const Named_function_parameters<T, Tag, Base>& np)
+{
+  return sweep_segmentation(tmesh, segment_ids, Segmentation_options(), np);
 }
 
 } // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION

@@ -12,6 +12,7 @@
 
 #include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+#include <CGAL/Canonical_pose_3/internal/support/points_of_parameters.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 #include <CGAL/Canonical_pose_3/surface_measures.h>
 
@@ -122,14 +123,18 @@ Target_handedness_3 target_handedness(Point_matrix target, Point_matrix points,
 `vertex_area_shares()`.
 
 \tparam TriangleMesh a model of `FaceListGraph`
-\tparam VertexPointMap a model of `ReadablePropertyMap` with vertex descriptors as keys and points
-        of a kernel as values
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param target \f$ n \times 3 \f$, target of each vertex.
+\param tmesh the mesh.
+\param np `vertex_point_map` and `geom_traits`, as for `CGAL::canonical_pose_3()`; instead of them, a
+       point map.
 */
-template <class TriangleMesh, class VertexPointMap>
+template <class TriangleMesh, class NamedParameters = parameters::Default_named_parameters>
 Target_handedness_3 target_handedness(const Point_matrix& target, const TriangleMesh& tmesh,
-                                      VertexPointMap vertex_point_map)
+                                      const NamedParameters& np = parameters::default_values())
 {
-  const Point_matrix points = point_matrix(tmesh, vertex_point_map);
+  const Point_matrix points = internal::points_of_parameters(tmesh, np);
   const auto triangles = internal::index_triangles(tmesh);
   return target_handedness(target, points, triangles, vertex_area_shares(points, triangles));
 }

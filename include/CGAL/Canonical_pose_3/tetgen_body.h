@@ -17,6 +17,7 @@
 #include <CGAL/Canonical_pose_3/Conforming_body_3.h>
 #include <CGAL/Canonical_pose_3/diagnose.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+#include <CGAL/Canonical_pose_3/internal/support/points_of_parameters.h>
 #include <CGAL/Canonical_pose_3/internal/support/state_of_the_process.h>
 
 #ifndef TETLIBRARY
@@ -113,8 +114,11 @@ licensed under the AGPL, which applies to programs that include this header (tar
 `Canonical_pose_3::tetgen`).
 
 \tparam TriangleMesh a model of `FaceListGraph`
-\tparam VertexPointMap a model of `ReadablePropertyMap` with vertex descriptors as keys and points
-       of a kernel as values
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param tmesh the mesh.
+\param np `vertex_point_map` and `geom_traits`, as for `CGAL::canonical_pose_3()`; instead of them, a
+       point map.
 
 \throws std::invalid_argument if `diagnose()` finds a defect; the message states the defect and an
        element.
@@ -125,10 +129,11 @@ licensed under the AGPL, which applies to programs that include this header (tar
 
 \sa `Conforming_body_3`
 */
-template <class TriangleMesh, class VertexPointMap>
-Conforming_body_3 tetgen_body(const TriangleMesh& tmesh, VertexPointMap vertex_point_map)
+template <class TriangleMesh, class NamedParameters = parameters::Default_named_parameters>
+Conforming_body_3 tetgen_body(const TriangleMesh& tmesh,
+                              const NamedParameters& np = parameters::default_values())
 {
-  const Point_matrix points = point_matrix(tmesh, vertex_point_map);
+  const Point_matrix points = internal::points_of_parameters(tmesh, np);
   const auto triangles = internal::index_triangles(tmesh);
   const Diagnosis_3 diagnosis = diagnose(points, triangles);
   if(!diagnosis.is_clean())

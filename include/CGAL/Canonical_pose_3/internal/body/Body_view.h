@@ -16,6 +16,8 @@
 #include <Eigen/SparseCore>
 
 #include <array>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -30,8 +32,15 @@ class Body_view
 public:
   template <class ElasticBody>
   explicit Body_view(const ElasticBody& body)
-    : m_points(&body.points()), m_cells(&body.cells()), m_cell_weights(&body.cell_weights()),
-      m_volume(body.volume()), m_embedding(&body.embedding())
+    : Body_view(&body.points(), &body.cells(), &body.cell_weights(), body.volume(),
+                &body.embedding())
+  {}
+
+  Body_view(const Point_matrix* points, const std::vector<std::array<int, 4>>* cells,
+            const Eigen::VectorXd* cell_weights, const double volume,
+            const Eigen::SparseMatrix<double>* embedding)
+    : m_points(points), m_cells(cells), m_cell_weights(cell_weights), m_volume(volume),
+      m_embedding(embedding)
   {}
 
   const Point_matrix& points() const { return *m_points; }
@@ -47,6 +56,19 @@ private:
   double m_volume;
   const Eigen::SparseMatrix<double>* m_embedding;
 };
+
+// Whether there is a view of a `T`.
+template <class T, class = void>
+struct Is_elastic_body : std::false_type
+{};
+
+template <class T>
+struct Is_elastic_body<
+  T, std::void_t<decltype(Body_view(
+       &std::declval<const T&>().points(), &std::declval<const T&>().cells(),
+       &std::declval<const T&>().cell_weights(), std::declval<const T&>().volume(),
+       &std::declval<const T&>().embedding()))>> : std::true_type
+{};
 
 } // namespace internal
 } // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION

@@ -12,6 +12,7 @@
 
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/assertions.h>
+#include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
@@ -257,17 +258,6 @@ private:
   std::vector<double> m_lengths;
 };
 
-// The row of each vertex: its index in the range of vertices.
-template <class TriangleMesh>
-auto number_vertices(const TriangleMesh& tmesh)
-{
-  auto rows = get(CGAL::dynamic_vertex_property_t<std::size_t>(), tmesh);
-  std::size_t row = 0;
-  for(auto v : vertices(tmesh))
-    put(rows, v, row++);
-  return rows;
-}
-
 // The corners of the faces of a mesh as rows of the vertices, three per face, and the twins.
 struct Face_corners
 {
@@ -279,12 +269,9 @@ struct Face_corners
 // halfedge stored with a face, such as a mesh and its copy of another type, yield the same bytes.
 // `vertex_rows`: readable property map from vertices to rows.
 template <class TriangleMesh, class VertexRowMap>
-Face_corners face_corners(const TriangleMesh& tmesh, VertexRowMap vertex_rows)
+Face_corners face_corners(const TriangleMesh& tmesh, const VertexRowMap& vertex_rows)
 {
   using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
-  auto numbers = get(CGAL::dynamic_halfedge_property_t<int>(), tmesh);
-  for(halfedge_descriptor h : halfedges(tmesh))
-    put(numbers, h, -1);
   std::vector<halfedge_descriptor> sides;
   Face_corners corners;
   for(auto f : faces(tmesh))
@@ -302,13 +289,20 @@ Face_corners face_corners(const TriangleMesh& tmesh, VertexRowMap vertex_rows)
       h = p;
     for(int i = 0; i < 3; ++i, h = next(h, tmesh))
     {
-      put(numbers, h, static_cast<int>(sides.size()));
       sides.push_back(h);
       corners.origins.push_back(row(h));
     }
   }
-  for(halfedge_descriptor h : sides)
-    corners.twins.push_back(get(numbers, opposite(h, tmesh)));
+  auto numbers = halfedge_number_map(tmesh, 0);
+  for(const halfedge_descriptor h : sides)
+    put(numbers, opposite(h, tmesh), sides.size()); // if it has no face
+  for(std::size_t i = 0; i < sides.size(); ++i)
+    put(numbers, sides[i], i);
+  for(const halfedge_descriptor h : sides)
+  {
+    const std::size_t twin = get(numbers, opposite(h, tmesh));
+    corners.twins.push_back(twin == sides.size() ? -1 : static_cast<int>(twin));
+  }
   return corners;
 }
 

@@ -62,6 +62,28 @@ private:
   FactorTraits m_traits;
 };
 
+// Whether T is a model of `SparseLinearAlgebraWithBlockFactorTraits_d`.
+template <class T, class = void>
+struct Is_factor_traits : std::false_type
+{};
+
+template <class T>
+struct Is_factor_traits<
+  T, std::void_t<decltype(std::declval<T&>().factor(std::declval<const typename T::Matrix&>(),
+                                                    std::declval<typename T::NT&>())
+                            ? 1
+                            : 0),
+                 decltype(std::declval<const T&>().linear_solver(
+                            std::declval<const Eigen::Ref<const Eigen::MatrixXd>&>(),
+                            std::declval<Eigen::MatrixXd&>())
+                            ? 1
+                            : 0)>>
+  : std::bool_constant<
+      std::is_default_constructible<T>::value
+      && std::is_constructible<typename T::Matrix, const Eigen::SparseMatrix<double>&>::value
+      && std::is_convertible<decltype(T::name()), const char*>::value>
+{};
+
 // The solver of `Default_factor_traits_d`.
 std::unique_ptr<Factor_base> make_default_factor();
 

@@ -13,11 +13,9 @@
 #include <CGAL/Canonical_pose_3/Linear_solver.h>
 #include <CGAL/Canonical_pose_3/Options.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
-#include <CGAL/Canonical_pose_3/point_matrix.h>
+#include <CGAL/Canonical_pose_3/internal/support/points_of_parameters.h>
 
-#include <CGAL/Kernel_traits.h>
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/boost/graph/named_params_helper.h>
 
 #include <iterator>
 #include <type_traits>
@@ -36,42 +34,22 @@ template <class T>
 struct Is_range<T, std::void_t<decltype(std::begin(std::declval<T&>()))>> : std::true_type
 {};
 
-// The given traits, or those of the points.
-template <class Point, class NamedParameters>
-auto traits_of_parameters(const NamedParameters& np)
-{
-  using Given = std::decay_t<decltype(parameters::get_parameter(np, internal_np::geom_traits))>;
-  if constexpr(std::is_same<Given, internal_np::Param_not_found>::value)
-    return typename Kernel_traits<Point>::Kernel();
-  else
-    return Given(parameters::get_parameter(np, internal_np::geom_traits));
-}
-
-// The points of a mesh, read with the given map and traits.
-template <class TriangleMesh, class NamedParameters>
-Point_matrix points_of_parameters(const TriangleMesh& tmesh, const NamedParameters& np)
-{
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-  using Traits = typename GetGeomTraits<TriangleMesh, NamedParameters>::type;
-  return point_matrix(tmesh,
-                      choose_parameter(get_parameter(np, internal_np::vertex_point),
-                                       get_const_property_map(vertex_point, tmesh)),
-                      choose_parameter<Traits>(get_parameter(np, internal_np::geom_traits)));
-}
-
 // The options, unless replaced by named parameters.
 template <class NamedParameters>
 Options options_of_parameters(Options options, const NamedParameters& np)
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
+  using parameters::get_parameter_reference;
   options.random_seed
     = choose_parameter(get_parameter(np, internal_np::random_seed), options.random_seed);
   options.visitor = choose_parameter(get_parameter(np, internal_np::visitor), options.visitor);
-  using Solver = std::decay_t<decltype(get_parameter(np, internal_np::sparse_linear_solver))>;
+  // By reference, since it need not be copyable.
+  using Solver
+    = std::decay_t<decltype(get_parameter_reference(np, internal_np::sparse_linear_solver))>;
   if constexpr(!std::is_same<Solver, internal_np::Param_not_found>::value)
-    options.linear_solver = Linear_solver(get_parameter(np, internal_np::sparse_linear_solver));
+    options.linear_solver
+      = Linear_solver(get_parameter_reference(np, internal_np::sparse_linear_solver));
   return options;
 }
 

@@ -56,9 +56,10 @@ std::size_t segment_mesh(const Function& segmentation_tree, const TriangleMesh& 
     tmesh, segment_ids);
 }
 
+// Overload resolution: options and named parameters are no property maps.
 template <class T>
-using Is_no_segmentation_options
-  = std::enable_if_t<!std::is_same<std::decay_t<T>, Segmentation_options>::value, int>;
+using Is_segment_property_map = std::enable_if_t<
+  !std::is_same<T, Segmentation_options>::value && !Is_named_parameters<T>::value, int>;
 
 } // namespace internal
 } // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION

@@ -16,6 +16,8 @@
 #include <Eigen/SparseCore>
 
 #include <cstddef>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -62,6 +64,23 @@ public:
 private:
   Constraint& m_constraint;
 };
+
+// Whether T has the functions of `RegistrationConstraint_3`.
+template <class T, class = void>
+struct Is_registration_constraint : std::false_type
+{};
+
+template <class T>
+struct Is_registration_constraint<
+  T, std::void_t<decltype(std::size_t{std::declval<const T&>().matrix_revision()}),
+                 decltype(std::declval<const T&>().add_to_matrix(
+                   std::declval<std::vector<Eigen::Triplet<double>>&>())),
+                 decltype(std::declval<T&>().add_to_right_hand_side(
+                   std::declval<const Point_matrix&>(), std::declval<Point_matrix&>())),
+                 decltype(
+                   double{std::declval<const T&>().energy(std::declval<const Point_matrix&>())})>>
+  : std::true_type
+{};
 
 } // namespace internal
 } // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION

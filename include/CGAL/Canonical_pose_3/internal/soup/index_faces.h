@@ -33,27 +33,27 @@ namespace internal {
 
 using Index_triangle = std::array<std::size_t, 3>;
 
-// An index per vertex, for hashable descriptors.
-template <class Vertex>
-struct Hashed_vertex_numbers
+// A number per vertex or halfedge, for hashable descriptors.
+template <class Descriptor>
+struct Hashed_numbers
 {
-  friend void put(Hashed_vertex_numbers& map, const Vertex& v, const std::size_t number)
+  friend void put(Hashed_numbers& map, const Descriptor& d, const std::size_t number)
   {
-    map.numbers[v] = number;
+    map.numbers[d] = number;
   }
-  friend std::size_t get(const Hashed_vertex_numbers& map, const Vertex& v)
+  friend std::size_t get(const Hashed_numbers& map, const Descriptor& d)
   {
-    return map.numbers.at(v);
+    return map.numbers.at(d);
   }
 
-  std::unordered_map<Vertex, std::size_t> numbers;
+  std::unordered_map<Descriptor, std::size_t> numbers;
 };
 
 // Dynamic properties are faster, but no concept requires them.
 template <class FaceGraph>
 auto vertex_number_map(const FaceGraph&, long)
 {
-  return Hashed_vertex_numbers<typename boost::graph_traits<FaceGraph>::vertex_descriptor>();
+  return Hashed_numbers<typename boost::graph_traits<FaceGraph>::vertex_descriptor>();
 }
 
 template <class FaceGraph>
@@ -63,15 +63,39 @@ auto vertex_number_map(const FaceGraph& mesh, int)
   return get(dynamic_vertex_property_t<std::size_t>(), mesh);
 }
 
-// The faces of a mesh as sequences of rows. Each starts with its smallest row, so that the result
-// does not depend on which halfedge a data structure stores for a face.
 template <class FaceGraph>
-std::vector<std::vector<std::size_t>> index_polygons(const FaceGraph& mesh)
+auto halfedge_number_map(const FaceGraph&, long)
+{
+  return Hashed_numbers<typename boost::graph_traits<FaceGraph>::halfedge_descriptor>();
+}
+
+template <class FaceGraph>
+auto halfedge_number_map(const FaceGraph& mesh, int)
+  -> decltype(get(dynamic_halfedge_property_t<std::size_t>(), mesh))
+{
+  return get(dynamic_halfedge_property_t<std::size_t>(), mesh);
+}
+
+// The row of each vertex: its index in the range of vertices.
+template <class FaceGraph>
+auto number_vertices(const FaceGraph& mesh)
 {
   auto rows = vertex_number_map(mesh, 0);
   std::size_t row = 0;
   for(const typename boost::graph_traits<FaceGraph>::vertex_descriptor v : vertices(mesh))
     put(rows, v, row++);
+  return rows;
+}
+
+template <class FaceGraph>
+using Vertex_number_map = decltype(number_vertices(std::declval<const FaceGraph&>()));
+
+// The faces of a mesh as sequences of rows. Each starts with its smallest row, so that the result
+// does not depend on which halfedge a data structure stores for a face.
+template <class FaceGraph>
+std::vector<std::vector<std::size_t>> index_polygons(const FaceGraph& mesh)
+{
+  const auto rows = number_vertices(mesh);
   std::vector<std::vector<std::size_t>> polygons;
   for(const auto f : faces(mesh))
   {
