@@ -89,7 +89,7 @@ public:
     compressed.makeCompressed();
     cholmod_sparse view = internal::lower_triangle(compressed);
     const auto result = internal::analyzed(view, common);
-    if(!internal::factorize(view, result.get(), common)
+    if(result == nullptr || !internal::factorize(view, result.get(), common)
        || !internal::has_positive_pivots(*result, compressed.diagonal()))
       return false;
     m_factor = result;

@@ -92,9 +92,8 @@ public:
   /// `geom_traits`, as for `CGAL::canonical_pose_3()`.
   template <class TriangleMesh, class NamedParameters = parameters::Default_named_parameters,
             std::enable_if_t<internal::Is_named_parameters<NamedParameters>::value, int> = 0>
-  explicit Lattice_body_3(const TriangleMesh& tmesh, const Eigen::MatrixXd& distances,
-                          const double spacing = 0,
-                          const NamedParameters& np = parameters::default_values())
+  Lattice_body_3(const TriangleMesh& tmesh, const Eigen::MatrixXd& distances,
+                 const double spacing = 0, const NamedParameters& np = parameters::default_values())
     : Lattice_body_3(internal::points_of_parameters(tmesh, np), internal::index_triangles(tmesh),
                      distances, spacing)
   {}

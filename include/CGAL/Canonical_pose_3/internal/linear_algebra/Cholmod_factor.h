@@ -23,7 +23,6 @@
 #include <cstddef>
 #include <memory>
 #include <mutex>
-#include <stdexcept>
 
 namespace CGAL {
 namespace Canonical_pose_3 {
@@ -61,7 +60,7 @@ inline cholmod_sparse lower_triangle(const Eigen::SparseMatrix<double>& matrix)
 
 // The symbolic factor, in CHOLMOD's default order: that of AMD, or that of METIS if AMD is not good
 // and METIS is better. CHOLMOD itself would call METIS from several threads at the same time.
-// Throws if there is none.
+// Null for a matrix without entries.
 inline Cholmod_factor_pointer analyzed(cholmod_sparse& matrix, Cholmod_common& common)
 {
   cholmod_common& c = *common.get();
@@ -71,7 +70,7 @@ inline Cholmod_factor_pointer analyzed(cholmod_sparse& matrix, Cholmod_common& c
   if(by_amd == nullptr)
   {
     common.check(matrix.nrow);
-    throw std::runtime_error("CHOLMOD cannot analyze a matrix");
+    return nullptr;
   }
   if(c.fl < 500 * c.lnz || c.lnz < 5 * c.anz)
     return by_amd;

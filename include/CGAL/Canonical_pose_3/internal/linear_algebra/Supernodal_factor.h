@@ -37,7 +37,7 @@ class Supernodal_factor
 {
 public:
   // Analyzes the pattern. Copies made afterwards share the analysis, and can be given another matrix
-  // with this pattern.
+  // with this pattern, which is not empty.
   void analyze(const Eigen::SparseMatrix<double>& matrix)
   {
     Cholmod_common common;
