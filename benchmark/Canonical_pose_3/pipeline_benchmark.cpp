@@ -114,7 +114,8 @@ Ours run_ours(const Mesh& mesh, const int runs, const CP::Options::Body body)
 
     CGAL::Real_timer timer;
     timer.start();
-    const CP::Coarse_surface_3 coarse = CP::coarse_surface(surface, options);
+    const CP::Coarse_surface_3 coarse
+      = CP::coarse_surface(surface, CP::Component_options{options, {}});
     simplification.push_back(timer.time());
     const Mesh coarse_mesh
       = CP::make_triangle_mesh<Mesh>(coarse.surface.points, coarse.surface.triangles);

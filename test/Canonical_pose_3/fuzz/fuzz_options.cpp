@@ -34,11 +34,13 @@ namespace {
 
 using Complex = CP::Indexed_tetrahedra_3<Point_3>;
 
-/// Replaces some values.
+/// Replaces some values, few or many: most combinations are refused.
 class Any_values
 {
 public:
-  explicit Any_values(Byte_source& bytes) : m_bytes(bytes) {}
+  explicit Any_values(Byte_source& bytes)
+    : m_bytes(bytes), m_one_of(one_of<std::size_t, 4>({{3, 10, 40, 200}}, bytes))
+  {}
 
   void operator()(double& value)
   {
@@ -101,7 +103,7 @@ public:
     return result;
   }
 
-  bool is_replaced() { return m_bytes.below(5) == 1; }
+  bool is_replaced() { return m_bytes.below(m_one_of) == 1; }
 
 private:
   double number()
@@ -112,6 +114,7 @@ private:
   }
 
   Byte_source& m_bytes;
+  const std::size_t m_one_of; // of that many values, one is replaced
 };
 
 CP::Landmark_fields_3 any_fields(Any_values& any, Byte_source& bytes, const std::size_t n)
