@@ -13,13 +13,13 @@
 #include <CGAL/Canonical_pose_3/internal/intrinsic/Intrinsic_triangulation.h>
 #include <CGAL/Canonical_pose_3/internal/intrinsic/Vertex_components.h>
 #include <CGAL/Canonical_pose_3/internal/soup/Face_defect.h>
+#include <CGAL/Canonical_pose_3/internal/soup/has_area.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <Eigen/Core>
-#include <Eigen/Geometry>
 
-#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <stdexcept>
@@ -31,22 +31,16 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// Throws if all faces have zero area. A face is considered flat if its height is within rounding
-// errors.
+// Throws if no face has an area.
 inline void check_some_area(const Face_corners& corners, const Point_matrix& points)
 {
   if(corners.origins.empty())
     throw std::invalid_argument("the mesh is empty: it has no face");
+  const auto vertex
+    = [&](const std::size_t h) { return static_cast<std::size_t>(corners.origins[h]); };
   for(std::size_t h = 0; h < corners.origins.size(); h += 3)
-  {
-    const Eigen::Vector3d a = points.row(corners.origins[h]);
-    const Eigen::Vector3d side = points.row(corners.origins[h + 1]).transpose() - a;
-    const Eigen::Vector3d other = points.row(corners.origins[h + 2]).transpose() - a;
-    const double longest
-      = (std::max)({side.squaredNorm(), other.squaredNorm(), (side - other).squaredNorm()});
-    if(side.cross(other).norm() > 1e-13 * longest)
+    if(has_area(points, std::array<std::size_t, 3>{vertex(h), vertex(h + 1), vertex(h + 2)}))
       return;
-  }
   throw Face_defect(0, "is degenerate, and so are all the others");
 }
 
@@ -55,7 +49,7 @@ inline void check_some_area(const Face_corners& corners, const Point_matrix& poi
 class Delaunay_surface
 {
 public:
-  // Throws `std::invalid_argument` if all faces have zero area.
+  // Throws `std::invalid_argument` if no face has an area.
   Delaunay_surface(const Face_corners& corners, Point_matrix points)
     : m_exponent(normalize(points)), m_triangulation(triangulation(corners, points)),
       m_components(m_triangulation)

@@ -10,8 +10,8 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_SOUP_TRIANGLE_TREE_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_SOUP_TRIANGLE_TREE_H
 
+#include <CGAL/Canonical_pose_3/internal/soup/has_area.h>
 #include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
-#include <CGAL/Canonical_pose_3/internal/soup/twice_area.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
@@ -30,6 +30,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <memory>
 #include <stdexcept>
 #include <vector>
@@ -54,10 +55,7 @@ public:
     for(std::size_t i = 0; i < triangles.size(); ++i)
     {
       const Index_triangle& t = triangles[i];
-      const double longest
-        = (std::max)({(row(t[1]) - row(t[0])).squaredNorm(), (row(t[2]) - row(t[1])).squaredNorm(),
-                      (row(t[0]) - row(t[2])).squaredNorm()});
-      if(twice_area(points, t) > FLATNESS * longest)
+      if(has_area(points, t))
         m_triangles.push_back(
           {Kernel::Triangle_3(point(row(t[0])), point(row(t[1])), point(row(t[2]))), i});
     }
@@ -99,10 +97,32 @@ public:
     return {found->index, Eigen::Vector3d(1 - x - y, x, y)};
   }
 
+  // The distance of a point from the nearest triangle, both in the unit of the input.
+  double distance(const Eigen::RowVector3d& row) const
+  {
+    return std::ldexp(std::sqrt(m_tree->squared_distance(point(normalized(row)))), m_exponent);
+  }
+
+  // How often the triangles, if they form a closed surface, surround a point, given in the unit of
+  // the input: a ray leaves the surface so much more often than it enters.
+  int winding_number(const Eigen::RowVector3d& row) const
+  {
+    const Kernel::Vector_3 direction(0.5373, 0.4877, 0.6883); // parallel to no usual face
+    std::vector<const Surface_triangle*> crossed;
+    m_tree->all_intersected_primitives(Kernel::Ray_3(point(normalized(row)), direction),
+                                       std::back_inserter(crossed));
+    int result = 0;
+    for(const Surface_triangle* const found : crossed)
+    {
+      const Kernel::Triangle_3& t = found->triangle;
+      result += CGAL::cross_product(t[1] - t[0], t[2] - t[0]) * direction > 0 ? 1 : -1;
+    }
+    return result;
+  }
+
 private:
   using Kernel = Simple_cartesian<double>;
 
-  static constexpr double FLATNESS = 1e-10; // of triangles without a well-defined plane
   static constexpr double FARTHEST = 1e100; // relative to the size of the surface
 
   static Kernel::Point_3 point(const Eigen::RowVector3d& row)
