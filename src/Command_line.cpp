@@ -33,7 +33,7 @@ namespace {
 // Arguments that are converted to options of the library.
 struct Raw_arguments
 {
-  std::string kernel = "classical", components = "refuse", solver = "auto", frame = "input",
+  std::string kernel = "classical", components = "auto", solver = "auto", frame = "input",
               target_mode = "mds", contacts = "keep", paper_weights, parts = "auto";
   std::vector<std::string> springs, directions, handles, symmetric_pairs;
 };
@@ -261,8 +261,8 @@ void add_pose_options(CLI::App& command, Arguments& arguments, Raw_arguments& ra
     ->transform(integer(0));
   command
     .add_option("--components", raw.components,
-                "more than one connected component: refuse, largest, each")
-    ->check(CLI::IsMember({"refuse", "largest", "each"}))
+                "more than one connected component: auto, refuse, largest, each")
+    ->check(CLI::IsMember({"auto", "refuse", "largest", "each"}))
     ->capture_default_str();
   command
     .add_option("--contacts", raw.contacts,

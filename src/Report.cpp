@@ -63,6 +63,17 @@ Json target_of(const Registration_summary& s)
           {"is_handedness_certain", s.target.is_handedness_certain}};
 }
 
+Json followers_of(const Registration_summary& s)
+{
+  Json result = Json::array();
+  for(const Registration_summary::Follower& follower : s.followers)
+    result.push_back({{"component", follower.component},
+                      {"vertex", follower.vertex},
+                      {"leader", follower.leader},
+                      {"rigid", follower.is_rigid}});
+  return result;
+}
+
 Json rounds_of(const Registration_summary& s)
 {
   Json result = Json::array();
@@ -145,6 +156,7 @@ void write_report(std::ostream& out, const Registration_summary& summary,
   write(out,
         {{"input", input_of(summary.input)},
          {"body", body},
+         {"followers", followers_of(summary)},
          {"target", target_of(summary)},
          {"rounds", rounds_of(summary)},
          {"registration", registration_of(summary)},

@@ -30,7 +30,8 @@ inline const Option_values<Options::Body> BODIES = {{"auto", Options::Body::AUTO
                                                     {"mesh", Options::Body::MESH_3}};
 
 inline const Option_values<Options::Components> COMPONENTS
-  = {{"refuse", Options::Components::REFUSE},
+  = {{"auto", Options::Components::AUTOMATIC},
+     {"refuse", Options::Components::REFUSE},
      {"largest", Options::Components::LARGEST},
      {"each", Options::Components::EACH}};
 

@@ -27,7 +27,7 @@
 //   --reference-directory DIR  corresponding vertices: those nearest to the vertices of the mesh of
 //                            the same name in DIR, where all meshes have the same vertices
 //   --geodesics heat|wavefront|exact   --body auto|lattice|tetgen|mesh
-//   --components refuse|largest|each   --rounds N
+//   --components auto|refuse|largest|each   --rounds N
 // Without --vertex-lists and --reference-directory, vertices correspond by index.
 
 #include "Argument_list.h"

@@ -27,7 +27,7 @@
 //   --memory-limit MB       per mesh, default none
 //   --jobs N                meshes at a time, which share the cores; default 1
 //   --geodesics heat|wavefront|exact   --body auto|lattice|tetgen|mesh
-//   --components refuse|largest|each   --rounds N
+//   --components auto|refuse|largest|each   --rounds N
 //   --csv FILE              the table as comma-separated values
 //   --pose-directory DIR    keep the poses, as DIR/<folder>/<file>
 // Exit code: 0, or 1 if a mesh failed, or 2 for wrong usage.

@@ -31,7 +31,7 @@ inline CGAL::Canonical_pose_3::Options take_options(Argument_list& list)
   options.body
     = static_cast<Options::Body>(list.take_choice("--body", {"auto", "lattice", "tetgen", "mesh"}));
   options.components = static_cast<Options::Components>(
-    list.take_choice("--components", {"refuse", "largest", "each"}));
+    list.take_choice("--components", {"auto", "refuse", "largest", "each"}));
   const double rounds = list.take_number("--rounds", -1);
   if(rounds >= 0)
     options.number_of_rounds = static_cast<int>(rounds);

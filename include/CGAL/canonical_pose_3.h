@@ -88,7 +88,7 @@ fits the target to the input. It follows rigid motions, scaling and relabeling o
          result can be passed to another call, see `Options::given`.
 
 \throws std::invalid_argument if the surface has no area, a coordinate is not finite, there are
-       several components and the options do not state how to handle them, the requested body
+       several shapes and the options do not state how to handle them, the requested body
        requires a surface without defects (see `Canonical_pose_3::diagnose()`), or an option is out
        of range; the message states the defect and an element.
 \throws std::runtime_error if the solver or the mesher fails, or the program was built without

@@ -45,6 +45,21 @@ CP::Options largest_component()
   return options;
 }
 
+// With the same lattice as in a separate call; by default, components share the cells.
+CP::Options each_with_own_lattice()
+{
+  CP::Options options = shapes::each_component();
+  options.lattice_spacing = .03;
+  return options;
+}
+
+CP::Options with_lattice()
+{
+  CP::Options options;
+  options.lattice_spacing = .03;
+  return options;
+}
+
 Point_matrix pose_of_followers(const Polygon_soup& soup, const CP::Options& options,
                                Point_matrix& pose)
 {
@@ -58,10 +73,10 @@ Point_matrix pose_of_followers(const Polygon_soup& soup, const CP::Options& opti
 // The poses of the components are bitwise equal to those of separate calls.
 TEST(Components, each_is_posed_as_if_alone)
 {
-  const Point_matrix pose = pose_of(two_bars(), shapes::each_component()).pose;
-  EXPECT_EQ(pose.topRows(small_size), pose_of(small_bar(), CP::Options()).pose);
+  const Point_matrix pose = pose_of(two_bars(), each_with_own_lattice()).pose;
+  EXPECT_EQ(pose.topRows(small_size), pose_of(small_bar(), with_lattice()).pose);
   const Polygon_soup moved_bar = shapes::merged({}, bar(), 20.);
-  EXPECT_EQ(pose.bottomRows(pose.rows() - small_size), pose_of(moved_bar, CP::Options()).pose);
+  EXPECT_EQ(pose.bottomRows(pose.rows() - small_size), pose_of(moved_bar, with_lattice()).pose);
 }
 
 // The coordinates of a vertex in its cell are its row of the embedding: a follower at a vertex
@@ -111,11 +126,11 @@ TEST(Components, many)
   Polygon_soup soup;
   for(int i = 0; i < 12; ++i)
     soup = shapes::merged(soup, small_bar(), 8. * i);
-  const Result all = pose_of(soup, shapes::each_component());
+  const Result all = pose_of(soup, each_with_own_lattice());
   EXPECT_TRUE(all.summary.converged());
   for(const int i : {0, 7, 11})
     EXPECT_EQ(all.pose.middleRows(i * small_size, small_size),
-              pose_of(shapes::merged({}, small_bar(), 8. * i), CP::Options()).pose);
+              pose_of(shapes::merged({}, small_bar(), 8. * i), with_lattice()).pose);
 }
 
 // Constraints that cannot hold are reported by elements of the input, never ignored.
@@ -144,11 +159,11 @@ TEST(Components, constraints_that_do_not_fit_are_refused)
 // A constraint within a component has the same effect as in a separate call.
 TEST(Components, constraints_belong_to_their_component)
 {
-  CP::Options options = shapes::each_component();
+  CP::Options options = each_with_own_lattice();
   options.constraints.springs = {{2, 40, 1., 0.2}};
   const Point_matrix pose = pose_of(two_bars(), options).pose;
   EXPECT_EQ(pose.topRows(small_size), pose_of(small_bar(), options).pose);
-  EXPECT_GT((pose - pose_of(two_bars(), shapes::each_component()).pose).norm(), 1e-3);
+  EXPECT_GT((pose - pose_of(two_bars(), each_with_own_lattice()).pose).norm(), 1e-3);
 }
 
 // A vertex shared by components has only one pose, which is reported.

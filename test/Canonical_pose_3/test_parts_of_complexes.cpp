@@ -389,3 +389,35 @@ TEST(Parts_of_complexes, without_boundary)
   twice.cells = {twice.cells[0], twice.cells[0]};
   EXPECT_THROW_WITH(pose_of(twice), std::invalid_argument, "the complex has no boundary");
 }
+
+// A cell that is there twice has no boundary, and thus no surface to be posed: it follows.
+TEST(Parts_of_complexes, closed_part)
+{
+  Tetrahedral_soup soup = small_bar();
+  const std::size_t n = soup.points.size();
+  for(const std::array<double, 3>& p : {std::array<double, 3>{{9, 0, 0}}, {{10, 0, 0}}, {{9, 1, 0}}, {{9, 0, 1}}})
+    soup.points.push_back(p);
+  for(int i = 0; i < 2; ++i)
+    soup.cells.push_back({{n, n + 1, n + 2, n + 3}});
+  for(const auto mode : {CP::Options::Components::AUTOMATIC, CP::Options::Components::REFUSE,
+                         CP::Options::Components::LARGEST, CP::Options::Components::EACH})
+  {
+    const CP::Result result = pose_of(soup, with(mode));
+    EXPECT_EQ(result.pose.topRows(small_size), pose_of(small_bar()).pose);
+    EXPECT_LT(shapes::relative_rms(shapes::to_matrix(soup.points).bottomRows(4),
+                                   result.pose.bottomRows(4)),
+              1e-12);
+    ASSERT_EQ(result.summary.followers.size(), 1u);
+    EXPECT_TRUE(result.summary.followers[0].is_rigid);
+  }
+}
+
+// What is in contact follows without sharing a vertex.
+TEST(Parts_of_complexes, small_ones_follow)
+{
+  const Tetrahedral_soup soup
+    = merged(bar(true), shapes::tetrahedral_box(2, 2, 2, {{.5, .5, .5}}), -0.6);
+  const CP::Result result = pose_of(soup);
+  EXPECT_EQ(result.pose.topRows(Eigen::Index(bar(true).points.size())), pose_of(bar(true)).pose);
+  EXPECT_EQ(result.summary.followers.size(), 1u);
+}

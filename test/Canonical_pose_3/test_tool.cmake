@@ -53,7 +53,7 @@ foreach(input IN LISTS bad_inputs)
   expect_refusal("${message}" pose ${input} -o out/a.${format} --target out/b.off --report out/c.json)
 endforeach()
 
-expect_refusal("falls into 2 components" pose edge.off -o out/a.off) # the fin is one
+expect_refusal("falls into 2 components" pose edge.off -o out/a.off --components refuse) # the fin is one
 expect_refusal("No such file" pose missing.off -o out/a.off)
 expect_refusal("directory" pose folder.off -o out/a.off)
 expect_refusal("extension" pose ball.txt -o out/a.off)
@@ -154,6 +154,19 @@ foreach(components IN ITEMS largest each)
   expect_exit(0 pose two_balls.off -o out/a.off --components ${components} --spacing 0.05)
   expect_same_faces(two_balls.off out/a.off)
 endforeach()
+
+# What is small follows, and the report says so.
+foreach(components IN ITEMS auto largest each)
+  expect_exit(0 pose crumb.off -o out/a.off --report out/report.json --components ${components} --rounds 0)
+  expect_complete_report(out/report.json)
+  expect_json(out/report.json 1 followers 0 component)
+  expect_json(out/report.json 12 followers 0 vertex)
+  expect_json(out/report.json 0 followers 0 leader)
+  expect_json(out/report.json ON followers 0 rigid)
+endforeach()
+expect_exit(0 pose crumb.off -o out/b.off --rounds 0)
+expect_same_bytes(out/a.off out/b.off)
+expect_refusal("2 connected components" pose crumb.off -o out/a.off --components refuse)
 
 expect_exit(0 pose ball.mesh -o out/pose.mesh --target out/target.off --report out/report.json)
 expect_complete_report(out/report.json)

@@ -187,6 +187,7 @@ foreach(face IN LISTS faces)
 endforeach()
 write_off(two_balls.off "${both_vertices}" "${both_faces}")
 bad(two_balls.off "the surface has 2 connected components")
+write_off(crumb.off "${vertices};9 0 0;9.1 0 0;9 0.1 0" "${faces};12 13 14")
 
 execute_process(COMMAND id -u OUTPUT_VARIABLE user OUTPUT_STRIP_TRAILING_WHITESPACE)
 if(NOT user STREQUAL "0") # who may read everything

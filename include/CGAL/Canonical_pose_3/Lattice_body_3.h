@@ -108,7 +108,7 @@ public:
   /// \cond SKIP_IN_MANUAL
   Lattice_body_3(const Point_matrix& points, std::vector<std::array<std::size_t, 3>> triangles,
                  internal::Geodesic_bounds bounds, double spacing,
-                 const std::vector<std::array<std::size_t, 3>>& caps);
+                 const std::vector<std::array<std::size_t, 3>>& caps, double share_of_cells = 1);
   /// \endcond
 
   /// returns the \f$ N \times 3 \f$ nodes, in the unit of the surface.

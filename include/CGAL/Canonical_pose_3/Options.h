@@ -109,9 +109,24 @@ struct Method_options
   enum class Body { AUTOMATIC, LATTICE, TETGEN, MESH_3 };
 
   /// how to handle several connected components of a surface (connected by edges) or a complex
-  /// (connected by common faces): refuse them; pose the largest one, to which the others stay
-  /// attached; or pose each one.
-  enum class Components { REFUSE, LARGEST, EACH };
+  /// (connected by common faces).
+  ///
+  /// - `AUTOMATIC`: one component is posed; eyes, hair, clothes and the like follow it, see below.
+  ///   If others remain, they are refused, stating their number.
+  /// - `REFUSE`: several components are refused, stating their number.
+  /// - `LARGEST`: the largest component is posed, all others follow it.
+  /// - `EACH`: all are posed. Their bodies share the cells of a single one by area (with many faces,
+  ///   a body has more). What would get less than 2.3 % has no body: it follows the nearest one if it
+  ///   is small, or keeps its place.
+  ///
+  /// With `AUTOMATIC`, a component follows the largest one (open ones count half) if its area is at
+  /// most 5 % of that (small), or 25 % if it touches what moves with it; if a third of its area is in
+  /// contact with that, within 5 % of its diameter; if half of it lies inside; or if it wraps a third
+  /// of the largest, like a dress. What is in contact or inside almost entirely, or large, and not
+  /// tiny, is deformed with the body; the rest moves rigidly. See `Registration_summary::followers`.
+  /// Pieces without area, and small fragments that are connected to another component by a vertex,
+  /// follow in any case.
+  enum class Components { AUTOMATIC, REFUSE, LARGEST, EACH };
 
   /// how to handle handles of a surface that look like false contacts of its parts: keep them, or cut
   /// them, see `cut_contacts()`. The latter requires the lattice, or a body of `make_body`.
@@ -187,7 +202,7 @@ struct Method_options
   double lattice_spacing = 0;
 
   /// the components of a surface or a complex.
-  Components components = Components::REFUSE;
+  Components components = Components::AUTOMATIC;
 
   /// the false contacts of a surface.
   Contacts contacts = Contacts::KEEP;
@@ -221,7 +236,8 @@ struct Method_options
 
   /// if set, a model of `RegistrationVisitor_3` that observes the registration and may stop it. If
   /// several components are posed, it observes them one after the other, the smallest first, each
-  /// from iteration 1; stopping one continues with the next.
+  /// from iteration 1; stopping one continues with the next. (Without it, and without other functions
+  /// and models of the user, they are posed in parallel.)
   Registration_visitor visitor;
 
   /// whether the result contains the landmarks and the distances to them.

@@ -12,6 +12,7 @@
 
 #include <CGAL/Canonical_pose_3/Diagnosis_3.h>
 #include <CGAL/Canonical_pose_3/Options.h>
+#include <CGAL/Canonical_pose_3/Registration_summary.h>
 #include <CGAL/Canonical_pose_3/Surface_component_3.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/Vertex_map.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
@@ -46,6 +47,9 @@ struct Prepared_surface_3
 
   /// the components to be posed, by decreasing size.
   std::vector<Component> components;
+
+  /// the components that follow others.
+  std::vector<Registration_summary::Follower> followers;
 
   /// \cond SKIP_IN_MANUAL
   Point_matrix points; // of the input

@@ -86,6 +86,20 @@ struct Registration_summary
     double seconds = 0;
   };
 
+  /// describes a component without a pose of its own, see `Method_options::Components`. Components
+  /// are numbered by decreasing size, those with a pose included.
+  struct Follower
+  {
+    /// the component.
+    std::size_t component = 0;
+    /// its first vertex in the input.
+    std::size_t vertex = 0;
+    /// the component with a pose that it follows, or itself if it keeps its place.
+    std::size_t leader = 0;
+    /// whether it moves rigidly; otherwise, it is deformed with the body.
+    bool is_rigid = false;
+  };
+
   /// a stage of the pipeline with its running time in seconds.
   using Stage = std::pair<std::string, double>;
 
@@ -126,6 +140,8 @@ struct Registration_summary
   std::vector<Round> rounds;
   /// the body.
   Body body;
+  /// the components that follow others.
+  std::vector<Follower> followers;
   /// warnings, one line each, about a usable result.
   std::vector<std::string> warnings;
 

@@ -52,6 +52,10 @@ struct Surface_component_3
 
   /// for each false contact that was cut, a vertex of the input on the curve; see `cut_contacts()`.
   std::vector<std::size_t> contacts;
+
+  /// the number of cells of its body, relative to that of a single component: several components
+  /// share it by area, see `Options::components`. In \f$ (0, 1] \f$.
+  double share_of_cells = 1;
 };
 
 } // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION

@@ -329,7 +329,7 @@ Result registered_pose(const Surface_component_3& surface, const Coarse_surface_
 \brief transfers the poses of the components to the vertices of the input: the last step of
 `canonical_pose_3()`.
 
-Vertices of other components, and isolated vertices, move with the nearest component that has a
+Other components, and isolated vertices, move with the nearest component that has a
 pose.
 
 \param surface the surface.

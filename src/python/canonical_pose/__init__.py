@@ -41,7 +41,7 @@ __all__ = [
 def pose(vertices, faces=None, *, cells=None, return_target=False,
          detail_length=0.1, landmarks=80, rounds=None, body="auto", spacing=None,
          geodesics="heat", target_mode="mds", kernel="classical", tikhonov=0., iterations=500,
-         paper_weights=None, injective=None, frame="input", components="refuse", contacts="keep",
+         paper_weights=None, injective=None, frame="input", components="auto", contacts="keep",
          solver="auto", seed=0, threads=0, matching_weights=None, stiffness=None, given_target=None,
          given_distances=None, spring=None, direction=None, handle=None, symmetric=None):
     """Bring a shape into its canonical pose.
@@ -87,8 +87,10 @@ def pose(vertices, faces=None, *, cells=None, return_target=False,
     frame : "input" or "canonical"
         The position of the pose: near the input, or in the principal axes of the pose. Targets,
         given or returned, are near the input in any case.
-    components : "refuse", "largest" or "each"
-        What to do if there is more than one connected component.
+    components : "auto", "refuse", "largest" or "each"
+        What to do if there is more than one connected component. By default, what is small, inside
+        or in contact follows the largest one, and other components are refused; see the item
+        "followers" of the report.
     contacts : "keep" or "cut"
         Whether handles of a surface that look like false contacts of its parts are cut.
     solver : "auto", "eigen" or "cholmod"

@@ -93,6 +93,15 @@ def test_target_of_several_components(tube):
     np.testing.assert_allclose(target[:n], vertices, atol=1e-9)
 
 
+def test_small_components_follow(tube):
+    vertices, faces = tube
+    n = len(vertices)
+    crumb = vertices.max(axis=0) + [[1, 0, 0], [1.01, 0, 0], [1, .01, 0]]
+    _, report = canonical_pose.pose(np.concatenate([vertices, crumb]),
+                                    np.concatenate([faces, [[n, n + 1, n + 2]]]), rounds=0)
+    assert report["followers"] == [{"component": 1, "vertex": n, "leader": 0, "rigid": True}]
+
+
 def test_registrar(tube):
     vertices, faces = tube
     registrar = canonical_pose.Registrar(vertices, faces)

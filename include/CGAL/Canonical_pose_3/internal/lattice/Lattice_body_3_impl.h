@@ -47,8 +47,10 @@ CGAL_CANONICAL_POSE_3_INLINE
 Lattice_body_3::Lattice_body_3(const Point_matrix& points,
                                std::vector<std::array<std::size_t, 3>> triangles,
                                internal::Geodesic_bounds bounds, const double spacing,
-                               const std::vector<std::array<std::size_t, 3>>& caps)
-  : m_data(internal::Lattice_builder(points, std::move(triangles), std::move(bounds), spacing, caps)
+                               const std::vector<std::array<std::size_t, 3>>& caps,
+                               const double share_of_cells)
+  : m_data(internal::Lattice_builder(points, std::move(triangles), std::move(bounds), spacing, caps,
+                                     share_of_cells)
              .take())
 {}
 

@@ -45,9 +45,11 @@ namespace internal {
 class Lattice_builder
 {
 public:
+  // `share_of_cells`: of those that a lattice would have otherwise.
   Lattice_builder(const Point_matrix& points, std::vector<std::array<std::size_t, 3>> triangles,
                   Geodesic_bounds bounds, const double spacing,
-                  const std::vector<std::array<std::size_t, 3>>& caps)
+                  const std::vector<std::array<std::size_t, 3>>& caps, const double share_of_cells = 1)
+    : m_coarsening(1 / std::sqrt(share_of_cells)), m_number_of_cubes(share_of_cells * SUITABLE_NUMBER_OF_CUBES)
   {
     check(bounds, spacing);
     m_unit = bounds.unit();
@@ -56,7 +58,7 @@ public:
     if(spacing > 0 && is_too_small(spacing, triangles))
       throw std::invalid_argument("the spacing of the lattice, " + std::to_string(spacing)
                                   + " of the largest distance, is too small");
-    split_faces(spacing > 0 ? (std::min)(spacing, LARGEST_SPACING) : LARGEST_SPACING, triangles,
+    split_faces(spacing > 0 ? (std::min)(spacing, largest_spacing()) : largest_spacing(), triangles,
                 bounds);
     const Chord_finder find_chords(m_surface, triangles, caps, bounds);
     const auto chords_from_cubes = [&](double side) {
@@ -67,7 +69,7 @@ public:
     };
     m_data.spacing = spacing > 0
                        ? spacing
-                       : suitable_spacing(chords_from_cubes(LARGEST_SPACING), triangles, caps);
+                       : suitable_spacing(chords_from_cubes(largest_spacing()), triangles, caps);
     while(is_too_small(m_data.spacing, triangles))
       m_data.spacing *= 1.25;
     const std::vector<Chord> chords = chords_from_cubes(m_data.spacing / 2);
@@ -85,6 +87,8 @@ private:
   static constexpr double LARGEST_NUMBER_OF_SAMPLES = 5e6, LARGEST_NUMBER_OF_PARTS = 1e6;
   static constexpr double LARGEST_NUMBER_OF_CUBES = 2e7; // in the bounding box of the surface
   static constexpr double SUITABLE_NUMBER_OF_CUBES = 4000;
+
+  double largest_spacing() const { return m_coarsening * LARGEST_SPACING; }
 
   static void check(const Geodesic_bounds& bounds, const double spacing)
   {
@@ -157,9 +161,10 @@ private:
     const double volume
       = std::abs(signed_volume(m_surface, triangles) + signed_volume(m_surface, caps)) / 6;
     const double total_area = area(m_surface, triangles);
-    double result = (std::max)((std::min)(thin / 2, LARGEST_SPACING), SMALLEST_SPACING);
+    double result
+      = (std::max)((std::min)(thin / 2, largest_spacing()), m_coarsening * SMALLEST_SPACING);
     while(volume / (result * result * result) + total_area / (result * result)
-          > SUITABLE_NUMBER_OF_CUBES)
+          > m_number_of_cubes)
       result *= 1.05;
     return result;
   }
@@ -276,6 +281,8 @@ private:
     m_data.embedding.setFromTriplets(entries.begin(), entries.end());
   }
 
+  double m_coarsening; // of the spacing, where there are fewer cubes
+  double m_number_of_cubes;
   double m_unit;
   Eigen::RowVector3d m_centroid;
   Eigen::Matrix3d m_axes;

@@ -48,6 +48,14 @@ inline Row_index row_of(const Surface_component_3& component, const std::size_t 
   return Row_index(component.origins[i]);
 }
 
+// Vertices with weights that decrease with the distance from what they touch: a sword moves with the
+// hand, even if its tip is near a foot.
+struct Rigid_part
+{
+  std::vector<Vertex_index> vertices;
+  std::vector<double> weights;
+};
+
 // Maps the vertices of an input to those of its components and to their representatives.
 struct Vertex_map
 {
@@ -69,9 +77,10 @@ struct Vertex_map
   std::vector<Vertex_index> shared;
   // vertices without a component
   std::vector<Vertex_index> attached;
-  // vertices of components without a pose that do not touch a component with a pose: since they are
-  // far from the cells that they follow, they are transformed rigidly, to avoid distortion
-  std::vector<std::vector<Vertex_index>> rigid_parts;
+  // components without a pose that are moved rigidly
+  std::vector<Rigid_part> rigid_parts;
+  // vertices of components that keep their place
+  std::vector<Vertex_index> fixed;
   // for each component: the indices of its followers, attached vertices before those of the options
   Indexed_vector<Component_index, std::vector<std::size_t>> followers_of;
 

@@ -95,7 +95,8 @@ inline Surface_body_3 requested_body(const Surface_component_3& surface,
   Geodesic_bounds bounds(fields.distances, fields.distances.maxCoeff());
   bounds.interpolate(coarse);
   return of_kind("lattice", Lattice_body_3(points, triangles, std::move(bounds),
-                                           options.lattice_spacing, surface.caps));
+                                           options.lattice_spacing, surface.caps,
+                                           surface.share_of_cells));
 }
 
 CGAL_CANONICAL_POSE_3_INLINE Surface_body_3 body_of_surface(const Surface_component_3& surface,

@@ -16,7 +16,9 @@
 #include <CGAL/Canonical_pose_3/internal/pipeline/Options_constraints.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/Vertex_map.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/check_method_options.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/component_roles.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/make_vertex_map.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/shares_of_cells.h>
 #include <CGAL/Canonical_pose_3/internal/registration/Constraint_element_traits.h>
 #include <CGAL/Canonical_pose_3/internal/registration/check_registration.h>
 #include <CGAL/Canonical_pose_3/internal/soup/check_soup.h>
@@ -173,26 +175,38 @@ inline Point_matrix points_of_followers(const Point_matrix& points, const Vertex
   return result;
 }
 
-// Assigns options to the components, except for the stiffness. Vertices without a component, and
-// followers, are assigned to the nearest one.
+// Assigns options to the components with a pose, except for the stiffness. The others, vertices
+// without a component, and followers are assigned to one of them. `rows`: the first four members of the map.
 inline Prepared_surface_3 prepared(Diagnosis_3 diagnosis, const Point_matrix& points,
-                                   std::vector<Surface_component_3> surfaces, Vertex_map rows,
-                                   const std::vector<std::vector<Vertex_index>>& others,
+                                   std::vector<Surface_component_3> components, Vertex_map rows,
+                                   const std::vector<Component_role>& roles,
                                    const Options& options)
 {
   Prepared_surface_3 result;
   result.diagnosis = std::move(diagnosis);
   result.points = points;
-  check_given(options.given, rows, surfaces.size());
+  const std::vector<std::size_t> posed = posed_components(roles);
+  check_given(options.given, rows, posed.size());
   check_unit(points);
-  result.vertex_map = make_vertex_map(std::move(rows), surfaces, others);
+  std::vector<Surface_component_3> surfaces;
+  std::vector<Other_component> others;
+  for(std::size_t c = 0; c < components.size(); ++c)
+    if(roles[c].kind == Component_role::POSED)
+      surfaces.push_back(std::move(components[c]));
+    else
+      others.push_back({c, std::move(components[c].body_origins), roles[c]});
+  const std::vector<double> shares = shares_of_cells(surfaces, relative_areas(surfaces));
+  result.vertex_map = std::move(rows);
   Vertex_map& map = result.vertex_map;
+  locate_vertices(surfaces, map);
   const Point_matrix followers = points_of_followers(points, map, options.followers);
-  map.followers_of
-    = Indexed_vector<Component_index, std::vector<std::size_t>>(surfaces.size());
-  const std::vector<Component_index> nearest = nearest_components(followers, surfaces);
+  std::vector<Nearest_component> nearest(static_cast<std::size_t>(followers.rows()));
+  if((surfaces.size() > 1 || !others.empty()) && !nearest.empty())
+    nearest = nearest_components(followers, surfaces);
+  result.followers = follow_components(others, posed, points, map, nearest);
+  map.followers_of = Indexed_vector<Component_index, std::vector<std::size_t>>(surfaces.size());
   for(std::size_t i = 0; i < nearest.size(); ++i)
-    map.followers_of[nearest[i]].push_back(i);
+    map.followers_of[nearest[i].component].push_back(i);
 
   for(Surface_component_3& surface : surfaces)
   {
@@ -206,6 +220,7 @@ inline Prepared_surface_3 prepared(Diagnosis_3 diagnosis, const Point_matrix& po
       local.matching_weights = values_at(options.matching_weights, surface.body_origins);
     local.followers = rows_at(followers, map.followers_of[Component_index(c)]);
     local.given = component_results(options.given, map, surface);
+    surface.share_of_cells = shares[c];
     result.components.back().surface = std::move(surface);
   }
   const Constraints_3& constraints = options.constraints;

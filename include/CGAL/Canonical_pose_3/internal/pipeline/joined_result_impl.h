@@ -64,15 +64,16 @@ private:
 };
 
 // Replaces the pose of some vertices by the nearest rigid motion.
-inline void move_rigidly(const std::vector<Vertex_index>& vertices, const Point_matrix& points,
-                         Point_matrix& pose)
+inline void move_rigidly(const Rigid_part& part, const Point_matrix& points, Point_matrix& pose)
 {
   const auto pose_of = rows_by<Vertex_index>(pose);
-  const Point_matrix rest = rows_at(rows_by<Vertex_index>(points), vertices);
+  const Point_matrix rest = rows_at(rows_by<Vertex_index>(points), part.vertices);
   const Point_matrix moved
-    = align_target(rest, rows_at(pose_of, vertices), Eigen::VectorXd::Ones(rest.rows()));
-  for(std::size_t i = 0; i < vertices.size(); ++i)
-    pose_of[vertices[i]] = moved.row(static_cast<Eigen::Index>(i));
+    = align_target(rest, rows_at(pose_of, part.vertices),
+                   Eigen::Map<const Eigen::VectorXd>(
+                     part.weights.data(), static_cast<Eigen::Index>(part.weights.size())));
+  for(std::size_t i = 0; i < part.vertices.size(); ++i)
+    pose_of[part.vertices[i]] = moved.row(static_cast<Eigen::Index>(i));
 }
 
 // The pose of attached vertices, followed by that of the followers of the options.
@@ -112,8 +113,10 @@ inline Point_matrix joined_pose(const Prepared_surface_3& surface,
   });
   for(std::size_t i = 0; i < map.attached.size(); ++i)
     pose_of[map.attached[i]] = attached.row(static_cast<Eigen::Index>(i));
-  for(const std::vector<Vertex_index>& part : map.rigid_parts)
+  for(const Rigid_part& part : map.rigid_parts)
     move_rigidly(part, surface.points, pose);
+  for(const Vertex_index v : map.fixed)
+    pose_of[v] = rows_by<Vertex_index>(surface.points)[v];
   return pose;
 }
 
@@ -182,7 +185,10 @@ inline Registration_summary joined_summary(Registration_summary summary,
   summary.flipped_faces += smaller.flipped_faces;
   summary.body.vertices += smaller.body.vertices;
   summary.body.tetrahedra += smaller.body.tetrahedra;
-  summary.warnings.insert(summary.warnings.end(), smaller.warnings.begin(), smaller.warnings.end());
+  for(const std::string& warning : smaller.warnings)
+    if(std::find(summary.warnings.begin(), summary.warnings.end(), warning)
+       == summary.warnings.end())
+      summary.warnings.push_back(warning);
   return summary;
 }
 
@@ -238,6 +244,7 @@ CGAL_CANONICAL_POSE_3_INLINE Result joined_result(const Prepared_surface_3& surf
       std::to_string(map.shared.size()) + " vertices belong to several components, vertex "
       + std::to_string(static_cast<std::size_t>(map.shared.front())) + " among them: they go with the largest");
   summary->input = surface.diagnosis;
+  summary->followers = surface.followers;
   joined.summary = std::move(*summary);
   return joined;
 }

@@ -10,15 +10,22 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_MAKE_VERTEX_MAP_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_MAKE_VERTEX_MAP_H
 
+#include <CGAL/Canonical_pose_3/Registration_summary.h>
 #include <CGAL/Canonical_pose_3/Surface_component_3.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/Vertex_map.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/component_roles.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/joined_triangles.h>
 #include <CGAL/Canonical_pose_3/internal/soup/Triangle_tree.h>
-#include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
+#include <CGAL/Canonical_pose_3/internal/support/Indexed_vector.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+#include <CGAL/Canonical_pose_3/internal/support/for_each_block.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <map>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -64,68 +71,127 @@ inline void locate_vertices(const std::vector<Surface_component_3>& components, 
   });
 }
 
-// `others`: the vertices of each component that is not posed.
-inline void find_rigid_parts(const std::vector<std::vector<Vertex_index>>& others, Vertex_map& map)
+// The component nearest to a point, and its distance.
+struct Nearest_component
 {
-  constexpr std::size_t none = std::size_t(-1);
-  Indexed_vector<Vertex_index, std::size_t> part_of(map.number_of_vertices(), none);
-  for(const std::vector<Vertex_index>& vertices : others)
-    if(!vertices.empty() && std::all_of(vertices.begin(), vertices.end(), [&](const Vertex_index v) {
-         return map.component_of[v] == Component_index::NONE;
-       }))
-    {
-      for(const Vertex_index v : vertices)
-        part_of[v] = map.rigid_parts.size();
-      map.rigid_parts.emplace_back();
-    }
-  map.representatives.for_each_index([&](const Vertex_index v) {
-    if(part_of[map.representatives[v]] != none)
-      map.rigid_parts[part_of[map.representatives[v]]].push_back(v);
-  });
-}
+  Component_index component = Component_index(0);
+  double distance = 0;
+};
 
-// The component nearest to each point.
-inline std::vector<Component_index>
+inline std::vector<Nearest_component>
 nearest_components(const Point_matrix& points, const std::vector<Surface_component_3>& components)
 {
-  std::vector<Component_index> result(static_cast<std::size_t>(points.rows()), Component_index(0));
-  if(components.size() == 1 || result.empty())
-    return result;
-  std::vector<Index_triangle> triangles;
-  std::vector<Component_index> component_of_triangle;
-  Eigen::Index n = 0;
-  for(const Surface_component_3& component : components)
-    n += component.points.rows();
-  Point_matrix corners(n, 3);
-  n = 0;
-  for(std::size_t c = 0; c < components.size(); ++c)
-  {
-    corners.middleRows(n, components[c].points.rows()) = components[c].points;
-    for(Index_triangle t : components[c].triangles)
+  std::vector<std::size_t> all(components.size());
+  std::iota(all.begin(), all.end(), std::size_t(0));
+  const Joined_triangles joined = joined_triangles(components, all);
+  const Triangle_tree tree(joined.points, joined.triangles);
+  std::vector<Nearest_component> result(static_cast<std::size_t>(points.rows()));
+  for_each_block(result.size(), [&](std::size_t, const std::size_t begin, const std::size_t end) {
+    for(std::size_t i = begin; i < end; ++i)
     {
-      for(std::size_t& v : t)
-        v += static_cast<std::size_t>(n);
-      triangles.push_back(t);
-      component_of_triangle.push_back(Component_index(c));
+      const Eigen::RowVector3d point = points.row(static_cast<Eigen::Index>(i));
+      const std::size_t triangle = tree.nearest(tree.normalized(point)).triangle;
+      result[i] = {Component_index(joined.component_of_triangle[triangle]), tree.distance(point)};
     }
-    n += components[c].points.rows();
-  }
-  const Triangle_tree tree(corners, triangles);
-  for(std::size_t i = 0; i < result.size(); ++i)
-    result[i] = component_of_triangle
-      [tree.nearest(tree.normalized(points.row(static_cast<Eigen::Index>(i)))).triangle];
+  });
   return result;
 }
 
-// Completes a map, given its first four members, except for the followers. `others`: the vertices
-// of each component that is not posed.
-inline Vertex_map make_vertex_map(Vertex_map map,
-                                  const std::vector<Surface_component_3>& components,
-                                  const std::vector<std::vector<Vertex_index>>& others)
+// A component without a pose.
+struct Other_component
 {
-  locate_vertices(components, map);
-  find_rigid_parts(others, map);
-  return map;
+  std::size_t number; // among all components
+  std::vector<std::size_t> vertices;
+  Component_role role;
+};
+
+// See `Rigid_part`. Where nothing is near, all vertices count.
+inline std::vector<double> weights_of_nearness(const Point_matrix& points,
+                                               const std::vector<double>& distances)
+{
+  constexpr double closeness = .1; // of the radius
+  const Eigen::RowVector3d center = points.colwise().mean();
+  const double unit = closeness * (points.rowwise() - center).rowwise().norm().maxCoeff();
+  std::vector<double> result(distances.size(), 1);
+  if(unit > 0 && *std::min_element(distances.begin(), distances.end()) <= unit)
+    std::transform(distances.begin(), distances.end(), result.begin(), [&](const double distance) {
+      return std::pow(1 + std::pow(distance / unit, 2), -2);
+    });
+  return result;
+}
+
+// `part`: indices of attached vertices.
+inline Rigid_part rigid_part(const std::vector<std::size_t>& part, const Point_matrix& points,
+                             const std::vector<Vertex_index>& attached,
+                             const std::vector<Nearest_component>& nearest)
+{
+  Rigid_part result;
+  std::vector<double> distances;
+  for(const std::size_t i : part)
+  {
+    result.vertices.push_back(attached[i]);
+    distances.push_back(nearest[i].distance);
+  }
+  result.weights
+    = weights_of_nearness(rows_at(rows_by<Vertex_index>(points), result.vertices), distances);
+  return result;
+}
+
+// Lets each component without a pose follow one component, that which it touches, or that to which
+// most of its vertices are nearest. `posed`: the numbers of the components of the map. `nearest`: the
+// components that the attached vertices follow, which are changed accordingly.
+inline std::vector<Registration_summary::Follower>
+follow_components(const std::vector<Other_component>& others, const std::vector<std::size_t>& posed,
+                  const Point_matrix& points, Vertex_map& map,
+                  std::vector<Nearest_component>& nearest)
+{
+  const std::size_t none = others.size();
+  Indexed_vector<Vertex_index, std::size_t> other_of(map.number_of_vertices(), none);
+  for(std::size_t o = others.size(); o-- > 0;)
+    for(const std::size_t v : others[o].vertices)
+      other_of[Vertex_index(v)] = o;
+  std::vector<std::vector<std::size_t>> attached_of(others.size());
+  for(std::size_t i = 0; i < map.attached.size(); ++i)
+    if(const std::size_t o = other_of[map.representatives[map.attached[i]]]; o != none)
+      attached_of[o].push_back(i);
+
+  std::vector<Registration_summary::Follower> result;
+  std::map<std::pair<std::size_t, Component_index>, std::vector<std::size_t>> parts; // by group
+  for(std::size_t o = 0; o < others.size(); ++o)
+  {
+    const auto& [number, vertices, role] = others[o];
+    if(vertices.empty())
+      continue;
+    const auto touching = std::find_if(vertices.begin(), vertices.end(), [&](const std::size_t v) {
+      return map.component_of[Vertex_index(v)] != Component_index::NONE;
+    });
+    const bool is_loose = touching == vertices.end();
+    Component_index leader = Component_index(0);
+    if(!is_loose)
+      leader = map.component_of[Vertex_index(*touching)];
+    else
+    {
+      std::vector<std::size_t> votes(posed.size(), 0);
+      for(const std::size_t i : attached_of[o])
+        ++votes[static_cast<std::size_t>(nearest[i].component)];
+      leader = Component_index(std::max_element(votes.begin(), votes.end()) - votes.begin());
+    }
+    const bool is_fixed = is_loose && role.kind == Component_role::FIXED;
+    const bool is_rigid = is_loose && role.kind != Component_role::DEFORMED;
+    for(const std::size_t i : attached_of[o])
+    {
+      nearest[i].component = leader;
+      if(is_fixed)
+        map.fixed.push_back(map.attached[i]);
+      else if(is_rigid)
+        parts[{role.group, leader}].push_back(i);
+    }
+    result.push_back({number, *std::min_element(vertices.begin(), vertices.end()),
+                      is_fixed ? number : posed[static_cast<std::size_t>(leader)], is_rigid});
+  }
+  for(const auto& part : parts)
+    map.rigid_parts.push_back(rigid_part(part.second, points, map.attached, nearest));
+  return result;
 }
 
 } // namespace internal

@@ -22,6 +22,7 @@
 #include <CGAL/Canonical_pose_3/internal/support/Thread_limit.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/component_options.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/describe_fields.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/component_roles.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/pose_of_components.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/poses.h>
 #include <CGAL/Canonical_pose_3/internal/registration/check_registration.h>
@@ -45,34 +46,43 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// The requested parts of a complex.
-inline std::vector<Complex_part> parts_to_pose(const Complex_parts& parts, const Options& options)
+inline std::vector<Complex_part> all_parts(const Complex_parts& parts)
 {
-  if(parts.size() > 1 && options.components == Options::Components::REFUSE)
-    throw std::invalid_argument("the complex has " + std::to_string(parts.size())
-                                + " connected components");
   std::vector<Complex_part> result;
   for(std::size_t i = 0; i < parts.size(); ++i)
-    if(i == 0 || options.components == Options::Components::EACH)
-      result.push_back(parts[i]);
+    result.push_back(parts[i]);
+  return result;
+}
+
+// The roles of the parts. Those without a boundary, such as a cell that exists twice, have no area.
+inline std::vector<Component_role> roles_of_parts(const std::vector<Complex_part>& parts,
+                                                  const Options& options)
+{
+  std::vector<Surface_component_3> surfaces;
+  for(const Complex_part& part : parts)
+    surfaces.push_back(part.surface);
+  const std::vector<Component_role> result = Component_roles::find(
+    surfaces, std::vector<bool>(parts.size(), false), options.components, false);
+  const std::size_t n = posed_components(result).size();
+  if(n == 0)
+    throw std::invalid_argument("the boundary of the complex has no area");
+  if(n > 1 && refuses_several(options.components))
+    throw std::invalid_argument(
+      "the complex has " + std::to_string(n) + " connected components"
+      + (n < parts.size() ? ", besides " + std::to_string(parts.size() - n) + " that follow them"
+                          : ""));
   return result;
 }
 
 // The boundary of a complex, with the options assigned to the parts to be posed.
 inline Prepared_surface_3 prepared_complex(const Point_matrix& points, const Complex_parts& parts,
-                                           const std::vector<Complex_part>& posed,
+                                           const std::vector<Complex_part>& all,
+                                           const std::vector<Component_role>& roles,
                                            const Options& options)
 {
   std::vector<Surface_component_3> surfaces;
-  for(const Complex_part& part : posed)
+  for(const Complex_part& part : all)
     surfaces.push_back(part.surface);
-  std::vector<std::vector<Vertex_index>> others;
-  for(std::size_t i = posed.size(); i < parts.size(); ++i)
-  {
-    others.emplace_back();
-    for(const std::size_t v : parts[i].surface.body_origins)
-      others.back().push_back(Vertex_index(v));
-  }
   Vertex_map rows;
   rows.representatives = identity_map<Vertex_index>(static_cast<std::size_t>(points.rows()));
   rows.representative_rows = identity_map<Row_index>(parts.boundary_vertices().size());
@@ -81,10 +91,11 @@ inline Prepared_surface_3 prepared_complex(const Point_matrix& points, const Com
   rows.row_name = "boundary vertex";
   Prepared_surface_3 result
     = prepared(diagnose(parts.boundary_points(), parts.boundary_triangles()), points,
-               std::move(surfaces), std::move(rows), others, options);
+               std::move(surfaces), std::move(rows), roles, options);
+  const std::vector<std::size_t> posed = posed_components(roles);
   if(options.stiffness.size() > 0)
     for(std::size_t c = 0; c < posed.size(); ++c)
-      result.components[c].options.stiffness = values_at(options.stiffness, posed[c].cells);
+      result.components[c].options.stiffness = values_at(options.stiffness, all[posed[c]].cells);
   return result;
 }
 
@@ -103,24 +114,27 @@ CGAL_CANONICAL_POSE_3_INLINE Result pose_of_complex(const Point_matrix& points,
   timer.start();
   const Conforming_body_3 body(points, cells, static_cast<std::size_t>(points.rows()));
   const Complex_parts parts(body.points(), body.cells(), body.cell_weights());
-  const std::vector<Complex_part> posed = parts_to_pose(parts, options);
+  const std::vector<Complex_part> all = all_parts(parts);
+  const std::vector<Component_role> roles = roles_of_parts(all, options);
+  const std::vector<std::size_t> posed = posed_components(roles);
   const double seconds_for_body = timer.time();
   Options used = options;
   if(options.target_mode == Options::Target_mode::UNFOLDING && !options.return_landmark_fields
      && options.number_of_rounds.value_or(0) == 0)
     used.number_of_landmarks = (std::min)(std::size_t(2), options.number_of_landmarks); // for L
-  const Prepared_surface_3 prepared = prepared_complex(points, parts, posed, used);
+  const Prepared_surface_3 prepared = prepared_complex(points, parts, all, roles, used);
   const double seconds_for_diagnosis = timer.time() - seconds_for_body;
 
   Result result = pose_of_components(
     prepared, used,
     [&](const std::size_t c, const Coarse_surface_3&, const Landmark_fields_3& fields) {
-      const std::vector<std::size_t>& vertices = posed[c].surface.body_origins;
+      const Complex_part& part = all[posed[c]];
+      const std::vector<std::size_t>& vertices = part.surface.body_origins;
       return Surface_body_3{
         "complex",
-        Conforming_body_3(rows_at(points, vertices), parts.local_cells(posed[c]), vertices.size()),
+        Conforming_body_3(rows_at(points, vertices), parts.local_cells(part), vertices.size()),
         length_scale(fields, prepared.components[c].options),
-        posed[c].surface_vertices,
+        part.surface_vertices,
         prepared.components[c].options.stiffness,
         {}};
     });

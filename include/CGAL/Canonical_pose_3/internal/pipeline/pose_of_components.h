@@ -24,14 +24,19 @@
 #include <CGAL/Canonical_pose_3/internal/pipeline/Vertex_map.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/timed.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+#include <CGAL/Canonical_pose_3/internal/support/for_each_index.h>
+#include <CGAL/Canonical_pose_3/internal/support/in_parallel.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 #include <CGAL/Canonical_pose_3/pose_steps.h>
 #include <CGAL/Canonical_pose_3/surface_measures.h>
+
+#include <CGAL/Real_timer.h>
 
 #include <Eigen/Geometry>
 
 #include <array>
 #include <cstddef>
+#include <exception>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -96,24 +101,77 @@ inline void move_to_canonical_frame(const Prepared_surface_3& prepared, Result& 
                 .eval();
 }
 
-// Poses the components one after the other, the smallest first. `make_body(c, coarse, fields)`
-// returns the body of component c.
+// Whether options contain functions or models of the user, which may have a state.
+inline bool have_functions(const Options& options)
+{
+  return options.visitor || options.make_body || options.landmark_fields_function
+         || options.target_fields_function || options.mds_kernel || options.linear_solver
+         || options.constraints.function;
+}
+
+// Calls f(c) for each component and, if it throws, keeps the exception: one after the other, the
+// smallest first, until one is not usable, or in parallel. `f` returns whether the next is called.
+template <class Function>
+void for_each_component(const std::size_t n, const bool in_order, const Function& f)
+{
+  std::vector<std::exception_ptr> exceptions(n);
+  std::vector<char> is_last(n, 0);
+  const auto call = [&](const std::size_t c) {
+    try
+    {
+      is_last[c] = !f(c);
+    }
+    catch(...)
+    {
+      exceptions[c] = std::current_exception();
+    }
+  };
+  if(!in_order)
+    for_each_index(n, [&](const std::size_t c) { isolated([&] { call(c); }); });
+  for(std::size_t c = n; c-- > 0;)
+  {
+    if(in_order)
+      call(c);
+    if(exceptions[c])
+      std::rethrow_exception(exceptions[c]);
+    if(is_last[c])
+      break;
+  }
+}
+
+// The stages of components that were posed in parallel, in proportion to the time that passed.
+inline void share_time(const double seconds, std::vector<Result>& results)
+{
+  double sum = 0;
+  for(const Result& result : results)
+    sum += result.summary.total_seconds();
+  if(sum > seconds)
+    for(Result& result : results)
+      for(Registration_summary::Stage& stage : result.summary.stages)
+        stage.second *= seconds / sum;
+}
+
+// Poses the components: one after the other, the smallest first, if there are functions of the user,
+// otherwise in parallel. `make_body(c, coarse, fields)` returns the body of component c.
 template <class MakeBody>
 Result pose_of_components(const Prepared_surface_3& prepared, const Options& options,
                           const MakeBody& make_body)
 {
   std::vector<Result> results(prepared.components.size());
-  for(std::size_t c = results.size(); c-- > 0;)
-  {
-    const auto& [surface, local_options] = prepared.components[c];
-    results[c]
-      = pose_of_component(surface, local_options,
-                          [&, c](const Coarse_surface_3& coarse, const Landmark_fields_3& fields) {
-                            return make_body(c, coarse, fields);
-                          });
-    if(!results[c].is_usable())
-      break;
-  }
+  Real_timer timer;
+  timer.start();
+  for_each_component(
+    results.size(), results.size() == 1 || have_functions(options), [&](const std::size_t c) {
+      const auto& [surface, local_options] = prepared.components[c];
+      results[c]
+        = pose_of_component(surface, local_options,
+                            [&, c](const Coarse_surface_3& coarse, const Landmark_fields_3& fields) {
+                              return make_body(c, coarse, fields);
+                            });
+      return results[c].is_usable();
+    });
+  if(results.size() > 1)
+    share_time(timer.time(), results);
   Result result = joined_result(prepared, results);
   if(result.is_usable())
   {

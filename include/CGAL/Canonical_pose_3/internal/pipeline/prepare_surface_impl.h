@@ -16,11 +16,12 @@
 #include <CGAL/Canonical_pose_3/cut_contacts.h>
 #include <CGAL/Canonical_pose_3/internal/support/Thread_limit.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/component_options.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/component_roles.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/fragments.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/shares_of_cells.h>
 #include <CGAL/Canonical_pose_3/internal/registration/check_registration.h>
 #include <CGAL/Canonical_pose_3/internal/soup/examine_surface.h>
 #include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
-#include <CGAL/Canonical_pose_3/internal/soup/twice_area.h>
 #include <CGAL/Canonical_pose_3/internal/support/Indexed_vector.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/support/values_at.h>
@@ -50,39 +51,29 @@ with_smallest_corners_first(std::vector<std::vector<std::size_t>> polygons)
   return polygons;
 }
 
-// The components with the given indices of a surface, in one pass over it.
-inline std::vector<Surface_component_3>
-components_of_indices(const Repaired_surface_3& surface, const std::vector<std::size_t>& indices)
+// The components of a surface, in one pass over it.
+inline std::vector<Surface_component_3> components_of(const Repaired_surface_3& surface)
 {
-  const std::size_t none = indices.size();
-  std::vector<std::size_t> position(surface.number_of_components, none);
-  for(std::size_t c = 0; c < indices.size(); ++c)
-    position[indices[c]] = c;
-
-  std::vector<Surface_component_3> result(indices.size());
-  std::vector<std::size_t> component_of_vertex(surface.origins.size(), none);
+  std::vector<Surface_component_3> result(surface.number_of_components);
+  std::vector<std::size_t> component_of_vertex(surface.origins.size());
   for(std::size_t t = 0; t < surface.triangles.size(); ++t)
   {
-    const std::size_t c = position[surface.component_of_triangle[t]];
-    if(c == none)
-      continue;
+    const std::size_t c = surface.component_of_triangle[t];
     result[c].triangles.push_back(surface.triangles[t]);
     result[c].face_of_triangle.push_back(surface.face_of_triangle[t]);
     for(const std::size_t v : surface.triangles[t])
       component_of_vertex[v] = c;
   }
   for(const auto& cap : surface.caps)
-    if(component_of_vertex[cap[0]] != none)
-      result[component_of_vertex[cap[0]]].caps.push_back(cap);
+    result[component_of_vertex[cap[0]]].caps.push_back(cap);
 
   std::vector<std::size_t> number(surface.origins.size());
-  std::vector<std::vector<std::size_t>> vertices(indices.size());
+  std::vector<std::vector<std::size_t>> vertices(result.size());
   for(std::size_t v = 0; v < number.size(); ++v)
-    if(component_of_vertex[v] != none)
-    {
-      number[v] = vertices[component_of_vertex[v]].size();
-      vertices[component_of_vertex[v]].push_back(v);
-    }
+  {
+    number[v] = vertices[component_of_vertex[v]].size();
+    vertices[component_of_vertex[v]].push_back(v);
+  }
   for(std::size_t c = 0; c < result.size(); ++c)
   {
     result[c].points = rows_at(surface.points, vertices[c]);
@@ -97,56 +88,37 @@ components_of_indices(const Repaired_surface_3& surface, const std::vector<std::
   return result;
 }
 
-// The vertices of each component that is not to be posed.
-inline std::vector<std::vector<Vertex_index>>
-vertices_of_others(const Repaired_surface_3& surface, const std::vector<std::size_t>& posed)
+// Whether each component is a fragment of another one after splitting.
+inline std::vector<bool> find_fragments(const std::vector<Surface_component_3>& components,
+                                        const std::size_t number_of_vertices)
 {
-  std::vector<std::vector<Vertex_index>> result(surface.number_of_components);
-  std::vector<bool> is_posed(surface.number_of_components, false);
-  for(const std::size_t c : posed)
-    is_posed[c] = true;
-  for(std::size_t t = 0; t < surface.triangles.size(); ++t)
-    if(!is_posed[surface.component_of_triangle[t]])
-      for(const std::size_t v : surface.triangles[t])
-        result[surface.component_of_triangle[t]].push_back(Vertex_index(surface.origins[v]));
+  const std::vector<std::size_t> owners
+    = owners_of_fragments(relative_areas(components), number_of_vertices,
+                          [&](const std::size_t c, const auto& f) {
+                            for(const std::size_t v : components[c].origins)
+                              f(v);
+                          });
+  std::vector<bool> result;
+  for(std::size_t c = 0; c < components.size(); ++c)
+    result.push_back(owners[c] != c);
   return result;
 }
 
-// The components that have an area and are not fragments of another one after splitting.
-inline std::vector<std::size_t> components_to_pose(const Repaired_surface_3& surface,
-                                                   const Diagnosis_3& diagnosis,
-                                                   const Options::Components components)
+// Throws `std::invalid_argument` if there is nothing to pose, or too much.
+inline void check_roles(const std::vector<Component_role>& roles, const Diagnosis_3& diagnosis,
+                        const Options::Components components)
 {
-  const std::size_t n = surface.number_of_components;
-  std::vector<double> areas(n, 0.);
-  std::vector<std::vector<std::size_t>> triangles(n);
-  Point_matrix points = surface.points;
-  normalize(points);
-  for(std::size_t t = 0; t < surface.triangles.size(); ++t)
-  {
-    areas[surface.component_of_triangle[t]] += twice_area(points, surface.triangles[t]);
-    triangles[surface.component_of_triangle[t]].push_back(t);
-  }
-  const auto vertices_of = [&](const std::size_t c, const auto& f) {
-    for(const std::size_t t : triangles[c])
-      for(const std::size_t v : surface.triangles[t])
-        f(surface.origins[v]);
-  };
-  const std::vector<std::size_t> owners
-    = owners_of_fragments(areas, surface.representatives.size(), vertices_of);
-  std::vector<std::size_t> result;
-  for(std::size_t c = 0; c < n; ++c)
-    if(areas[c] > 0 && owners[c] == c)
-      result.push_back(c);
-  if(result.size() > 1 && components == Options::Components::REFUSE)
+  const std::size_t n = posed_components(roles).size();
+  if(n == 0)
+    throw std::invalid_argument("the surface has no area: all its faces are degenerate");
+  if(n > 1 && refuses_several(components))
     throw std::invalid_argument(
-      diagnosis.components > 1
-        ? "the surface has " + std::to_string(result.size()) + " connected components"
-        : "the surface falls into " + std::to_string(result.size())
-            + " components where it is not manifold: " + diagnosis.first_defect);
-  if(components == Options::Components::LARGEST)
-    result.resize(1);
-  return result;
+      (diagnosis.components > 1
+         ? "the surface has " + std::to_string(n) + " connected components"
+         : "the surface falls into " + std::to_string(n) + " components where it is not manifold: "
+             + diagnosis.first_defect)
+      + (n < roles.size() ? ", besides " + std::to_string(roles.size() - n) + " that follow them"
+                          : ""));
 }
 
 } // namespace internal
@@ -163,8 +135,13 @@ prepare_surface(const Point_matrix& points, const std::vector<std::vector<std::s
     = internal::examine_surface(points, internal::with_smallest_corners_first(polygons));
   const Diagnosis_3& diagnosis = examined.diagnosis;
   const Repaired_surface_3& surface = examined.surface;
-  const std::vector<std::size_t> posed
-    = internal::components_to_pose(surface, diagnosis, options.components);
+  std::vector<Surface_component_3> components = internal::components_of(surface);
+  const bool has_lattice = !options.make_body && options.body != Options::Body::TETGEN
+                           && options.body != Options::Body::MESH_3;
+  const std::vector<internal::Component_role> roles = internal::Component_roles::find(
+    components, internal::find_fragments(components, surface.representatives.size()),
+    options.components, has_lattice);
+  internal::check_roles(roles, diagnosis, options.components);
   if(!options.make_body
      && (options.body == Options::Body::TETGEN || options.body == Options::Body::MESH_3))
   {
@@ -173,9 +150,9 @@ prepare_surface(const Point_matrix& points, const std::vector<std::vector<std::s
     if(options.contacts == Options::Contacts::CUT)
       throw std::invalid_argument("contacts can only be cut if the body is the lattice");
   }
-  std::vector<Surface_component_3> components = internal::components_of_indices(surface, posed);
   if(options.contacts == Options::Contacts::CUT)
-    std::transform(components.begin(), components.end(), components.begin(), cut_contacts);
+    for(const std::size_t c : internal::posed_components(roles))
+      components[c] = cut_contacts(components[c]);
   using internal::Indexed_vector;
   using internal::Row_index;
   using internal::Vertex_index;
@@ -187,8 +164,8 @@ prepare_surface(const Point_matrix& points, const std::vector<std::vector<std::s
   rows.vertex_of_row
     = internal::identity_map<Row_index, Vertex_index>(surface.representatives.size());
   Prepared_surface_3 result
-    = internal::prepared(diagnosis, points, std::move(components), std::move(rows),
-                         internal::vertices_of_others(surface, posed), options);
+    = internal::prepared(diagnosis, points, std::move(components), std::move(rows), roles,
+                         options);
   if(options.stiffness.size() > 0)
     for(Prepared_surface_3::Component& component : result.components)
       component.options.stiffness

@@ -14,6 +14,7 @@
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/parallel_invoke.h>
+#include <tbb/task_arena.h>
 #endif
 
 namespace CGAL {
@@ -30,6 +31,17 @@ void in_parallel(const First& first, const Second& second)
 #else
   first();
   second();
+#endif
+}
+
+// Calls a function whose parallel loops, while they wait, do nothing else: no other call of this kind.
+template <class Function>
+void isolated(const Function& function)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  tbb::this_task_arena::isolate(function);
+#else
+  function();
 #endif
 }
 
