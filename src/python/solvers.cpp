@@ -21,6 +21,7 @@
 
 #include <Eigen/SparseCore>
 
+#include <limits>
 #include <mutex>
 #include <stdexcept>
 #include <string>
@@ -110,34 +111,38 @@ struct Heat_solver::Data
     for(std::size_t copy = surface.origins.size(); copy-- > 0;)
       first_copies[surface.origins[copy]] = copy;
     for(const std::size_t v : surface.representatives)
-    {
-      if(first_copies[v] == surface.origins.size())
-        throw std::invalid_argument("vertex " + std::to_string(copies.size())
-                                    + " belongs to no face: there are no distances from or to it");
       copies.push_back(first_copies[v]);
-    }
   }
 
   std::vector<Surface::Vertex_index> sources(const std::vector<std::size_t>& vertices) const
   {
     std::vector<Surface::Vertex_index> result;
     for(const std::size_t v : vertices)
+    {
+      if(copies[v] == mesh.number_of_vertices())
+        throw std::invalid_argument("a source names vertex " + std::to_string(v)
+                                    + ", which belongs to no face: there are no distances from it");
       result.emplace_back(static_cast<Surface::size_type>(copies[v]));
+    }
     return result;
   }
 
   // From the rows of the repaired surface to those of the input.
   Eigen::MatrixXd rows(const Eigen::MatrixXd& values) const
   {
-    Eigen::MatrixXd result(static_cast<Eigen::Index>(copies.size()), values.cols());
+    Eigen::MatrixXd result
+      = Eigen::MatrixXd::Constant(static_cast<Eigen::Index>(copies.size()), values.cols(),
+                                  (std::numeric_limits<double>::infinity)());
     for(std::size_t v = 0; v < copies.size(); ++v)
-      result.row(static_cast<Eigen::Index>(v)) = values.row(static_cast<Eigen::Index>(copies[v]));
+      if(copies[v] != mesh.number_of_vertices())
+        result.row(static_cast<Eigen::Index>(v)) = values.row(static_cast<Eigen::Index>(copies[v]));
     return result;
   }
 
   const Surface mesh;
   const CP::Heat_geodesics_3<Surface> geodesics;
-  std::vector<std::size_t> copies; // the vertex of the mesh for each one of the input
+  // the vertex of the mesh for each one of the input; their number, if it belongs to no face
+  std::vector<std::size_t> copies;
 };
 
 Heat_solver::Heat_solver(const Mesh_file& surface, const double time_step_factor)
@@ -235,6 +240,13 @@ Result Registrar::registered_to(const Point_matrix& target, const bool is_warm)
   for(std::size_t i = 0; i < surface.origins.size(); ++i)
     rows.row(static_cast<Eigen::Index>(i))
       = target.row(static_cast<Eigen::Index>(surface.origins[i]));
+  for(const auto& [vertex, others, weights] : surface.added)
+  {
+    auto row = rows.row(static_cast<Eigen::Index>(vertex));
+    row.setZero();
+    for(std::size_t k = 0; k < 3; ++k)
+      row += weights[k] * rows.row(static_cast<Eigen::Index>(others[k]));
+  }
   data.registrar.set_target(rows);
   Point_matrix positions = is_warm ? data.positions : Point_matrix(0, 3);
   Result result;

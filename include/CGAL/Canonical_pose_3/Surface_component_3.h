@@ -10,6 +10,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_SURFACE_COMPONENT_3_H
 #define CGAL_CANONICAL_POSE_3_SURFACE_COMPONENT_3_H
 
+#include <CGAL/Canonical_pose_3/Vertex_combination_3.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
@@ -44,11 +45,16 @@ struct Surface_component_3
 
   /// the vertex of the input that each point is a copy of; for a tetrahedral complex, the vertex of
   /// its boundary. Where the input is not manifold, several points are copies of the same vertex.
+  /// The points of `added` follow after these, and are not copies of a vertex.
   std::vector<std::size_t> origins;
 
   /// the vertex of the input that each surface vertex of the body is a copy of. The same as
   /// `origins`, except for a complex, where all vertices are surface vertices.
   std::vector<std::size_t> body_origins;
+
+  /// points that `prepare_surface()` added because the triangles are too large to measure distances at
+  /// their vertices alone: each is a combination of points before it. They do not change the shape.
+  std::vector<Vertex_combination_3> added;
 
   /// for each false contact that was cut, a vertex of the input on the curve; see `cut_contacts()`.
   std::vector<std::size_t> contacts;

@@ -40,6 +40,10 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 \brief examines and repairs a polygon soup, splits it into components, and assigns the options to
 them: the first step of `canonical_pose_3()`.
 
+Where triangles are too large to measure distances at their vertices alone, vertices are added, see
+`Surface_component_3::added`; values given at the other ones are interpolated. On planar components,
+the distances are those of wavefronts, which are exact there.
+
 \param points \f$ n \times 3 \f$, positions.
 \param polygons sequences of rows of `points`.
 \param options the options, which refer to the vertices of the input.

@@ -199,10 +199,12 @@ def test_sources(source, message, tube):
 
 def test_isolated_vertices_have_no_distances(tube):
     vertices = np.concatenate([tube[0], [[0, 0, 0]]])
-    for function in (lambda: canonical_pose.geodesics(vertices, tube[1], 0),
-                     lambda: canonical_pose.HeatSolver(vertices, tube[1])):
-        with pytest.raises(ValueError, match="vertex 240 belongs to no face"):
-            function()
+    for function in (lambda source: canonical_pose.geodesics(vertices, tube[1], source),
+                     lambda source: canonical_pose.HeatSolver(vertices, tube[1]).distances(source)):
+        distances = function(0)
+        assert np.isinf(distances[240]) and np.isfinite(distances[:240]).all()
+        with pytest.raises(ValueError, match="a source names vertex 240, which belongs to no face"):
+            function(240)
 
 
 def test_poses_that_do_not_correspond(tube):

@@ -363,10 +363,22 @@ private:
     if(const auto row = surface_vertex_of_loose_component(
          m_view, weights)) // the registrar would name one of the body
       throw std::invalid_argument("all matching weights are 0 in the part around vertex "
-                                  + std::to_string(m_surface.body_origins[*row]));
+                                  + std::to_string(origin_of_body_row(*row)));
     return make_arap_registration(m_view, weights, m_body.length_scale, m_registration_options,
                                   m_body.stiffness, default_rotation_routines(),
                                   solver_of_options(m_options).factor_maker());
+  }
+
+  // The vertex of the input of a surface vertex of the body, or one near it.
+  std::size_t origin_of_body_row(const std::size_t row) const
+  {
+    if(row < m_surface.body_origins.size())
+      return m_surface.body_origins[row];
+    const std::size_t number = m_surface.origins.size();
+    std::size_t v = number + (row - m_surface.body_origins.size());
+    while(v >= number)
+      v = m_surface.added[v - number].vertices[0];
+    return m_surface.body_origins[m_body.surface_vertices[v]];
   }
 
   // Scales the target down, until the volume is near the limit. It grows approximately as the 1.5th

@@ -15,6 +15,7 @@
 #include <CGAL/Canonical_pose_3/Surface_component_3.h>
 #include <CGAL/Canonical_pose_3/farthest_point_landmarks.h>
 #include <CGAL/Canonical_pose_3/internal/soup/Face_defect.h>
+#include <CGAL/Canonical_pose_3/internal/soup/without_degenerate_faces.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/target/check_landmark_fields.h>
 
@@ -34,7 +35,10 @@ inline std::size_t first_landmark(const Surface_component_3& surface, const Meth
   if(options.random_seed == 0)
     return extremal_point(surface.points, surface.triangles);
   return static_cast<std::size_t>(
-    Random(options.random_seed).get_int(0, static_cast<int>(surface.points.rows())));
+    Random(options.random_seed)
+      .get_int(0, static_cast<int>(surface.added.empty()
+                                     ? static_cast<std::size_t>(surface.points.rows())
+                                     : surface.origins.size())));
 }
 
 // The result of a user-defined function; throws `std::invalid_argument` unless it consists of
@@ -45,7 +49,8 @@ inline Landmark_fields_3 fields_of_function(const Landmark_fields_function& func
                                             const std::vector<std::size_t>& landmarks = {})
 {
   Landmark_fields_3 fields = with_faces_of_input(surface.face_of_triangle, [&] {
-    return function(surface.points, surface.triangles, options.number_of_landmarks,
+    return function(without_degenerate_faces(surface.points, surface.triangles), surface.triangles,
+                    options.number_of_landmarks,
                     first_landmark(surface, options), landmarks);
   });
   check_landmark_fields(fields, static_cast<std::size_t>(surface.points.rows()),

@@ -12,6 +12,7 @@
 
 #include <CGAL/Canonical_pose_3/Coarse_surface_3.h>
 #include <CGAL/Canonical_pose_3/Conforming_body_3.h>
+#include <CGAL/Canonical_pose_3/Embedded_body_3.h>
 #include <CGAL/Canonical_pose_3/Options.h>
 #include <CGAL/Canonical_pose_3/Prepared_surface_3.h>
 #include <CGAL/Canonical_pose_3/Result.h>
@@ -26,6 +27,7 @@
 #include <CGAL/Canonical_pose_3/internal/pipeline/pose_of_components.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/poses.h>
 #include <CGAL/Canonical_pose_3/internal/registration/check_registration.h>
+#include <CGAL/Canonical_pose_3/internal/soup/refined_surface.h>
 #include <CGAL/Canonical_pose_3/internal/support/Indexed_vector.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/support/values_at.h>
@@ -33,9 +35,12 @@
 
 #include <CGAL/Real_timer.h>
 
+#include <Eigen/SparseCore>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <map>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -93,10 +98,63 @@ inline Prepared_surface_3 prepared_complex(const Point_matrix& points, const Com
     = prepared(diagnose(parts.boundary_points(), parts.boundary_triangles()), points,
                std::move(surfaces), std::move(rows), roles, options);
   const std::vector<std::size_t> posed = posed_components(roles);
-  if(options.stiffness.size() > 0)
-    for(std::size_t c = 0; c < posed.size(); ++c)
-      result.components[c].options.stiffness = values_at(options.stiffness, all[posed[c]].cells);
+  for(std::size_t c = 0; c < posed.size(); ++c)
+  {
+    auto& [surface, local] = result.components[c];
+    const Complex_part& part = all[posed[c]];
+    if(options.stiffness.size() > 0)
+      local.stiffness = values_at(options.stiffness, part.cells);
+    if(options.matching_weights.size() > 0 && !surface.added.empty())
+    {
+      const auto number = static_cast<Eigen::Index>(surface.added.size());
+      const Eigen::VectorXd of_surface
+        = with_added(surface, values_at(local.matching_weights, part.surface_vertices));
+      local.matching_weights.conservativeResize(local.matching_weights.size() + number);
+      local.matching_weights.tail(number) = of_surface.tail(number);
+    }
+  }
   return result;
+}
+
+// For each vertex of a surface, its row in the embedding of the body.
+inline std::vector<std::size_t> body_rows(const Complex_part& part,
+                                          const Surface_component_3& surface)
+{
+  std::vector<std::size_t> result = part.surface_vertices;
+  for(std::size_t i = 0; i < surface.added.size(); ++i)
+    result.push_back(part.surface.body_origins.size() + i);
+  return result;
+}
+
+// A body of cells. The vertices that were added to its surface move with the vertices of the cells.
+// `rows`: of the other vertices of the surface.
+inline Embedded_body_3 body_of_part(const Point_matrix& points,
+                                    std::vector<std::array<int, 4>> cells,
+                                    const std::vector<std::size_t>& rows,
+                                    const Surface_component_3& surface)
+{
+  if(surface.added.empty())
+    return Conforming_body_3(points, std::move(cells), static_cast<std::size_t>(points.rows()));
+  std::vector<Eigen::Triplet<double>> entries;
+  for(int i = 0; i < points.rows(); ++i)
+    entries.emplace_back(i, i, 1);
+  std::vector<std::map<std::size_t, double>> weights;
+  for(const std::size_t row : rows)
+    weights.push_back({{row, 1.}});
+  int row = static_cast<int>(points.rows());
+  for(const Vertex_combination_3& combination : surface.added)
+  {
+    weights.emplace_back();
+    for(std::size_t k = 0; k < 3; ++k)
+      for(const auto& [vertex, weight] : weights[combination.vertices[k]])
+        weights.back()[vertex] += combination.weights[k] * weight;
+    for(const auto& [vertex, weight] : weights.back())
+      entries.emplace_back(row, static_cast<int>(vertex), weight);
+    ++row;
+  }
+  Eigen::SparseMatrix<double> embedding(row, points.rows());
+  embedding.setFromTriplets(entries.begin(), entries.end());
+  return Embedded_body_3(points, std::move(cells), std::move(embedding));
 }
 
 // canonical_pose_3() for tetrahedra, which form the body.
@@ -132,9 +190,10 @@ CGAL_CANONICAL_POSE_3_INLINE Result pose_of_complex(const Point_matrix& points,
       const std::vector<std::size_t>& vertices = part.surface.body_origins;
       return Surface_body_3{
         "complex",
-        Conforming_body_3(rows_at(points, vertices), parts.local_cells(part), vertices.size()),
+        body_of_part(rows_at(points, vertices), parts.local_cells(part), part.surface_vertices,
+                     prepared.components[c].surface),
         length_scale(fields, prepared.components[c].options),
-        part.surface_vertices,
+        body_rows(part, prepared.components[c].surface),
         prepared.components[c].options.stiffness,
         {}};
     });

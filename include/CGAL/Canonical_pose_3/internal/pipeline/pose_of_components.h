@@ -18,11 +18,15 @@
 #include <CGAL/Canonical_pose_3/Surface_body_3.h>
 #include <CGAL/Canonical_pose_3/Target_3.h>
 #include <CGAL/Canonical_pose_3/canonical_frame.h>
+#include <CGAL/Canonical_pose_3/front_landmarks.h>
+#include <CGAL/Canonical_pose_3/internal/intrinsic/Delaunay_surface.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/fields_of_function.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/describe_fields.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/interpolated_fields.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/Vertex_map.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/timed.h>
+#include <CGAL/Canonical_pose_3/internal/soup/Indexed_mesh.h>
+#include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/support/for_each_index.h>
 #include <CGAL/Canonical_pose_3/internal/support/in_parallel.h>
@@ -34,6 +38,7 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <exception>
@@ -45,6 +50,30 @@ namespace CGAL {
 namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
+
+// Whether landmarks are vertices of the input.
+inline bool are_origins(const Surface_component_3& surface, const Coarse_surface_3& coarse,
+                        const std::vector<std::size_t>& landmarks)
+{
+  return std::all_of(landmarks.begin(), landmarks.end(), [&](const std::size_t landmark) {
+    return coarse.vertices[landmark] < surface.origins.size();
+  });
+}
+
+// Distances from landmarks that are vertices of the input.
+inline Landmark_fields_3 fields_of_origins(const Surface_component_3& surface,
+                                           const Options& options)
+{
+  const Indexed_mesh mesh = indexed_mesh(surface.points, surface.triangles);
+  const Delaunay_surface delaunay(face_corners(mesh, number_vertices(mesh)), surface.points);
+  const auto number = static_cast<Eigen::Index>(surface.origins.size());
+  const auto first = static_cast<Eigen::Index>(first_landmark(surface, options));
+  std::vector<std::size_t> landmarks;
+  for(const Eigen::Index row : front_landmarks(delaunay.triangulation(), options.number_of_landmarks,
+                                               first < number ? first : 0, number))
+    landmarks.push_back(static_cast<std::size_t>(row));
+  return landmark_fields(surface, landmarks, options);
+}
 
 // The steps of canonical_pose_3() for one component. `make_body(coarse, fields)` returns a
 // `Surface_body_3`.
@@ -79,22 +108,54 @@ Result pose_of_component(const Surface_component_3& surface, const Component_opt
     times.add_seconds(stage.first, stage.second);
   result.summary.stages = std::move(times.stages);
   if(options.return_landmark_fields)
-    result.landmark_fields = interpolated_fields(coarse, fields);
+    result.landmark_fields = are_origins(surface, coarse, fields.landmarks)
+                               ? interpolated_fields(coarse, fields)
+                               : fields_of_origins(surface, options);
   return result;
+}
+
+// The shares of the vertices of the input in the area. Vertices that were added give theirs to those
+// of which they are combinations.
+inline Eigen::VectorXd shares_of_vertices(const Prepared_surface_3& prepared)
+{
+  const auto n = static_cast<std::size_t>(prepared.points.rows());
+  Point_matrix points = prepared.points;
+  std::vector<Index_triangle> triangles;
+  std::vector<Vertex_combination_3> combinations;
+  for(const auto& [surface, options] : prepared.components)
+  {
+    const std::size_t first = n + combinations.size(), number = surface.origins.size();
+    const auto index = [&, &surface = surface](const std::size_t v) {
+      return v < number ? static_cast<std::size_t>(
+                            prepared.vertex_map.vertex_of_row[row_of(surface, v)])
+                        : first + (v - number);
+    };
+    for(Index_triangle t : surface.triangles)
+    {
+      std::transform(t.begin(), t.end(), t.begin(), index);
+      triangles.push_back(t);
+    }
+    for(Vertex_combination_3 combination : surface.added)
+    {
+      std::transform(combination.vertices.begin(), combination.vertices.end(),
+                     combination.vertices.begin(), index);
+      combinations.push_back(combination);
+    }
+    points.conservativeResize(points.rows() + static_cast<Eigen::Index>(surface.added.size()), 3);
+    points.bottomRows(static_cast<Eigen::Index>(surface.added.size()))
+      = surface.points.bottomRows(static_cast<Eigen::Index>(surface.added.size()));
+  }
+  Eigen::VectorXd shares = vertex_area_shares(points, triangles);
+  for(std::size_t i = combinations.size(); i-- > 0;)
+    for(std::size_t k = 0; k < 3; ++k)
+      shares[static_cast<Eigen::Index>(combinations[i].vertices[k])]
+        += combinations[i].weights[k] * shares[static_cast<Eigen::Index>(n + i)];
+  return shares.head(static_cast<Eigen::Index>(n));
 }
 
 inline void move_to_canonical_frame(const Prepared_surface_3& prepared, Result& result)
 {
-  std::vector<std::array<std::size_t, 3>> triangles;
-  for(const Prepared_surface_3::Component& component : prepared.components)
-    for(auto t : component.surface.triangles)
-    {
-      for(std::size_t& v : t)
-        v = static_cast<std::size_t>(
-          prepared.vertex_map.vertex_of_row[row_of(component.surface, v)]);
-      triangles.push_back(t);
-    }
-  result.motion = canonical_frame(result.pose, vertex_area_shares(prepared.points, triangles));
+  result.motion = canonical_frame(result.pose, shares_of_vertices(prepared));
   for(Point_matrix* points : {&result.pose, &result.pose_of_followers})
     *points = ((*points * result.motion.linear().transpose()).rowwise()
                + result.motion.translation().transpose())

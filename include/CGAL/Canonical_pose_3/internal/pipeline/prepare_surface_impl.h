@@ -22,6 +22,7 @@
 #include <CGAL/Canonical_pose_3/internal/registration/check_registration.h>
 #include <CGAL/Canonical_pose_3/internal/soup/examine_surface.h>
 #include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
+#include <CGAL/Canonical_pose_3/internal/soup/refined_surface.h>
 #include <CGAL/Canonical_pose_3/internal/support/Indexed_vector.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/support/values_at.h>
@@ -166,10 +167,14 @@ prepare_surface(const Point_matrix& points, const std::vector<std::vector<std::s
   Prepared_surface_3 result
     = internal::prepared(diagnosis, points, std::move(components), std::move(rows), roles,
                          options);
-  if(options.stiffness.size() > 0)
-    for(Prepared_surface_3::Component& component : result.components)
-      component.options.stiffness
-        = internal::values_at(options.stiffness, component.surface.origins);
+  for(auto& [refined, local] : result.components)
+  {
+    if(options.matching_weights.size() > 0)
+      local.matching_weights = internal::with_added(refined, local.matching_weights);
+    if(options.stiffness.size() > 0)
+      local.stiffness
+        = internal::with_added(refined, internal::values_at(options.stiffness, refined.origins));
+  }
   return result;
 }
 

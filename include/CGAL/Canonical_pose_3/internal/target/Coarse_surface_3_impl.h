@@ -86,7 +86,8 @@ inline Coarse_surface_3 remaining_surface(const Surface_component_3& surface,
     }
   result.surface.points = rows_at(surface.points, result.vertices);
   for(const std::size_t v : result.vertices)
-    result.surface.origins.push_back(surface.origins[v]);
+    if(v < surface.origins.size())
+      result.surface.origins.push_back(surface.origins[v]);
   result.surface.body_origins = result.surface.origins; // no body refers to it
   result.combinations.assign(contraction.combinations().rbegin(),
                              contraction.combinations().rend());

@@ -1,0 +1,66 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#ifndef CGAL_CANONICAL_POSE_3_INTERNAL_SOUP_WITHOUT_DEGENERATE_FACES_H
+#define CGAL_CANONICAL_POSE_3_INTERNAL_SOUP_WITHOUT_DEGENERATE_FACES_H
+
+#include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
+#include <CGAL/Canonical_pose_3/internal/soup/twice_area.h>
+#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+#include <CGAL/Canonical_pose_3/point_matrix.h>
+
+#include <CGAL/Random.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
+namespace internal {
+
+// Moves the corners of faces without area by about 1e-9 of the size of the surface, since methods that
+// unfold faces refuse these.
+inline Point_matrix without_degenerate_faces(Point_matrix points,
+                                             const std::vector<Index_triangle>& triangles)
+{
+  constexpr double thin = 1e-12, distance = 1e-9;
+  std::vector<bool> is_moved(static_cast<std::size_t>(points.rows()), false);
+  Point_matrix normalized = points;
+  normalize(normalized);
+  for(const Index_triangle& t : triangles)
+  {
+    double longest = 0;
+    for(std::size_t k = 0; k < 3; ++k)
+      longest = (std::max)(longest, (normalized.row(static_cast<Eigen::Index>(t[k]))
+                                     - normalized.row(static_cast<Eigen::Index>(t[(k + 1) % 3])))
+                                      .squaredNorm());
+    if(twice_area(normalized, t) <= thin * longest)
+      for(const std::size_t v : t)
+        is_moved[v] = true;
+  }
+  Random random(0);
+  const double size
+    = distance * (points.colwise().maxCoeff() - points.colwise().minCoeff()).maxCoeff();
+  for(std::size_t v = 0; v < is_moved.size(); ++v)
+    if(is_moved[v])
+      for(Eigen::Index k = 0; k < 3; ++k)
+        points(static_cast<Eigen::Index>(v), k) += size * random.get_double(-1., 1.);
+  return points;
+}
+
+} // namespace internal
+} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_INTERNAL_SOUP_WITHOUT_DEGENERATE_FACES_H

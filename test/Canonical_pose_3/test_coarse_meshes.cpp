@@ -1,0 +1,267 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+//
+// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
+// distribution.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Canonical_pose_3 authors
+
+#include <CGAL/Canonical_pose_3/Indexed_tetrahedra_3.h>
+#include <CGAL/Canonical_pose_3/Prepared_surface_3.h>
+#include <CGAL/Canonical_pose_3/pose_difference.h>
+#include <CGAL/Canonical_pose_3/pose_steps.h>
+#include <CGAL/canonical_pose_3.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/property_map.h>
+
+#include <gtest/gtest.h>
+
+#include "bent_bars.h"
+#include "shapes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace CP = CGAL::Canonical_pose_3;
+namespace shapes = Canonical_pose_test;
+using CP::Point_matrix;
+using Soup = shapes::Triangle_soup;
+
+namespace {
+
+// The prism over a polygon that is triangulated by triples of its corners.
+Soup prism(const std::vector<std::array<double, 2>>& corners,
+           const std::vector<std::array<std::size_t, 3>>& triangles, const double height)
+{
+  Soup soup;
+  const std::size_t n = corners.size();
+  for(const double z : {0., height})
+    for(const auto& [x, y] : corners)
+      soup.points.push_back({x, y, z});
+  for(const auto& [a, b, c] : triangles)
+  {
+    soup.triangles.push_back({a, c, b});
+    soup.triangles.push_back({a + n, b + n, c + n});
+  }
+  for(std::size_t i = 0; i < n; ++i)
+  {
+    const std::size_t j = (i + 1) % n;
+    soup.triangles.push_back({i, j, j + n});
+    soup.triangles.push_back({i, j + n, i + n});
+  }
+  return soup;
+}
+
+Soup box(const double x, const double y, const double z)
+{
+  return prism({{0, 0}, {x, 0}, {x, y}, {0, y}}, {{0, 1, 2}, {0, 2, 3}}, z);
+}
+
+Soup l_prism()
+{
+  return prism({{0, 0}, {4, 0}, {4, 1}, {1, 1}, {1, 3}, {0, 3}},
+               {{0, 1, 3}, {1, 2, 3}, {0, 3, 5}, {3, 4, 5}}, 1);
+}
+
+Soup u_prism()
+{
+  return prism({{0, 0}, {5, 0}, {5, 4}, {4, 4}, {4, 1}, {1, 1}, {1, 3}, {0, 3}},
+               {{0, 1, 5}, {1, 4, 5}, {1, 2, 4}, {2, 3, 4}, {0, 5, 7}, {5, 6, 7}}, 1);
+}
+
+Soup ellipsoid(const unsigned int subdivisions)
+{
+  Soup soup = shapes::icosphere_soup(subdivisions, 1);
+  for(auto& p : soup.points)
+    p = {3 * p[0], 2 * p[1], p[2]};
+  return soup;
+}
+
+// The same shape: each triangle becomes four. The vertices remain the first ones.
+Soup subdivided(const Soup& soup)
+{
+  Soup result;
+  result.points = soup.points;
+  std::map<std::pair<std::size_t, std::size_t>, std::size_t> middles;
+  const auto middle = [&](const std::size_t a, const std::size_t b) {
+    const auto found
+      = middles.emplace(std::make_pair((std::min)(a, b), (std::max)(a, b)), result.points.size());
+    if(found.second)
+    {
+      const auto &p = soup.points[a], &q = soup.points[b];
+      result.points.push_back({(p[0] + q[0]) / 2, (p[1] + q[1]) / 2, (p[2] + q[2]) / 2});
+    }
+    return found.first->second;
+  };
+  for(const auto& [a, b, c] : soup.triangles)
+  {
+    const std::size_t ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
+    for(const std::array<std::size_t, 3>& t :
+        {std::array<std::size_t, 3>{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}})
+      result.triangles.push_back(t);
+  }
+  return result;
+}
+
+// At the vertices in common.
+double difference(const Point_matrix& pose, const Point_matrix& other)
+{
+  const Eigen::Index n = (std::min)(pose.rows(), other.rows());
+  return CP::pose_difference(pose.topRows(n), other.topRows(n));
+}
+
+Point_matrix pose(const Soup& soup, const CP::Options& options = CP::Options())
+{
+  return shapes::pose_of(soup, options).pose;
+}
+
+CP::Result pose_of(const shapes::Tetrahedral_soup& soup)
+{
+  CP::Indexed_tetrahedra_3<CGAL::Simple_cartesian<double>::Point_3> complex;
+  for(const auto& p : soup.points)
+    complex.points.emplace_back(p[0], p[1], p[2]);
+  complex.cells = soup.cells;
+  std::vector<CGAL::Simple_cartesian<double>::Point_3> pose(soup.points.size());
+  return CGAL::canonical_pose_3(complex, CGAL::make_property_map(pose));
+}
+
+} // namespace
+
+// Poses do not depend on the triangles of a shape: subdivided until there are 2000 vertices, with which
+// distances were always measured well, it has the same pose. The differences were up to 0.40.
+TEST(Coarse_meshes, pose_of_a_subdivision)
+{
+  for(Soup soup : {box(3, 2, 1), box(10, 1, 1), box(4, 3, .3), l_prism(), u_prism(),
+                   shapes::tube_soup(6, 8, 6, 1), shapes::torus_soup(20, 10, 2, .6), ellipsoid(1),
+                   ellipsoid(2), shapes::bent_bar()})
+  {
+    const Point_matrix coarse = pose(soup);
+    const std::size_t n = soup.points.size();
+    ASSERT_LT(n, 500u);
+    while(soup.points.size() < 2000)
+      soup = subdivided(soup);
+    EXPECT_LT(difference(coarse, pose(soup)), .03) << n << " vertices";
+  }
+}
+
+// Distances on a convex polygon are those of the plane, so its target is the polygon itself.
+TEST(Coarse_meshes, planar_meshes_keep_their_shape)
+{
+  const Soup diamond{{{0, 0, 0}, {1, -3, 0}, {2, 0, 0}, {1, 3, 0}}, {{0, 1, 2}, {0, 2, 3}}};
+  const Soup triangle{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
+  for(Soup soup : {diamond, triangle, shapes::plane_grid_soup(2, 3, 1., 3.)})
+  {
+    for(auto& p : soup.points)
+      p[2] = .5 * p[0] + .25 * p[1];
+    for(int level = 0; level < 5; ++level, soup = subdivided(soup))
+      EXPECT_LT(difference(pose(soup), shapes::to_matrix(soup.points)), 1e-3)
+        << soup.points.size() << " vertices";
+  }
+}
+
+// All triangles are pieces of those of the input, and as many vertices as a mesh of some thousand are
+// added, even to a fan of thin triangles.
+TEST(Coarse_meshes, refined_surface)
+{
+  Soup fan;
+  fan.points.push_back({0, 0, 0});
+  constexpr std::size_t n = 300;
+  for(std::size_t i = 0; i < n; ++i)
+  {
+    const double angle = 2 * 3.141592653589793 * double(i) / n;
+    fan.points.push_back({std::cos(angle), std::sin(angle), .3 * std::cos(2 * angle)});
+    fan.triangles.push_back({0, i + 1, (i + 1) % n + 1});
+  }
+  for(const Soup& soup : {box(3, 2, 1), l_prism(), fan})
+  {
+    const Point_matrix points = shapes::to_matrix(soup.points);
+    const CP::Prepared_surface_3 prepared
+      = CP::prepare_surface(
+      points, std::vector<std::vector<std::size_t>>(shapes::to_polygons(soup).polygons));
+    ASSERT_EQ(prepared.components.size(), 1u);
+    const CP::Surface_component_3& surface = prepared.components.front().surface;
+    EXPECT_EQ(surface.origins.size(), soup.points.size());
+    EXPECT_EQ(surface.points.topRows(points.rows()), points);
+    EXPECT_EQ(surface.added.size() + surface.origins.size(), std::size_t(surface.points.rows()));
+    EXPECT_GT(surface.points.rows(), 1000);
+    EXPECT_LE(surface.points.rows(), 5000);
+    for(const auto& [vertex, others, weights] : surface.added)
+    {
+      Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
+      for(std::size_t k = 0; k < 3; ++k)
+        sum += weights[k] * surface.points.row(Eigen::Index(others[k]));
+      EXPECT_EQ(sum, surface.points.row(Eigen::Index(vertex)));
+    }
+    Eigen::Vector3d normal_sum = Eigen::Vector3d::Zero(); // of the boundary loop with its cap: 0
+    std::vector<double> area_of_face(soup.triangles.size(), 0);
+    const auto area = [](const Point_matrix& p, const std::array<std::size_t, 3>& t) {
+      const Eigen::Vector3d a = p.row(Eigen::Index(t[0])), b = p.row(Eigen::Index(t[1])),
+                            c = p.row(Eigen::Index(t[2]));
+      return Eigen::Vector3d((b - a).cross(c - a) / 2);
+    };
+    for(const auto* const triangles : {&surface.triangles, &surface.caps})
+      for(const auto& t : *triangles)
+        normal_sum += area(surface.points, t);
+    EXPECT_LT(normal_sum.norm(), 1e-12);
+    for(std::size_t t = 0; t < surface.triangles.size(); ++t)
+      area_of_face[surface.face_of_triangle[t]] += area(surface.points, surface.triangles[t]).norm();
+    for(std::size_t t = 0; t < soup.triangles.size(); ++t)
+      EXPECT_NEAR(area_of_face[t], area(points, soup.triangles[t]).norm(), 1e-12);
+  }
+}
+
+// What refers to vertices of the input still does: a handle holds its vertex, values of the vertices
+// are interpolated, and landmarks are vertices of the input.
+TEST(Coarse_meshes, options_of_vertices)
+{
+  const Soup soup = l_prism();
+  const Point_matrix points = shapes::to_matrix(soup.points), free = pose(soup);
+  CP::Options options;
+  const Eigen::RowVector3d position = free.row(2) + Eigen::RowVector3d(0, 1, 0);
+  options.constraints.handles.push_back({2, position, 1e4});
+  EXPECT_LT((pose(soup, options).row(2) - position).norm(), .05);
+
+  options = CP::Options();
+  options.matching_weights = Eigen::VectorXd::Constant(points.rows(), 2.);
+  options.stiffness = Eigen::VectorXd::Ones(points.rows());
+  EXPECT_LT(difference(pose(soup, options), free), 1e-6);
+
+  options = CP::Options();
+  options.return_landmark_fields = true;
+  const CP::Result result = shapes::pose_of(soup, options);
+  ASSERT_TRUE(result.landmark_fields);
+  EXPECT_EQ(result.pose, free);
+  EXPECT_EQ(result.landmark_fields->landmarks.size(), soup.points.size());
+  EXPECT_EQ(result.landmark_fields->distances.rows(), points.rows());
+  EXPECT_NEAR(result.landmark_fields->distances.maxCoeff(), std::sqrt(26.), .6); // 4 1 0 to 0 3 1
+  options = CP::Options();
+  options.given = result;
+  EXPECT_LT(difference(pose(soup, options), free), .05);
+
+  options = CP::Options();
+  options.frame = CP::Options::Frame::CANONICAL;
+  EXPECT_LT(difference(pose(soup, options), free), 1e-6);
+  options = CP::Options();
+  options.given.target = points;
+  EXPECT_LT(difference(pose(soup, options), points), 1e-6);
+}
+
+// The boundary of a complex is refined, too: the target of a block of twelve cells is that of its
+// finer subdivisions, whose cells are the same.
+TEST(Coarse_meshes, complex)
+{
+  const shapes::Tetrahedral_soup coarse = shapes::tetrahedral_box(2, 1, 1, {{6., 1., 1.}});
+  const shapes::Tetrahedral_soup fine = shapes::tetrahedral_box(24, 4, 4, {{6., 1., 1.}});
+  const CP::Result result = pose_of(coarse), of_fine = pose_of(fine);
+  const Point_matrix points = shapes::to_matrix(coarse.points);
+  EXPECT_EQ(result.pose.rows(), points.rows());
+  EXPECT_NEAR(result.summary.target.max_geodesic / of_fine.summary.target.max_geodesic, 1, .03);
+  EXPECT_LT(difference(result.pose, points), .05); // a straight bar
+}
