@@ -78,7 +78,7 @@ expect_refusal("direction 0 joins vertex 3 to itself" pose ball.off -o out/a.off
 expect_refusal("handle 1 names vertex 99" pose ball.off -o out/a.off --handle 0,1,0,0 --handle 99,1,0,0)
 expect_refusal("symmetric pair 0 has a stiffness that is not positive" pose ball.off -o out/a.off --symmetric 0,1,0)
 expect_refusal("a source names vertex 99" geodesics ball.off --source 99 -o out/a.txt)
-expect_refusal("vertex 12 belongs to no face" geodesics isolated.off --source 0 -o out/a.txt)
+expect_refusal("a source names vertex 12, which belongs to no face" geodesics isolated.off --source 12 -o out/a.txt)
 expect_refusal("a surface is needed" geodesics ball.mesh --source 0 -o out/a.txt)
 expect_refusal("STL holds triangles only, but face 0 has 4 corners" pose quad.off -o out/a.stl)
 file(WRITE ${WORK}/comments.txt "# nothing\n")
@@ -252,6 +252,18 @@ foreach(input IN ITEMS hole.off turned.off quad.off crossing.off)
   list(LENGTH lines length)
   expect_match(${length} "^12$")
 endforeach()
+# what shares an edge is reached; an isolated vertex is not; faces without area are repaired
+foreach(kind IN ITEMS heat wavefront exact)
+  file(WRITE ${WORK}/three.off "OFF\n6 3 0\n0 0 0\n1 0 0\n0 1 0\n0 -1 0\n0 0 1\n9 9 9\n3 0 1 2\n3 0 1 3\n3 0 1 4\n")
+  expect_exit(0 geodesics three.off --source 2 -o out/distances.txt --geodesics ${kind})
+  file(READ ${WORK}/out/distances.txt distances)
+  expect_match("${distances}" "^(1|1\\.0000000[0-9]*|0\\.9999999[0-9]*)\n1\\.414213[0-9]*\n0\n(2|2\\.0000000[0-9]*|1\\.9999999[0-9]*)\n(2|2\\.0000000[0-9]*|1\\.9999999[0-9]*)\ninf\n$")
+  file(WRITE ${WORK}/flat.off "OFF\n6 5 0\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n0.5 0 0\n0.5 -1 0\n3 0 4 2\n3 4 3 2\n3 4 1 3\n3 0 1 4\n3 0 5 1\n")
+  expect_exit(0 geodesics flat.off --source 2 -o out/distances.txt --geodesics ${kind})
+  file(READ ${WORK}/out/distances.txt distances)
+  expect_match("${distances}" "\n1\\.11803[0-9]*\n2\\.06155[0-9]*\n$")
+endforeach()
+expect_exit(0 pose flat.off -o out/flat.off --geodesics exact)
 
 # ---- the sample: the time is accounted for, and the bytes do not depend on the threads -------------------------
 
