@@ -30,6 +30,7 @@
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 #include <CGAL/Canonical_pose_3/pose_steps.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <stdexcept>
 #include <string>
