@@ -62,7 +62,7 @@ inline bool are_origins(const Surface_component_3& surface, const Coarse_surface
 
 // Distances from landmarks that are vertices of the input.
 inline Landmark_fields_3 fields_of_origins(const Surface_component_3& surface,
-                                           const Options& options)
+                                           const Method_options& options)
 {
   const Indexed_mesh mesh = indexed_mesh(surface.points, surface.triangles);
   const Delaunay_surface delaunay(face_corners(mesh, number_vertices(mesh)), surface.points);
