@@ -221,7 +221,7 @@ TEST(Bad_indices, of_landmarks)
     EXPECT_THROW_WITH(exact(surface.points, surface.triangles, 2, 0, {0, bad}),
                       std::invalid_argument, "landmark " + number);
   }
-  CP::Options options;
+  CP::Component_options options;
   options.given.landmark_fields.emplace().landmarks = {0, 4};
   options.given.landmark_fields->distances = Eigen::MatrixXd::Ones(4, 2);
   CP::Coarse_surface_3 coarse = CP::coarse_surface(surface);

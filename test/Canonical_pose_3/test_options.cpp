@@ -90,10 +90,10 @@ std::vector<Bad_value> bad_numbers(const std::string& text, const std::vector<do
 
 template <class Value>
 std::vector<Bad_value> bad_enumerators(const std::string& name,
-                                       Value CP::Method_options::*const member, const int first_bad)
+                                       Value CP::Method_options::*const member, const Value last)
 {
   std::vector<Bad_value> result;
-  for(const int value : {-1, first_bad})
+  for(const int value : {-1, static_cast<int>(last) + 1})
     result.push_back(
       {name, [=](Options& options) { options.*member = static_cast<Value>(value); }});
   return result;
@@ -140,7 +140,7 @@ Bad_values of_method()
     = [](Options& o) -> double& { return o.volume_ratio_limit.emplace(); };
   const auto spacing = [](Options& o) -> double& { return o.lattice_spacing; };
   return {
-    {"geodesics", bad_enumerators("geodesics", &O::geodesics, 2)},
+    {"geodesics", bad_enumerators("geodesics", &O::geodesics, O::Geodesics::WAVEFRONT)},
     {"landmark_fields_function", {}},
     {"target_fields_function", {}},
     {"number_of_coarse_vertices", {}},
@@ -148,19 +148,19 @@ Bad_values of_method()
      bad_numbers("number_of_landmarks", {0},
                  [](Options& o) -> std::size_t& { return o.number_of_landmarks; })},
     {"random_seed", {}},
-    {"kernel", bad_enumerators("kernel", &O::kernel, 3)},
+    {"kernel", bad_enumerators("kernel", &O::kernel, O::Kernel::UNCENTERED_GAUSSIAN)},
     {"mds_kernel", {{"mds_kernel", [](Options& o) { o.mds_kernel = Kernel_without_values(); }}}},
-    {"target_mode", bad_enumerators("target_mode", &O::target_mode, 2)},
+    {"target_mode", bad_enumerators("target_mode", &O::target_mode, O::Target_mode::UNFOLDING)},
     {"unfolding", bad_numbers("unfolding.weight", NOT_POSITIVE,
                               [](Options& o) -> double& { return o.unfolding.weight; })},
     {"number_of_rounds", bad_numbers("number_of_rounds", {-1}, number_of_rounds)},
     {"takes_mirror_image", {}},
-    {"body", bad_enumerators("body", &O::body, 4)},
+    {"body", bad_enumerators("body", &O::body, O::Body::MESH_3)},
     {"make_body", {}},
     {"lattice_spacing", bad_numbers("lattice_spacing", NOT_NONNEGATIVE, spacing)},
-    {"components", bad_enumerators("components", &O::components, 3)},
-    {"contacts", bad_enumerators("contacts", &O::contacts, 2)},
-    {"frame", bad_enumerators("frame", &O::frame, 2)},
+    {"components", bad_enumerators("components", &O::components, O::Components::EACH)},
+    {"contacts", bad_enumerators("contacts", &O::contacts, O::Contacts::CUT)},
+    {"frame", bad_enumerators("frame", &O::frame, O::Frame::CANONICAL)},
     {"registration", of_registration()["detail_length"]}, // and its other members, below
     {"paper_weights", bad_numbers("paper_weights.alpha", NOT_POSITIVE,
                                   [](Options& o) -> double& {
@@ -168,7 +168,7 @@ Bad_values of_method()
                                   })}, // and beta, below
     {"volume_ratio_limit",
      bad_numbers("volume_ratio_limit", {0, -1, NOT_A_NUMBER}, volume_ratio_limit)},
-    {"solver", bad_enumerators("solver", &O::solver, 3)},
+    {"solver", bad_enumerators("solver", &O::solver, O::Solver::CHOLMOD)},
     {"linear_solver", {}},
     {"number_of_threads", bad_numbers("number_of_threads", {-1},
                                       [](Options& o) -> int& { return o.number_of_threads; })},
@@ -406,15 +406,15 @@ TEST(Options_of_the_call, bad_values_are_refused_by_name)
 TEST(Options_of_the_steps, bad_values_are_refused_by_name)
 {
   const shapes::Polygon_soup bar = shapes::small_bar();
-  Options one_round;
-  one_round.number_of_landmarks = 6;
+  CP::Component_options good;
+  good.number_of_landmarks = 6;
   const CP::Prepared_surface_3 prepared
-    = CP::prepare_surface(shapes::to_matrix(bar.points), bar.polygons, one_round);
+    = CP::prepare_surface(shapes::to_matrix(bar.points), bar.polygons);
   const CP::Surface_component_3& surface = prepared.components.front().surface;
-  const CP::Coarse_surface_3 coarse = CP::coarse_surface(surface, one_round);
-  const CP::Landmark_fields_3 fields = CP::landmark_fields(coarse, one_round);
-  const CP::Target_3 target = CP::mds_target(surface, coarse, fields, one_round);
-  const CP::Surface_body_3 body = CP::surface_body(surface, coarse, fields, one_round);
+  const CP::Coarse_surface_3 coarse = CP::coarse_surface(surface, good);
+  const CP::Landmark_fields_3 fields = CP::landmark_fields(coarse, good);
+  const CP::Target_3 target = CP::mds_target(surface, coarse, fields, good);
+  const CP::Surface_body_3 body = CP::surface_body(surface, coarse, fields, good);
   Bad_values values = of_method();
   values.erase("mds_kernel"); // not all steps use it
   for(const auto& more : {of_registration(), of_paper_weights()})
@@ -423,8 +423,10 @@ TEST(Options_of_the_steps, bad_values_are_refused_by_name)
     for(const Bad_value& bad : bad_values)
     {
       SCOPED_TRACE(member);
-      Options options;
-      bad.set(options);
+      Options of_call;
+      bad.set(of_call);
+      CP::Component_options options;
+      static_cast<CP::Method_options&>(options) = of_call;
       EXPECT_THROW_WITH(CP::landmark_fields(surface, options), std::invalid_argument, bad.text);
       EXPECT_THROW_WITH(CP::landmark_fields(surface, {0, 1}, options), std::invalid_argument,
                         bad.text);
@@ -439,7 +441,7 @@ TEST(Options_of_the_steps, bad_values_are_refused_by_name)
       EXPECT_THROW_WITH(CP::registered_pose(surface, coarse, fields, target, body, options),
                         std::invalid_argument, bad.text);
       EXPECT_THROW_WITH(
-        CP::geodesic_distances(shapes::to_matrix(bar.points), bar.polygons, {0}, options),
+        CP::geodesic_distances(shapes::to_matrix(bar.points), bar.polygons, {0}, of_call),
         std::invalid_argument, bad.text);
     }
 }

@@ -69,7 +69,7 @@ public:
     return result;
   }
 
-  CP::Result registered_pose(const CP::Target_3& target, const CP::Options& options) const
+  CP::Result registered_pose(const CP::Target_3& target, const CP::Component_options& options) const
   {
     return CP::registered_pose(m_surface, m_coarse, m_fields, target, m_body, options);
   }
@@ -99,7 +99,7 @@ TYPED_TEST_SUITE(Rounds, Shapes);
 TYPED_TEST(Rounds, choose_the_image)
 {
   const auto steps = Steps::of<TypeParam>(1);
-  CP::Options options;
+  CP::Component_options options;
   const CP::Result expected = steps.registered_pose(steps.target(), options),
                    result = steps.registered_pose(steps.mirrored_target(), options);
   EXPECT_TRUE(expected.summary.target.is_handedness_certain);
@@ -123,7 +123,8 @@ TYPED_TEST(Rounds, choose_the_image)
 TYPED_TEST(Rounds, canceled_later_have_no_higher_energy)
 {
   const auto steps = Steps::of<TypeParam>(1);
-  CP::Options options;
+  CP::Component_options options;
+  options.number_of_rounds = 2;
   options.registration.injective = false;
   options.visitor = [](const CP::Registration_progress&) { return true; };
   const CP::Result complete = steps.registered_pose(steps.target(), options);
@@ -160,7 +161,7 @@ TEST(Collapsed_body, is_registered_with_a_larger_detail_length)
   const auto steps = Steps::of<Articulated_animal>(0);
   CP::Target_3 target = steps.mirrored_target();
   target.is_given = true; // there is no choice
-  CP::Options options;
+  CP::Component_options options;
   options.number_of_rounds = 0;
   const auto is_collapsed = [](const CP::Registration_summary& summary) {
     return std::any_of(summary.warnings.begin(), summary.warnings.end(), [](const std::string& w) {
@@ -168,7 +169,7 @@ TEST(Collapsed_body, is_registered_with_a_larger_detail_length)
     });
   };
   const auto result_for = [&](const double factor) {
-    CP::Options changed = options;
+    CP::Component_options changed = options;
     changed.registration.detail_length *= factor;
     changed.registration.injective = false;
     changed.registration.energy_tolerance = 1e-3;
@@ -198,11 +199,11 @@ TEST(Last_round, has_less_strain_than_with_half_the_detail_length)
 {
   const auto steps = Steps::of<Articulated_figure>(0);
   const CP::Target_3 target = steps.scaled_surface(1.1);
-  CP::Options options;
+  CP::Component_options options;
   options.registration.injective = false;
   options.number_of_rounds = 0;
   const double full = steps.registered_pose(target, options).summary.median_edge_strain;
-  CP::Options soft_options = options;
+  CP::Component_options soft_options = options;
   soft_options.registration.detail_length /= 2;
   const double soft = steps.registered_pose(target, soft_options).summary.median_edge_strain;
   EXPECT_GT(soft, 1.2 * full);
