@@ -154,8 +154,8 @@ private:
                              high = m_points.colwise().maxCoeff();
     const Eigen::RowVector3d center = 0.5 * low + 0.5 * high;
     const double radius = (0.5 * high - 0.5 * low).maxCoeff();
-    const double farthest = 8;
-    if(m_is_quantized || center.cwiseAbs().maxCoeff() > farthest * radius)
+    const double many_radii = 8;
+    if(m_is_quantized || center.cwiseAbs().maxCoeff() > many_radii * radius)
       m_frame.center = center;
     const double largest = (m_points.rowwise() - m_frame.center).cwiseAbs().maxCoeff();
     const double least_radius
