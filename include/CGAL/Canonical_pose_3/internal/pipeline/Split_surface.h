@@ -47,11 +47,11 @@ public:
       m_copies(surface.representatives.size())
   {
     find_copies();
-    if(m_doors.empty())
+    if(!is_split())
       return;
     Edge_halving halving(points, triangles, {});
     const double shortest = root_of_area(points, triangles) / 32;
-    while(2 * m_doors.size() <= MOST_DOORS && halve(halving, shortest))
+    while(2 * m_number_of_doors <= MOST_DOORS && halve(halving, shortest))
       find_copies();
     points = halving.points();
     triangles = halving.triangles();
@@ -64,16 +64,19 @@ public:
     }
   }
 
-  bool is_split() const { return !m_doors.empty(); }
+  bool is_split() const { return !m_split_nodes.empty(); }
 
-  // Copies at which paths enter other sheets of the surface. There may be more copies, but the
-  // distances from them would take too long.
+  // The doors: copies of nodes at which paths enter other sheets of the surface. If there are many,
+  // only those of some nodes are returned, since the distances from all would take too long.
   std::vector<std::size_t> doors() const
   {
     std::vector<std::size_t> result;
-    const std::size_t step = (m_doors.size() + MOST_DOORS - 1) / MOST_DOORS;
-    for(std::size_t i = 0; i < m_doors.size(); i += step)
-      result.push_back(m_doors[i]);
+    const std::size_t step = (m_number_of_doors + MOST_DOORS - 1) / MOST_DOORS;
+    for(std::size_t i = 0; i < m_split_nodes.size(); i += step)
+    {
+      const std::vector<std::size_t>& copies = m_copies[m_split_nodes[i]];
+      result.insert(result.end(), copies.begin(), copies.end());
+    }
     return result;
   }
 
@@ -100,7 +103,7 @@ public:
         distances = distances.cwiseMin(
           (from_doors.col(static_cast<Eigen::Index>(next)).array() + least).matrix());
     }
-    if(used.size() < m_doors.size())
+    if(used.size() < m_number_of_doors)
       go_along_edges(distances);
     for(Eigen::Index i = 0; i < distances.size(); ++i)
       distances[i] = node_distance(distances, m_node_of[static_cast<std::size_t>(i)]);
@@ -128,10 +131,14 @@ private:
       copies.clear();
     for(std::size_t i = 0; i < m_node_of.size(); ++i)
       m_copies[m_node_of[i]].push_back(i);
-    m_doors.clear();
-    for(std::size_t i = 0; i < m_node_of.size(); ++i)
-      if(m_copies[m_node_of[i]].size() > 1)
-        m_doors.push_back(i);
+    m_split_nodes.clear();
+    m_number_of_doors = 0;
+    for(std::size_t node = 0; node < m_copies.size(); ++node)
+      if(m_copies[node].size() > 1)
+      {
+        m_split_nodes.push_back(node);
+        m_number_of_doors += m_copies[node].size();
+      }
   }
 
   // Halves the longest edges, down to a length, along which the surface was split.
@@ -218,7 +225,8 @@ private:
   const std::size_t m_number_of_originals;        // the first vertices
   std::vector<std::size_t> m_node_of;             // of each vertex
   std::vector<std::vector<std::size_t>> m_copies; // of each node
-  std::vector<std::size_t> m_doors;               // all vertices with other copies
+  std::vector<std::size_t> m_split_nodes;         // those with several copies
+  std::size_t m_number_of_doors = 0;
 };
 
 } // namespace internal

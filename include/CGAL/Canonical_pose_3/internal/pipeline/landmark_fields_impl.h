@@ -66,7 +66,7 @@ inline double smoothing_time_step_factor(const Surface_component_3& surface)
 // enough of them, so that they have a meaning for the caller.
 inline std::size_t number_of_candidates(const Surface_component_3& surface, const Method_options& options)
 {
-  return !surface.added.empty() && surface.origins.size() >= 2 * options.number_of_landmarks
+  return !surface.added.empty() && surface.origins.size() >= 3 * options.number_of_landmarks
            ? surface.origins.size()
            : static_cast<std::size_t>(surface.points.rows());
 }
