@@ -11,6 +11,7 @@
 #define CGAL_CANONICAL_POSE_3_INTERNAL_SEGMENTATION_SEGMENTED_SURFACE_H
 
 #include <CGAL/Canonical_pose_3/Coarse_surface_3.h>
+#include <CGAL/Canonical_pose_3/Segmentation_tree_3.h>
 #include <CGAL/Canonical_pose_3/Surface_component_3.h>
 #include <CGAL/Canonical_pose_3/internal/segmentation/Face_graph.h>
 #include <CGAL/Canonical_pose_3/internal/segmentation/Face_regions.h>
@@ -25,6 +26,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <numeric>
@@ -38,7 +40,8 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
-// A surface prepared for segmentation: repaired, and simplified if it has many faces.
+// A surface prepared for segmentation: repaired, simplified if it has many faces, and without small
+// components, each of which is a part of its own: so costs do not depend on their number.
 class Segmented_surface
 {
 public:
@@ -64,6 +67,7 @@ public:
     m_given_graph = face_graph(m_points, m_triangles, m_vertices);
     if(m_triangles.size() > MOST_FACES)
       simplify();
+    remove_small_components();
   }
 
   bool has_pose() const { return m_pose.rows() > 0; }
@@ -81,33 +85,45 @@ public:
 
   Face_graph graph() const
   {
-    return is_simplified() ? face_graph(m_points, m_triangles, m_vertices) : m_given_graph;
+    return is_simplified() || m_number_of_small_components > 0
+             ? face_graph(m_points, m_triangles, m_vertices)
+             : m_given_graph;
   }
   Face_graph graph_of_pose() const { return face_graph(m_pose, m_triangles, m_vertices); }
 
-  // Labels of the triangles, transferred to the polygons of the input.
-  std::vector<std::size_t> labels_of_faces(const std::vector<std::size_t>& labels) const
+  // The number of parts of the triangles, if that of the whole surface is requested, or 0.
+  std::size_t number_of_parts_of_triangles(const std::size_t requested_number) const
   {
-    const std::vector<std::size_t> of_given = is_simplified() ? nearest_labels(labels) : labels;
-    std::vector<std::size_t> result(m_number_of_faces, Disjoint_sets::NONE);
-    std::vector<double> largest(m_number_of_faces, -1.);
-    for(std::size_t t = 0; t < of_given.size(); ++t)
-    {
-      const std::size_t face = m_face_of_triangle[t];
-      const double area = m_given_graph.areas[static_cast<Eigen::Index>(t)];
-      if(area > largest[face])
-      {
-        largest[face] = area;
-        result[face] = of_given[t];
-      }
-    }
-    label_removed_faces(result);
-    return result;
+    return requested_number == 0
+             ? 0
+             : requested_number - (std::min)(m_number_of_small_components, requested_number - 1);
+  }
+
+  // The tree of the polygons of the input, with leaves for small components. `tree`: of the triangles.
+  Segmentation_tree_3 tree_of_polygons(Segmentation_tree_3 tree,
+                                       const std::size_t requested_number_of_parts) const
+  {
+    std::vector<std::size_t> labels = m_small_component;
+    std::size_t next = 0;
+    for(std::size_t& label : labels)
+      label
+        = label == Disjoint_sets::NONE ? tree.leaf_of_face[next++] : tree.number_of_leaves + label;
+    tree.leaf_of_face = labels_of_polygons(labels);
+    for(Segmentation_tree_3::Merge& merge : tree.merges)
+      for(std::size_t& node : merge.nodes)
+        if(node >= tree.number_of_leaves)
+          node += m_number_of_small_components;
+    tree.number_of_leaves += m_number_of_small_components;
+    tree.number_of_parts = requested_number_of_parts > 0
+                             ? requested_number_of_parts
+                             : tree.number_of_parts + m_number_of_small_components;
+    return tree;
   }
 
 private:
   static constexpr std::size_t MOST_FACES = 25000; // before the surface is simplified
   static constexpr std::size_t COARSE_VERTICES = 10000;
+  static constexpr double LEAST_COMPONENT = 1. / 300; // area of one that may have several parts
 
   bool is_simplified() const { return !m_given_triangle.empty(); }
 
@@ -141,6 +157,62 @@ private:
     m_caps.clear();
     if(has_pose())
       m_pose = rows_at(m_pose, coarse.vertices);
+  }
+
+  // The largest component remains, however many there are.
+  void remove_small_components()
+  {
+    const Face_graph whole = graph();
+    const Face_regions components
+      = connected_pieces(whole, std::vector<std::size_t>(m_triangles.size(), 0));
+    const auto largest
+      = static_cast<std::size_t>(std::max_element(components.areas.begin(), components.areas.end())
+                                 - components.areas.begin());
+    std::vector<std::size_t> number(components.size(), Disjoint_sets::NONE);
+    for(std::size_t c = 0; c < components.size(); ++c)
+      if(c != largest && components.areas[c] < LEAST_COMPONENT)
+        number[c] = m_number_of_small_components++;
+    std::vector<Index_triangle> remaining;
+    std::vector<bool> is_remaining(static_cast<std::size_t>(m_points.rows()), false);
+    for(std::size_t t = 0; t < m_triangles.size(); ++t)
+    {
+      m_small_component.push_back(number[components.region_of_face[t]]);
+      if(m_small_component.back() == Disjoint_sets::NONE)
+      {
+        remaining.push_back(m_triangles[t]);
+        for(const std::size_t v : m_triangles[t])
+          is_remaining[v] = true;
+      }
+    }
+    m_triangles = std::move(remaining);
+    m_caps.erase(std::remove_if(m_caps.begin(), m_caps.end(),
+                                [&](const Index_triangle& cap) {
+                                  return !(is_remaining[cap[0]] && is_remaining[cap[1]]
+                                           && is_remaining[cap[2]]);
+                                }),
+                 m_caps.end());
+    if(has_pose() && !(root_of_area(m_pose, m_triangles) > 0))
+      m_pose.resize(0, 3);
+  }
+
+  // Labels of the triangles, with those of small components, transferred to the polygons of the input.
+  std::vector<std::size_t> labels_of_polygons(const std::vector<std::size_t>& labels) const
+  {
+    const std::vector<std::size_t> of_given = is_simplified() ? nearest_labels(labels) : labels;
+    std::vector<std::size_t> result(m_number_of_faces, Disjoint_sets::NONE);
+    std::vector<double> largest(m_number_of_faces, -1.);
+    for(std::size_t t = 0; t < of_given.size(); ++t)
+    {
+      const std::size_t face = m_face_of_triangle[t];
+      const double area = m_given_graph.areas[static_cast<Eigen::Index>(t)];
+      if(area > largest[face])
+      {
+        largest[face] = area;
+        result[face] = of_given[t];
+      }
+    }
+    label_removed_faces(result);
+    return result;
   }
 
   // Each remaining triangle has replaced one of the given ones, which has its label; the others have
@@ -193,6 +265,8 @@ private:
   std::vector<std::size_t> m_face_of_triangle; // of the given triangles
   Face_graph m_given_graph;
   std::vector<std::size_t> m_given_triangle; // for each triangle, if simplified
+  std::size_t m_number_of_small_components = 0;
+  std::vector<std::size_t> m_small_component; // or NONE, for each triangle before they were removed
   std::vector<std::size_t> m_vertices;
   std::vector<Index_triangle> m_triangles, m_caps;
   Point_matrix m_points, m_pose;

@@ -26,6 +26,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -80,6 +81,7 @@ CGAL_CANONICAL_POSE_3_INLINE Segmentation_tree_3 sweep_segmentation_tree(
   std::size_t number_of_parts = (std::min)(options.number_of_parts, polygons.size());
   const Patch_graph neighbors
     = patch_graph(graph, patches, preferences, Eigen::VectorXd::Zero(graph.areas.size()));
+  std::size_t number_of_parts = surface.number_of_parts_of_triangles(options.number_of_parts);
   const Sweep_partition partition = sweep_partition(
     neighbors, cuts, (std::max)(4 * number_of_parts, least_number_of_leaves), patches.size(), 0);
   if(number_of_parts == 0)
@@ -90,8 +92,7 @@ CGAL_CANONICAL_POSE_3_INLINE Segmentation_tree_3 sweep_segmentation_tree(
                         - partition.costs.begin());
   Segmentation_tree_3 tree
     = Part_hierarchy(graph, patches, similarities_of_splits(partition)).tree(number_of_parts);
-  tree.leaf_of_face = surface.labels_of_faces(tree.leaf_of_face);
-  return tree;
+  return surface.tree_of_polygons(std::move(tree), options.number_of_parts);
 }
 
 } // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
