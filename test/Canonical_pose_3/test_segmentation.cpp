@@ -294,6 +294,26 @@ TEST_P(Segmentation, number_of_parts_is_determined)
   expect_balls(soup, result.parts());
 }
 
+// Nothing of these shapes is concave, and none has a neck: one cut is as good as the next, so there is
+// no reason for any.
+TEST_P(Segmentation, what_has_no_parts_is_one)
+{
+  using Canonical_pose_test::tube_soup;
+  const auto number = [&](const Canonical_pose_test::Triangle_soup& soup) {
+    const Polygon_soup polygons = polygon_soup(soup);
+    const Segmentation_tree_3 result = tree(polygons, with_parts(0));
+    EXPECT_EQ(result.number_of_parts, number_of(result.parts()));
+    return result.number_of_parts;
+  };
+  EXPECT_EQ(number(tube_soup(25, 16, 5, .5)), 1u);
+  EXPECT_EQ(number(tube_soup(80, 12, 20, .5)), 1u);
+  EXPECT_EQ(number(tube_soup(200, 12, 50, .5)), 1u);
+  EXPECT_EQ(number(tube_soup(500, 8, 200, .5)), 1u);
+  EXPECT_EQ(number(Canonical_pose_test::plane_grid_soup(160, 4, 40, 1)), 1u);
+  EXPECT_EQ(number(Canonical_pose_test::icosphere_soup(3, 1)), 1u);
+  EXPECT_EQ(number(Canonical_pose_test::torus_soup(60, 20, 1, .3)), 1u);
+}
+
 // Two parts of a row of three balls are one ball and two balls.
 TEST_P(Segmentation, segmentations_of_a_tree_are_nested)
 {
@@ -522,6 +542,44 @@ TEST_P(Segmentation, each_component_has_a_part)
   const Parts parts = result.parts();
   for(std::size_t f = 0; f < 2 * n; ++f)
     EXPECT_EQ(parts[f], f < n ? 0u : 1u);
+}
+
+// A row of balls among small tetrahedra, more than there are patches. Each of these is a part, and the
+// row is divided as it is without them: they take nothing of the area that matters.
+TEST_P(Segmentation, small_components_are_parts)
+{
+  constexpr std::size_t number_of_small = 400;
+  constexpr double size = .02;
+  const Polygon_soup row = row_of_balls();
+  Polygon_soup soup = row;
+  const Eigen::Index n = row.points.rows();
+  soup.points.conservativeResize(n + 4 * Eigen::Index(number_of_small), 3);
+  for(std::size_t i = 0; i < number_of_small; ++i)
+  {
+    const std::size_t v = std::size_t(n) + 4 * i;
+    const Eigen::RowVector3d corner(double(i % 20), 3 + double(i / 20), 0);
+    for(std::size_t k = 0; k < 4; ++k)
+      soup.points.row(Eigen::Index(v + k)) = corner;
+    for(Eigen::Index k = 0; k < 3; ++k)
+      soup.points(Eigen::Index(v) + 1 + k, k) += size;
+    for(const std::vector<std::size_t>& t : std::vector<std::vector<std::size_t>>{
+          {v, v + 2, v + 1}, {v, v + 1, v + 3}, {v, v + 3, v + 2}, {v + 1, v + 2, v + 3}})
+      soup.polygons.push_back(t);
+  }
+  for(const std::size_t requested : {std::size_t(0), 3 + number_of_small})
+  {
+    const Segmentation_tree_3 result = tree(soup, with_parts(requested));
+    EXPECT_EQ(result.number_of_parts, 3 + number_of_small);
+    EXPECT_EQ(result.least_number_of_parts(), 1 + number_of_small);
+    Parts parts = result.parts();
+    ASSERT_EQ(parts.size(), soup.polygons.size());
+    EXPECT_EQ(number_of(parts), 3 + number_of_small);
+    for(std::size_t f = row.polygons.size(); f < parts.size(); ++f)
+      EXPECT_EQ(parts[f], 3 + (f - row.polygons.size()) / 4);
+    parts.resize(row.polygons.size());
+    expect_balls(row, parts);
+    EXPECT_EQ(number_of(result.parts(1)), 1 + number_of_small);
+  }
 }
 
 // An open surface of quadrangles, with a face that is there twice, and one without area.

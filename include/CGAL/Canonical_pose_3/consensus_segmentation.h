@@ -70,7 +70,9 @@ Votes that agree with those of other kinds count more. Faces are merged by the s
 boundaries are moved such that they are short and run along concave edges. A pose with less than a
 fifth of the volume of the surface (both scaled to the same area), or of its lines of sight, does not
 vote. A pose with more than 1.1 times the volume, such as that of a cup, whose wall bulges, does not
-vote if the number of parts is not given, and is not compared with the surface if it is.
+vote if the number of parts is not given, and is not compared with the surface if it is. If the number
+is not given, sweep cuts are made only where the shape is concave or has a neck, so a bar is one part.
+Each component with less than a three-hundredth of the area is one part, and does not take part.
 
 \tparam TriangleMesh a model of `FaceListGraph`
 \tparam PoseVertexPointMap a model of `ReadablePropertyMap` with vertex descriptors of `TriangleMesh`

@@ -34,8 +34,10 @@ struct Patch_graph
   struct Edge
   {
     std::size_t a, b;
-    double cost;        // of a boundary between the two
-    double conductance; // the cost by the distance of the centroids
+    double cost;           // of a boundary between the two
+    double conductance;    // the cost by the distance of the centroids
+    double length = 0;     // of the boundary
+    double shape_cost = 0; // the cost without the factor of the thickness
   };
 
   Eigen::VectorXd areas;
@@ -49,7 +51,10 @@ struct Boundary_preferences
   double patch_concavity; // scale of the angles between the mean normals of patches; 0: ignored
   double thickness_ratio; // scale of the differences of the logarithm of the thickness; 0: ignored
   double least_of_concavity = least_concavity_factor; // least factor for a concave edge or angle
+  double least_normal = 0; // length of a mean normal; that of a patch around a bar has no direction
 };
+
+inline constexpr double least_normal_with_direction = .5;
 
 // Costs of the boundaries between patches: lengths, times a factor for each preference.
 // `log_thickness`: one value per face.
@@ -73,7 +78,8 @@ inline Patch_graph patch_graph(const Face_graph& graph, const Patches& patches,
       continue;
     const auto [it, is_new] = edge_of_pair.emplace(a * patches.size() + b, result.edges.size());
     if(is_new)
-      result.edges.push_back({a, b, 0, 0});
+      result.edges.push_back({a, b, 0, 0, 0, 0});
+    result.edges[it->second].length += edge.length;
     result.edges[it->second].cost
       += edge.length
          * concavity_factor(edge.concave_angle, preferences.edge_concavity,
@@ -84,9 +90,11 @@ inline Patch_graph patch_graph(const Face_graph& graph, const Patches& patches,
     const auto a = static_cast<Eigen::Index>(edge.a), b = static_cast<Eigen::Index>(edge.b);
     const Eigen::RowVector3d difference = centroids.row(b) - centroids.row(a);
     const Eigen::RowVector3d na = normals.row(a), nb = normals.row(b);
-    if(preferences.patch_concavity > 0 && (na - nb).dot(difference) > 0)
+    if(preferences.patch_concavity > 0 && (na - nb).dot(difference) > 0
+       && (std::min)(na.norm(), nb.norm()) >= preferences.least_normal)
       edge.cost *= concavity_factor(angle_between(na, nb), preferences.patch_concavity,
                                     preferences.least_of_concavity);
+    edge.shape_cost = edge.cost;
     if(preferences.thickness_ratio > 0)
     {
       const double ratio = (thickness[b] - thickness[a]) / preferences.thickness_ratio;

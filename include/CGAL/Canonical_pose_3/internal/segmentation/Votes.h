@@ -62,12 +62,16 @@ public:
         = log_thickness[static_cast<Eigen::Index>(patches.patch_of_face[f])];
   }
 
-  // The number of parts on which sweeps agree if none is given: their median.
+  // The number of parts on which sweeps agree if none is given: their median, or 1 if half of them make
+  // no cut.
   std::size_t typical_number_of_parts(const unsigned int seed) const
   {
     std::vector<std::size_t> numbers;
     for(const Vote& vote : sweeps(0, seed))
       numbers.push_back(vote.number_of_parts);
+    if(2 * static_cast<std::size_t>(std::count(numbers.begin(), numbers.end(), std::size_t(1)))
+       >= numbers.size())
+      return 1;
     const auto median = numbers.begin() + static_cast<std::ptrdiff_t>(numbers.size() / 2);
     std::nth_element(numbers.begin(), median, numbers.end());
     return *median;
@@ -194,6 +198,8 @@ private:
       const double w = evenly_spread(i, 2) / share_with_normals;
       preferences.patch_concavity = w < 1 ? .3 + .7 * w : 0;
       preferences.thickness_ratio = m_is_number_given || i / 2 % 2 == 0 ? .4 : 0;
+      if(number_of_parts == 0)
+        preferences.least_normal = least_normal_with_direction;
       if(m_compares_poses)
         preferences.least_of_concavity = .3;
       if(m_compares_poses && m_has_limbs && i % 3 == 0) // intrinsic
@@ -219,7 +225,7 @@ private:
     const Sweep_partition parts = sweep_partition(
       m_compares_poses ? joint_patch_graph(own, preferences)
                        : patch_graph(graph, own, preferences, m_thickness_of_face),
-      {exponent, m_is_number_given ? least_area(number_of_parts) : 0},
+      {exponent, m_is_number_given ? least_area(number_of_parts) : 0, !is_given},
       (std::max)(number_of_parts, std::size_t(1)), is_given ? number_of_parts : MOST_PARTS,
       is_given ? 0 : COST_LIMIT);
     return {largest_parts(graph, own, parts), parts.number_of_large_parts};

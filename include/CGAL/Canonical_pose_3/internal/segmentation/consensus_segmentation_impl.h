@@ -101,7 +101,7 @@ inline Part_hierarchy symmetric_hierarchy(const std::vector<Viewed_surface>& geo
 }
 
 // The hierarchy of the parts if their number is not given: the typical one of the votes, or half as
-// many as long as the votes do not agree.
+// many as long as the votes do not agree. If it is 1, votes with two parts divide it into leaves.
 inline Segmentation_tree_3 tree_with_agreement(const Face_graph& graph, const Patches& patches,
                                                const Votes& votes, const unsigned int seed)
 {
@@ -109,7 +109,8 @@ inline Segmentation_tree_3 tree_with_agreement(const Face_graph& graph, const Pa
   for(std::size_t number = votes.typical_number_of_parts(seed);;
       number = (std::max)(number / 2, std::size_t(2)))
   {
-    const Part_hierarchy hierarchy(graph, patches, votes.similarities(number, seed));
+    const Part_hierarchy hierarchy(graph, patches,
+                                   votes.similarities((std::max)(number, std::size_t(2)), seed));
     if(number <= 2 || hierarchy.agreement(number) >= least_agreement)
       return hierarchy.tree(number);
   }

@@ -35,7 +35,8 @@ struct Cut_preferences
 {
   double exponent; // the cost of a cut is that of its boundary by this power of the smaller area: 0
                    // is the cheapest boundary, 1 the one of smallest conductance
-  double least_area; // of both sides
+  double least_area;         // of both sides
+  bool needs_reason = false; // whether a cut is made only where it is better than those beside it
 };
 
 // Splits a set of patches in two: the cheapest of the cuts along level sets of smooth functions,
@@ -72,6 +73,19 @@ public:
   const std::vector<bool>& is_on_first_side() const { return m_is_on_first_side; }
 
 private:
+  struct Neighbor
+  {
+    std::size_t patch;
+    double cost, shape_cost, length; // of the boundary
+  };
+
+  // The boundary of the first patches of a sweep.
+  struct Contour
+  {
+    double area; // of the patches
+    double cost, shape_cost, length;
+  };
+
   // The other eigenvectors of the Laplacian have hardly an effect on heat kernels.
   static constexpr Eigen::Index RELEVANT_PAIRS = 60;
 
@@ -90,8 +104,8 @@ private:
       const std::size_t a = index[edge.a], b = index[edge.b];
       if(a == outside || b == outside)
         continue;
-      m_neighbors[a].emplace_back(b, edge.cost);
-      m_neighbors[b].emplace_back(a, edge.cost);
+      m_neighbors[a].push_back({b, edge.cost, edge.shape_cost, edge.length});
+      m_neighbors[b].push_back({a, edge.cost, edge.shape_cost, edge.length});
       const auto i = static_cast<Eigen::Index>(a), j = static_cast<Eigen::Index>(b);
       laplacian(i, i) += edge.conductance;
       laplacian(j, j) += edge.conductance;
@@ -108,11 +122,11 @@ private:
     std::vector<std::size_t> reached(1, 0);
     is_reached[0] = true;
     for(std::size_t i = 0; i < reached.size(); ++i)
-      for(const auto& [j, cost] : m_neighbors[reached[i]])
-        if(!is_reached[j])
+      for(const Neighbor& neighbor : m_neighbors[reached[i]])
+        if(!is_reached[neighbor.patch])
         {
-          is_reached[j] = true;
-          reached.push_back(j);
+          is_reached[neighbor.patch] = true;
+          reached.push_back(neighbor.patch);
         }
     if(reached.size() == m_neighbors.size())
       return false;
@@ -151,24 +165,20 @@ private:
       const double y = function[static_cast<Eigen::Index>(b)];
       return x != y ? x < y : a < b;
     });
-    std::fill(m_is_inside.begin(), m_is_inside.end(), false);
+    measure_contours();
     const double total = m_areas.sum();
     const double longest
       = m_cost * std::pow(total / 2, m_preferences.exponent); // of a cut that is cheaper
-    double boundary = 0, area = 0, cost = NONE;
+    double cost = NONE;
     std::size_t best = 0;
-    for(std::size_t i = 0; i + 1 < m_order.size(); ++i)
+    for(std::size_t i = 0; i + 1 < m_contours.size(); ++i)
     {
-      const std::size_t patch = m_order[i];
-      m_is_inside[patch] = true;
-      area += m_areas[static_cast<Eigen::Index>(patch)];
-      for(const auto& [neighbor, edge_cost] : m_neighbors[patch])
-        boundary += m_is_inside[neighbor] ? -edge_cost : edge_cost;
-      const double smaller = (std::min)(area, (std::max)(total - area, 1e-15));
-      if(boundary > longest || smaller < m_preferences.least_area)
+      const Contour& contour = m_contours[i];
+      const double smaller = (std::min)(contour.area, (std::max)(total - contour.area, 1e-15));
+      if(contour.cost > longest || smaller < m_preferences.least_area)
         continue;
-      const double c = (std::max)(boundary, 0.) / std::pow(smaller, m_preferences.exponent);
-      if(c < cost)
+      const double c = (std::max)(contour.cost, 0.) / std::pow(smaller, m_preferences.exponent);
+      if(c < cost && (!m_preferences.needs_reason || has_reason(i)))
       {
         cost = c;
         best = i;
@@ -182,14 +192,57 @@ private:
       m_is_on_first_side[m_order[i]] = true;
   }
 
+  void measure_contours()
+  {
+    std::fill(m_is_inside.begin(), m_is_inside.end(), false);
+    m_contours.clear();
+    Contour contour = {0, 0, 0, 0};
+    for(const std::size_t patch : m_order)
+    {
+      m_is_inside[patch] = true;
+      contour.area += m_areas[static_cast<Eigen::Index>(patch)];
+      for(const Neighbor& neighbor : m_neighbors[patch])
+      {
+        const bool is_removed = m_is_inside[neighbor.patch];
+        contour.cost += is_removed ? -neighbor.cost : neighbor.cost;
+        contour.shape_cost += is_removed ? -neighbor.shape_cost : neighbor.shape_cost;
+        contour.length += is_removed ? -neighbor.length : neighbor.length;
+      }
+      m_contours.push_back(contour);
+    }
+  }
+
+  // Whether a contour runs along what is concave, or is shorter than all contours beside it, on both
+  // sides: not so anywhere along a bar, where one cut is as good as the next. The thickness is no
+  // reason: it differs at the end of a bar.
+  bool has_reason(const std::size_t i) const
+  {
+    constexpr double most_of_length = .75, least_contrast = 1.25;
+    constexpr double width = .3, least_number_of_patches = 5; // of the bands beside the contour
+    const Contour& own = m_contours[i];
+    if(own.shape_cost <= most_of_length * own.length)
+      return true;
+    const double total = m_contours.back().area;
+    const double band = (std::max)(width * own.length * own.length,
+                                   least_number_of_patches * total / static_cast<double>(m_size));
+    if((std::min)(own.area, total - own.area) < band)
+      return false;
+    for(std::size_t j = 0; j < m_contours.size(); ++j)
+      if(j != i && std::abs(m_contours[j].area - own.area) <= band
+         && m_contours[j].shape_cost < least_contrast * own.shape_cost)
+        return false;
+    return true;
+  }
+
   Eigen::Index m_size;
   Cut_preferences m_preferences;
-  std::vector<std::vector<std::pair<std::size_t, double>>> m_neighbors;
+  std::vector<std::vector<Neighbor>> m_neighbors;
   Eigen::VectorXd m_areas;
   double m_cost = NONE;
   std::vector<bool> m_is_on_first_side;
   std::vector<bool> m_is_inside; // of the current sweep, as the next one
   std::vector<std::size_t> m_order;
+  std::vector<Contour> m_contours;
 };
 
 // The splits of a set of patches.
@@ -206,19 +259,19 @@ struct Sweep_partition
 };
 
 // Splits the part with the cheapest cut until there are as many large parts, and further as long as
-// the cost is at most `cost_limit`.
+// the cost is at most `cost_limit`. `result`: the splits that have been made, if any.
 inline Sweep_partition sweep_partition(const Patch_graph& graph, const Cut_preferences& preferences,
                                        const std::size_t least_number_of_parts,
                                        const std::size_t most_number_of_parts,
-                                       const double cost_limit)
+                                       const double cost_limit, Sweep_partition result = {})
 {
-  const auto n = static_cast<std::size_t>(graph.areas.size());
-  Sweep_partition result;
-  result.part_of_patch.assign(n, 0);
-  std::vector<std::vector<std::size_t>> parts(1, std::vector<std::size_t>(n));
-  std::iota(parts[0].begin(), parts[0].end(), std::size_t(0));
+  result.part_of_patch.resize(static_cast<std::size_t>(graph.areas.size()), 0);
+  std::vector<std::vector<std::size_t>> parts(result.number_of_parts);
+  for(std::size_t p = 0; p < result.part_of_patch.size(); ++p)
+    parts[result.part_of_patch[p]].push_back(p);
   std::vector<Sweep_cut> cuts;
-  cuts.emplace_back(graph, parts[0], preferences);
+  for(const std::vector<std::size_t>& part : parts)
+    cuts.emplace_back(graph, part, preferences);
   const auto area = [&graph](const std::vector<std::size_t>& patches) {
     double sum = 0;
     for(const std::size_t patch : patches)

@@ -67,13 +67,16 @@ CGAL_CANONICAL_POSE_3_INLINE Segmentation_tree_3 sweep_segmentation_tree(
   const Point_matrix& pose, const Segmentation_options& options)
 {
   using namespace internal;
-  constexpr Boundary_preferences preferences = {1, .3, 0};
+  Boundary_preferences preferences = {1, .3, 0};
   constexpr Cut_preferences cuts = {.7, 0};
   constexpr double cost_limit = 2;
   constexpr std::size_t number_of_patches = 250, least_number_of_leaves = 32;
   if(const Thread_limit limit(options.number_of_threads); limit.is_exceeded())
     return limit.execute([&] { return sweep_segmentation_tree(points, polygons, pose, options); });
   const Segmented_surface surface(points, polygons, pose);
+  std::size_t number_of_parts = surface.number_of_parts_of_triangles(options.number_of_parts);
+  if(number_of_parts == 0)
+    preferences.least_normal = least_normal_with_direction;
   const Face_graph graph = surface.has_pose() ? surface.graph_of_pose() : surface.graph();
   const Patches patches
     = farthest_point_patches(graph, concave_lengths(graph, preferences.edge_concavity),
@@ -81,15 +84,16 @@ CGAL_CANONICAL_POSE_3_INLINE Segmentation_tree_3 sweep_segmentation_tree(
   std::size_t number_of_parts = (std::min)(options.number_of_parts, polygons.size());
   const Patch_graph neighbors
     = patch_graph(graph, patches, preferences, Eigen::VectorXd::Zero(graph.areas.size()));
-  std::size_t number_of_parts = surface.number_of_parts_of_triangles(options.number_of_parts);
-  const Sweep_partition partition = sweep_partition(
-    neighbors, cuts, (std::max)(4 * number_of_parts, least_number_of_leaves), patches.size(), 0);
+  Sweep_partition partition;
   if(number_of_parts == 0)
-    number_of_parts = 1
-                      + static_cast<std::size_t>(
-                        std::find_if(partition.costs.begin(), partition.costs.end(),
-                                     [&](const double cost) { return cost > cost_limit; })
-                        - partition.costs.begin());
+  {
+    partition = sweep_partition(neighbors, {cuts.exponent, cuts.least_area, true}, 1,
+                                patches.size(), cost_limit);
+    number_of_parts = partition.number_of_parts;
+  }
+  partition
+    = sweep_partition(neighbors, cuts, (std::max)(4 * number_of_parts, least_number_of_leaves),
+                      patches.size(), 0, std::move(partition));
   Segmentation_tree_3 tree
     = Part_hierarchy(graph, patches, similarities_of_splits(partition)).tree(number_of_parts);
   return surface.tree_of_polygons(std::move(tree), options.number_of_parts);
