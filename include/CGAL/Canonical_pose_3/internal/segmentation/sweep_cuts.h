@@ -217,8 +217,8 @@ private:
   // reason: it differs at the end of a bar.
   bool has_reason(const std::size_t i) const
   {
-    constexpr double most_of_length = .75, least_contrast = 1.25;
-    constexpr double width = .3, least_number_of_patches = 5; // of the bands beside the contour
+    constexpr double most_of_length = .75, least_contrast = 2;
+    constexpr double width = .3, least_number_of_patches = 8; // of the bands beside the contour
     const Contour& own = m_contours[i];
     if(own.shape_cost <= most_of_length * own.length)
       return true;
