@@ -18,6 +18,8 @@
 #include "bar_body.h"
 #include "matchers.h"
 
+#include <atomic>
+
 namespace CP = CGAL::Canonical_pose_3;
 using CP::Point_matrix;
 using CP::Registration_summary;
@@ -25,15 +27,20 @@ using CP::Registration_summary;
 namespace {
 
 // Refuses matrices, so that no patch can be untangled: all except that of the registration, with n
-// rows, and those with at least `smallest_patch` rows.
+// rows, and those with at least `smallest_patch` rows. Counts the nonzeros of both kinds.
 class Refusing_factor_traits_d : public CP::Default_factor_traits_d
 {
 public:
-  static Eigen::Index rows_of_the_registration, smallest_patch;
+  static Eigen::Index rows_of_the_registration, smallest_patch, nonzeros_of_the_registration;
+  static std::atomic<Eigen::Index> nonzeros_of_patches;
 
   bool factor(const Matrix& matrix, NT& denominator)
   {
     const Eigen::Index rows = matrix.eigen_object().rows();
+    if(rows == rows_of_the_registration)
+      nonzeros_of_the_registration = matrix.eigen_object().nonZeros();
+    else
+      nonzeros_of_patches += matrix.eigen_object().nonZeros();
     return (rows == rows_of_the_registration || rows >= smallest_patch)
            && CP::Default_factor_traits_d::factor(matrix, denominator);
   }
@@ -41,6 +48,8 @@ public:
 
 Eigen::Index Refusing_factor_traits_d::rows_of_the_registration = 0;
 Eigen::Index Refusing_factor_traits_d::smallest_patch = 0;
+Eigen::Index Refusing_factor_traits_d::nonzeros_of_the_registration = 0;
+std::atomic<Eigen::Index> Refusing_factor_traits_d::nonzeros_of_patches = 0;
 
 CP::Conforming_body_3 bar() { return Canonical_pose_test::bar_body(8, 4, 4); }
 
@@ -50,6 +59,7 @@ Registration_summary run(const CP::Conforming_body_3& body, const Eigen::Index s
 {
   Refusing_factor_traits_d::rows_of_the_registration = body.points().rows();
   Refusing_factor_traits_d::smallest_patch = smallest_patch;
+  Refusing_factor_traits_d::nonzeros_of_patches = 0;
   CP::Registration_options options;
   options.detail_length = 0.02; // otherwise, cells are inverted
   options.injective = true;
@@ -89,4 +99,19 @@ TEST(Injective_last_resort, minimum_from_the_rest_pose)
   EXPECT_TRUE(summary.converged());
   EXPECT_EQ(summary.warnings.size(), 1u);
   EXPECT_LT(summary.energy, 0.9 * at_rest.energy);
+}
+
+// Where the minimum is far from the rest pose, untangling ends after the work of 40 steps of the
+// entire body. A step has a matrix with nine times the nonzeros of that of the registration, and
+// only steps of the entire body are computed here, so the limit is exact.
+TEST(Injective_last_resort, is_bounded)
+{
+  Point_matrix pose;
+  const CP::Conforming_body_3 body = Canonical_pose_test::bar_body(16, 3, 3);
+  const Registration_summary summary = run(body, 3 * body.points().rows(), pose);
+  EXPECT_LE(Refusing_factor_traits_d::nonzeros_of_patches,
+            40 * 9 * Refusing_factor_traits_d::nonzeros_of_the_registration);
+  EXPECT_EQ(summary.termination, Registration_summary::ITERATION_LIMIT);
+  EXPECT_EQ(summary.inverted, 0u);
+  EXPECT_EQ(summary.warnings.size(), 1u);
 }

@@ -60,11 +60,17 @@ public:
   // Free vertices first, then fixed ones.
   const Point_matrix& points() const { return m_points; }
 
-  // Untangles as many inverted and flat cells as possible.
-  void remove_foldovers()
+  // The steps that were computed, times the number of cells and of nonzeros of A.
+  std::size_t work() const
+  {
+    return m_steps * (m_cells.size() + static_cast<std::size_t>(m_matrix.nonZeros()));
+  }
+
+  // Untangles as many inverted and flat cells as possible in at most `steps` steps.
+  void remove_foldovers(const int steps)
   {
     double epsilon = 1;
-    for(int i = 0; i < MAXIMUM_OF_FOLDOVER_STEPS && !(least_determinant() > POSITIVE); ++i)
+    for(int i = 0; i < steps && !(least_determinant() > POSITIVE); ++i)
     {
       if(!(descend(Foldover_free_energy(epsilon)).value_or(0) > 0))
         return;
@@ -117,7 +123,6 @@ public:
   }
 
 private:
-  static constexpr int MAXIMUM_OF_FOLDOVER_STEPS = 20;
   static constexpr double POSITIVE = 1e-3, EPSILON_DECAY = 0.4, TOLERANCE = 1e-4;
 
   int free() const { return static_cast<int>(m_gradient.rows()); }
@@ -134,6 +139,7 @@ private:
   // be computed.
   std::optional<double> descend(const Inversion_penalty& penalty)
   {
+    ++m_steps;
     const double before = energy(m_points, penalty);
     const Point_matrix g = gradient(m_points, penalty);
     Point_matrix step;
@@ -230,6 +236,7 @@ private:
   Eigen::SparseMatrix<double> m_matrix;
   Point_matrix m_gradient;
   double m_total_weight = 0, m_length = 0;
+  std::size_t m_steps = 0;
 };
 
 } // namespace internal

@@ -37,7 +37,8 @@ namespace internal {
 // Untangles inverted and flat cells of a registered body locally, in patches of rings around them,
 // see `Injective_patch`; remaining ones are tried again in larger patches, as long as these are a
 // minor part of the body. As a last resort, entire components start from the rest pose, where no
-// cell is inverted. Finally, the energy of all patches is decreased.
+// cell is inverted. Finally, the energy of all patches is decreased. All this is limited by the
+// work, which is counted, not timed.
 class Injective_repair
 {
 public:
@@ -67,32 +68,35 @@ public:
   {
     std::vector<bool> was_free(static_cast<std::size_t>(points.rows()), false);
     Outcome outcome;
+    std::size_t work = 0;
     bool is_growing = true;
     for(int rings = 1; is_growing; rings *= 2)
     {
       std::vector<bool> is_free = vertices_of_inverted_cells(points);
-      if(std::find(is_free.begin(), is_free.end(), true) == is_free.end())
-        break;
       for(int ring = 0; ring < rings && is_growing; ++ring)
         is_growing = grow(is_free);
-      if(rings > 1 && 2 * std::count(is_free.begin(), is_free.end(), true) > points.rows())
-        while(is_growing) // a patch of this size takes as long as the last resort
-          is_growing = grow(is_free);
+      const int steps = (std::min)(STEPS_OF_REMOVAL, steps_within(WORK_OF_REMOVAL, work, is_free));
+      if(!is_growing || steps == 0
+         || (rings > 1 && 2 * std::count(is_free.begin(), is_free.end(), true) > points.rows()))
+        break;
       std::transform(is_free.begin(), is_free.end(), was_free.begin(), was_free.begin(),
                      std::logical_or<bool>());
-      if(is_growing)
-        for_each_patch(is_free, right_hand_side, points,
-                       [](Injective_patch& patch) { patch.remove_foldovers(); });
-      else // entire components
-        for(std::size_t v = 0; v < is_free.size(); ++v)
-          if(is_free[v])
-          {
-            points.row(static_cast<Eigen::Index>(v)) = rest.row(static_cast<Eigen::Index>(v));
-            ++outcome.vertices_from_rest;
-          }
+      work += for_each_patch(is_free, right_hand_side, points,
+                             [&](Injective_patch& patch) { patch.remove_foldovers(steps); });
     }
+    std::vector<bool> inverted = vertices_of_inverted_cells(points);
+    while(grow(inverted)) // entire components
+      ;
+    for(std::size_t v = 0; v < inverted.size(); ++v)
+      if(inverted[v])
+      {
+        points.row(static_cast<Eigen::Index>(v)) = rest.row(static_cast<Eigen::Index>(v));
+        was_free[v] = true;
+        ++outcome.vertices_from_rest;
+      }
     // the rest pose is far from the minimum
-    const int steps = outcome.vertices_from_rest > 0 ? STEPS_FROM_REST : STEPS_OF_A_PATCH;
+    const int most_steps = outcome.vertices_from_rest > 0 ? STEPS_FROM_REST : STEPS_OF_A_PATCH;
+    const int steps = (std::min)(most_steps, steps_within(WORK_OF_REPAIR, work, was_free));
     std::atomic<bool> is_minimal = true;
     for_each_patch(was_free, right_hand_side, points, [&](Injective_patch& patch) {
       if(!patch.descend_to_the_barrier(steps))
@@ -103,7 +107,35 @@ public:
   }
 
 private:
-  static constexpr int STEPS_OF_A_PATCH = 50, STEPS_FROM_REST = 500;
+  // The most steps of a patch.
+  static constexpr int STEPS_OF_REMOVAL = 20, STEPS_OF_A_PATCH = 50, STEPS_FROM_REST = 500;
+
+  // The limits of the work of all patches, without and with the final decrease of the energy, in
+  // steps of the entire body. Such a step costs some ten iterations of a registration, which has
+  // about 100.
+  static constexpr std::size_t WORK_OF_REMOVAL = 25, WORK_OF_REPAIR = 40;
+
+  // The work of a step of all patches of free vertices: the number of cells and of nonzeros.
+  std::size_t size(const std::vector<bool>& is_free) const
+  {
+    std::size_t result = 0;
+    for(const Elastic_cell& cell : m_cells)
+      result += std::any_of(cell.vertices.begin(), cell.vertices.end(),
+                            [&](const int v) { return is_free[v]; });
+    for(int j = 0; j < m_matrix.outerSize(); ++j)
+      for(Eigen::SparseMatrix<double>::InnerIterator it(m_matrix, j); it; ++it)
+        result += is_free[j] && is_free[it.row()];
+    return result;
+  }
+
+  // How many steps of all patches fit into the limit after `work`; 0 if no vertex is free.
+  int steps_within(const std::size_t limit, const std::size_t work,
+                   const std::vector<bool>& is_free) const
+  {
+    const std::size_t all = limit * size(std::vector<bool>(is_free.size(), true));
+    const std::size_t one = size(is_free);
+    return one == 0 || all < work ? 0 : static_cast<int>((all - work) / one);
+  }
 
   std::vector<bool> vertices_of_inverted_cells(const Point_matrix& points) const
   {
@@ -128,10 +160,10 @@ private:
   }
 
   // Calls the function for each patch (vertices connected through the matrix), and copies its
-  // points back.
+  // points back. Returns the work.
   template <class Function>
-  void for_each_patch(const std::vector<bool>& is_free, const Point_matrix& right_hand_side,
-                      Point_matrix& points, const Function& function) const
+  std::size_t for_each_patch(const std::vector<bool>& is_free, const Point_matrix& right_hand_side,
+                             Point_matrix& points, const Function& function) const
   {
     const std::size_t n = is_free.size();
     Disjoint_sets sets(n);
@@ -163,14 +195,17 @@ private:
             break;
           }
     });
+    std::atomic<std::size_t> work = 0;
     // reads and writes points of this patch, and reads fixed points
     for_each_index(static_cast<std::size_t>(number_of_patches), [&](const std::size_t p) {
       Injective_patch patch = make_patch(vertices[p], cells[p], right_hand_side, points);
       function(patch);
+      work += patch.work();
       int i = 0;
       for(const int v : vertices[p])
         points.row(v) = patch.points().row(i++);
     });
+    return work;
   }
 
   template <class Vertices, class Cells>
