@@ -71,8 +71,10 @@ struct Registration_options
   /// whether the result must not have inverted or flat cells, that is, cells whose orientation
   /// differs from that at rest, where none is flat. Such cells are untangled after the iteration,
   /// with their surroundings, by foldover-free maps \cgalCite{cgal:canonical-gkkprs-ffm-21}; then
-  /// the energy is decreased with a barrier that no cell crosses. If there are none, this option
-  /// has no effect. By default, it is set unless there is fairing, as with the paper's weights.
+  /// the energy is decreased with a barrier that no cell crosses. This takes at most about the time
+  /// of 400 iterations; if that is not enough to minimize the energy, the registration has not
+  /// converged. If there are no such cells, this option has no effect. By default, it is set unless
+  /// there is fairing, as with the paper's weights.
   std::optional<bool> injective;
 
   /// returns `injective`, or its default.

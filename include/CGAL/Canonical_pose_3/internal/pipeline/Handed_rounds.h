@@ -87,12 +87,44 @@ private:
     }
     const Target_handedness_3 of_other = m_registration.handedness(other.target);
     const bool fits = is_similar(other.summary, summary);
-    const bool is_certain = !fits || std::abs(of_other.volume_ratio) > LEAST_VOLUME;
+    bool is_certain = !fits || std::abs(of_other.volume_ratio) > LEAST_VOLUME;
+    if(fits && contradict(handedness, of_other))
+    {
+      const bool is_first = handedness.volume_ratio < 0;
+      Registered_body turned
+        = m_rounds.from_a_stiff_body(summary, is_first ? first : m_registration.mirrored(first));
+      take_costs(summary, turned.summary);
+      take_costs(other.summary, turned.summary);
+      if(turned.summary.termination == Registration_summary::CANCELED)
+      {
+        summary.termination = turned.summary.termination;
+        return choice;
+      }
+      is_certain = false;
+      if(turned.summary.is_usable() && is_similar(turned.summary, summary))
+      {
+        const Target_handedness_3 of_turned = m_registration.handedness(turned.target);
+        if(of_turned.volume_ratio >= 0 && of_turned.chirality > 0)
+        {
+          turned.target.summary.is_handedness_certain = of_turned.is_certain();
+          return {std::move(turned), is_first};
+        }
+      }
+    }
     if(handedness.volume_ratio >= 0 ? of_other.volume_ratio >= 0 && fits
                                     : of_other.volume_ratio >= 0 || of_other.chirality > 0)
       choice = {std::move(other), false};
     choice.registered.target.summary.is_handedness_certain = is_certain;
     return choice;
+  }
+
+  // Whether one image is inside out, and the chirality of the other one says that it is the wrong
+  // one. The former may be right side out, too, if its rounds start with a stiff body.
+  static bool contradict(const Target_handedness_3& a, const Target_handedness_3& b)
+  {
+    const Target_handedness_3& outside = a.volume_ratio < 0 ? b : a;
+    return (a.volume_ratio < 0) != (b.volume_ratio < 0) && outside.is_decided_by_chirality()
+           && outside.is_mirror_image();
   }
 
   // Whether the stress is at most slightly larger.

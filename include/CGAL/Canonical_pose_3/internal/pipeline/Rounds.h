@@ -57,12 +57,11 @@ public:
   Registered_body operator()(const Registration_summary& before, const Target_3& first,
                              const bool ends_inside_out = false) const
   {
-    constexpr double stiff = 3, softer = 1.5;
     bool has_collapsed = false;
-    Registered_body result = refined(before, first, ends_inside_out, stiff, has_collapsed);
+    Registered_body result = refined(before, first, ends_inside_out, STIFF, has_collapsed);
     if(!has_collapsed || !Surface_registration::is_complete(result))
       return result;
-    Registered_body other = refined(result.summary, first, ends_inside_out, softer, has_collapsed);
+    Registered_body other = refined(result.summary, first, ends_inside_out, SOFTER, has_collapsed);
     if(Surface_registration::is_complete(other) && has_lower_stress(other.summary, result.summary))
       return other;
     take_costs(result.summary, other.summary);
@@ -71,8 +70,15 @@ public:
     return result;
   }
 
+  // Refines `first` in the same way, starting with a stiff body.
+  Registered_body from_a_stiff_body(const Registration_summary& before, const Target_3& first) const
+  {
+    bool has_collapsed = false;
+    return refined(before, first, false, STIFF, has_collapsed, true);
+  }
+
 private:
-  static constexpr double SMALLEST_CHANGE = 1e-3, LARGEST_GROWTH = 1.1;
+  static constexpr double STIFF = 3, SOFTER = 1.5, SMALLEST_CHANGE = 1e-3, LARGEST_GROWTH = 1.1;
 
   static bool has_lower_stress(const Registration_summary& summary,
                                const Registration_summary& reference)
@@ -82,9 +88,10 @@ private:
                || summary.rounds.back().stress < reference.rounds.back().stress);
   }
 
-  // `stiff`: the factor of the detail length of a body that collapses.
+  // `stiff`: the factor of the detail length of a body that collapses, or of the first one.
   Registered_body refined(const Registration_summary& before, const Target_3& first,
-                          const bool ends_inside_out, const double stiff, bool& has_collapsed) const
+                          const bool ends_inside_out, const double stiff, bool& has_collapsed,
+                          const bool starts_stiff = false) const
   {
     Registered_body current;
     current.summary = before;
@@ -95,7 +102,9 @@ private:
     {
       Real_timer timer;
       timer.start();
-      Registered_body measured = m_registration.measured(current, stiff);
+      Registered_body measured = starts_stiff && round == 0
+                                   ? m_registration.measured_stiff(current, stiff)
+                                   : m_registration.measured(current, stiff);
       const bool is_last = round + 1 == m_number_of_rounds;
       if(is_last && !measured.is_stiff && Surface_registration::is_complete(measured))
         measured = m_registration.relaxed(measured);

@@ -224,7 +224,13 @@ public:
     take_costs(start.summary, result.summary);
     start.best_pose = result.best_pose;
     start.target_of_best_pose = result.target_of_best_pose;
-    result = registered(start, measurement_options(m_registration_options, stiff));
+    return measured_stiff(start, stiff);
+  }
+
+  Registered_body measured_stiff(const Registered_body& previous, const double stiff) const
+  {
+    Registered_body result
+      = registered(previous, measurement_options(m_registration_options, stiff));
     result.is_stiff = true;
     return result;
   }
