@@ -148,15 +148,14 @@ TEST(Components_that_follow, what_is_around)
            || std::all_of(t.begin(), t.end(),
                           [&](const std::size_t v) { return straight.points[v][0] == 4; });
   };
-  dress.triangles.erase(
-    std::remove_if(dress.triangles.begin(), dress.triangles.end(), is_end), dress.triangles.end());
+  dress.triangles.erase(std::remove_if(dress.triangles.begin(), dress.triangles.end(), is_end),
+                        dress.triangles.end());
   const Result result = pose_of(bar_and(dress), quick());
   ASSERT_EQ(result.summary.followers.size(), 1u);
   EXPECT_EQ(result.summary.followers[0].component, 0u);
   EXPECT_EQ(result.summary.followers[0].leader, 1u);
   EXPECT_FALSE(result.summary.followers[0].is_rigid);
-  EXPECT_EQ(result.pose.topRows(Eigen::Index(bar_size)),
-            pose_of(shapes::bent_bar(), quick()).pose);
+  EXPECT_EQ(result.pose.topRows(Eigen::Index(bar_size)), pose_of(shapes::bent_bar(), quick()).pose);
 }
 
 // The handle of a sword touches the bar, and the blade the handle: the sword stays in one piece.
@@ -167,9 +166,9 @@ TEST(Components_that_follow, things_of_several_pieces)
   const Result result = pose_of(soup, CP::Options());
   EXPECT_EQ(result.summary.followers.size(), 2u);
   const Eigen::Index n = result.pose.rows() - Eigen::Index(bar_size);
-  EXPECT_LT(shapes::relative_rms(shapes::to_matrix(soup.points).bottomRows(n),
-                                 result.pose.bottomRows(n)),
-            1e-9);
+  EXPECT_LT(
+    shapes::relative_rms(shapes::to_matrix(soup.points).bottomRows(n), result.pose.bottomRows(n)),
+    1e-9);
 }
 
 // Two shapes are refused, even if they touch; others may follow them.
@@ -234,8 +233,8 @@ TEST(Components_that_follow, crumbs_have_no_body)
   {
     EXPECT_EQ(follower.leader, 0u);
     const auto first = static_cast<Eigen::Index>(follower.vertex);
-    EXPECT_LT(
-      shapes::relative_rms(rest.middleRows(first, 4), result.pose.middleRows(first, 4)), 1e-9);
+    EXPECT_LT(shapes::relative_rms(rest.middleRows(first, 4), result.pose.middleRows(first, 4)),
+              1e-9);
   }
 }
 
@@ -300,9 +299,8 @@ TEST(Components_that_follow, the_order_has_no_effect)
 TEST(Components_that_follow, pieces_without_area)
 {
   for(const double height : {0., 1e-14, 1e-11})
-    for(const auto mode :
-        {CP::Options::Components::AUTOMATIC, CP::Options::Components::REFUSE,
-         CP::Options::Components::LARGEST, CP::Options::Components::EACH})
+    for(const auto mode : {CP::Options::Components::AUTOMATIC, CP::Options::Components::REFUSE,
+                           CP::Options::Components::LARGEST, CP::Options::Components::EACH})
     {
       Triangle_soup needle;
       needle.points = {{{20, 0, 0}}, {{24, 0, 0}}, {{22, height, 0}}};

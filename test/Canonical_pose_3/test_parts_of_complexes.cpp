@@ -396,7 +396,8 @@ TEST(Parts_of_complexes, closed_part)
 {
   Tetrahedral_soup soup = small_bar();
   const std::size_t n = soup.points.size();
-  for(const std::array<double, 3>& p : {std::array<double, 3>{{9, 0, 0}}, {{10, 0, 0}}, {{9, 1, 0}}, {{9, 0, 1}}})
+  for(const std::array<double, 3>& p :
+      {std::array<double, 3>{{9, 0, 0}}, {{10, 0, 0}}, {{9, 1, 0}}, {{9, 0, 1}}})
     soup.points.push_back(p);
   for(int i = 0; i < 2; ++i)
     soup.cells.push_back({{n, n + 1, n + 2, n + 3}});

@@ -132,6 +132,7 @@ TEST(Unfolding_of_the_call, pose_follows_motions_and_scaling)
 TEST(Unfolding_of_the_call, components_are_unfolded_one_by_one)
 {
   CP::Options options = unfolding();
+  options.lattice_spacing = .03; // components share the cells otherwise
   const CP::Result one = shapes::pose_of(shapes::bent_bar(), options);
   options.components = CP::Options::Components::EACH;
   const CP::Result two = shapes::pose_of(shapes::two_bars(), options);

@@ -48,8 +48,10 @@ public:
   // `share_of_cells`: of those that a lattice would have otherwise.
   Lattice_builder(const Point_matrix& points, std::vector<std::array<std::size_t, 3>> triangles,
                   Geodesic_bounds bounds, const double spacing,
-                  const std::vector<std::array<std::size_t, 3>>& caps, const double share_of_cells = 1)
-    : m_coarsening(1 / std::sqrt(share_of_cells)), m_number_of_cubes(share_of_cells * SUITABLE_NUMBER_OF_CUBES)
+                  const std::vector<std::array<std::size_t, 3>>& caps,
+                  const double share_of_cells = 1)
+    : m_coarsening(1 / std::sqrt(share_of_cells)),
+      m_number_of_cubes(share_of_cells * SUITABLE_NUMBER_OF_CUBES)
   {
     check(bounds, spacing);
     m_unit = bounds.unit();
@@ -163,8 +165,7 @@ private:
     const double total_area = area(m_surface, triangles);
     double result
       = (std::max)((std::min)(thin / 2, largest_spacing()), m_coarsening * SMALLEST_SPACING);
-    while(volume / (result * result * result) + total_area / (result * result)
-          > m_number_of_cubes)
+    while(volume / (result * result * result) + total_area / (result * result) > m_number_of_cubes)
       result *= 1.05;
     return result;
   }

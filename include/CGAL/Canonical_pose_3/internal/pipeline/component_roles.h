@@ -170,11 +170,12 @@ private:
   static constexpr double SHARE_IN_TOUCH = .33; // of the component's area
   static constexpr double SHARE_INSIDE = .5;
   static constexpr double DEFORMED_SHARE = .67; // in touch or inside, if not large
-  static constexpr double WRAPPED_SHARE = .33; // of the area of the largest
-  static constexpr double GAP = .02;           // of the diameter, between parts of one thing
+  static constexpr double WRAPPED_SHARE = .33;  // of the area of the largest
+  static constexpr double GAP = .02;            // of the diameter, between parts of one thing
   static constexpr std::size_t LARGEST_NUMBER_OF_THINGS = 32;
   static constexpr double RIGID_SIZE = .15; // of the square root of the area of the largest
-  static constexpr double SMALLEST_SHARE_OF_CELLS = .023; // between those of 43 and 44 equal components
+  static constexpr double SMALLEST_SHARE_OF_CELLS
+    = .023; // between those of 43 and 44 equal components
   static constexpr std::size_t NUMBER_OF_SAMPLES = 256, SMALLEST_NUMBER_OF_SAMPLES = 16;
   static constexpr std::size_t NUMBER_OF_SAMPLES_IN_TOTAL = 20000;
 
@@ -211,9 +212,9 @@ private:
     double share_in_touch() const
     {
       const auto number = static_cast<std::ptrdiff_t>(m_is_inside.size());
-      return static_cast<double>(std::count_if(
-               m_distances.begin(), m_distances.begin() + number,
-               [&](const double distance) { return is_close(distance); }))
+      return static_cast<double>(
+               std::count_if(m_distances.begin(), m_distances.begin() + number,
+                             [&](const double distance) { return is_close(distance); }))
              / static_cast<double>(number);
     }
 
@@ -258,8 +259,7 @@ private:
       [&](const std::size_t c, const std::size_t d) { return size(c) < size(d); });
     m_largest = mode == Options::Components::AUTOMATIC ? *largest : m_candidates.front();
     m_candidates.erase(std::find(m_candidates.begin(), m_candidates.end(), m_largest));
-    m_size_of_largest
-      = root_of_area(components[m_largest].points, components[m_largest].triangles);
+    m_size_of_largest = root_of_area(components[m_largest].points, components[m_largest].triangles);
     double small_areas = 0;
     for(const std::size_t c : m_candidates)
       if(m_areas[c] <= SMALL_AREA * m_areas[m_largest])
@@ -284,9 +284,9 @@ private:
   // found first, then those that follow these, and so on.
   void find_followers()
   {
-    const std::size_t number_of_samples = (std::max)(
-      (std::min)(NUMBER_OF_SAMPLES_IN_TOTAL / m_candidates.size(), NUMBER_OF_SAMPLES),
-      SMALLEST_NUMBER_OF_SAMPLES);
+    const std::size_t number_of_samples
+      = (std::max)((std::min)(NUMBER_OF_SAMPLES_IN_TOTAL / m_candidates.size(), NUMBER_OF_SAMPLES),
+                   SMALLEST_NUMBER_OF_SAMPLES);
     const Point_matrix points_of_largest = points_on_surface(
       m_components[m_largest].points, m_components[m_largest].triangles, number_of_samples);
     std::vector<Candidate> candidates(m_components.size());
@@ -301,9 +301,10 @@ private:
       }
     std::vector<char> wraps(m_components.size(), 0);
     for_each_index(rest.size(), [&](const std::size_t i) {
-      wraps[rest[i]] = !is_not_large(rest[i])
-                       && surrounds(rest[i], points_of_largest.topRows(
-                                               static_cast<Eigen::Index>(number_of_samples)));
+      wraps[rest[i]]
+        = !is_not_large(rest[i])
+          && surrounds(rest[i],
+                       points_of_largest.topRows(static_cast<Eigen::Index>(number_of_samples)));
     });
     for(std::vector<std::size_t> leaders = {m_largest}; !rest.empty() && !leaders.empty();)
     {
@@ -324,8 +325,7 @@ private:
 
   bool follows(const std::size_t c, const Candidate& candidate) const
   {
-    return is_small(c)
-           || (is_not_large(c) && candidate.is_in_touch())
+    return is_small(c) || (is_not_large(c) && candidate.is_in_touch())
            || candidate.share_in_touch() >= SHARE_IN_TOUCH
            || candidate.share_inside() >= SHARE_INSIDE;
   }
@@ -411,8 +411,8 @@ private:
   const std::vector<Surface_component_3>& m_components;
   const std::vector<double> m_areas; // relative to the largest
   std::vector<Component_role> m_roles;
-  std::size_t m_largest = 0; // of those that have an area
-  double m_size_of_largest = 0; // square root of its area
+  std::size_t m_largest = 0;             // of those that have an area
+  double m_size_of_largest = 0;          // square root of its area
   std::vector<std::size_t> m_candidates; // the others that have one
   bool m_are_small_ones_few = true;
 };

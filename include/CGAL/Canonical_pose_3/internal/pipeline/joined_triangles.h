@@ -41,11 +41,12 @@ inline Joined_triangles joined_triangles(const std::vector<Surface_component_3>&
     n += components[c].points.rows();
   result.points.resize(n, 3);
   n = 0;
-  const auto append = [&](const std::vector<Index_triangle>& from, std::vector<Index_triangle>& to) {
-    const auto first = static_cast<std::size_t>(n);
-    for(const Index_triangle& t : from)
-      to.push_back({t[0] + first, t[1] + first, t[2] + first});
-  };
+  const auto append
+    = [&](const std::vector<Index_triangle>& from, std::vector<Index_triangle>& to) {
+        const auto first = static_cast<std::size_t>(n);
+        for(const Index_triangle& t : from)
+          to.push_back({t[0] + first, t[1] + first, t[2] + first});
+      };
   for(const std::size_t c : indices)
   {
     append(components[c].triangles, result.triangles);

@@ -29,8 +29,7 @@ inline std::vector<double> relative_areas(const std::vector<Surface_component_3>
   std::vector<double> result;
   for(const Surface_component_3& component : components)
     result.push_back(root_of_area(component.points, component.triangles));
-  const double largest
-    = result.empty() ? 0 : *std::max_element(result.begin(), result.end());
+  const double largest = result.empty() ? 0 : *std::max_element(result.begin(), result.end());
   for(double& root : result)
     root = largest > 0 ? (root / largest) * (root / largest) : 0;
   return result;
