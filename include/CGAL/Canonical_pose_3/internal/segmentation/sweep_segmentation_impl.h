@@ -74,14 +74,14 @@ CGAL_CANONICAL_POSE_3_INLINE Segmentation_tree_3 sweep_segmentation_tree(
   if(const Thread_limit limit(options.number_of_threads); limit.is_exceeded())
     return limit.execute([&] { return sweep_segmentation_tree(points, polygons, pose, options); });
   const Segmented_surface surface(points, polygons, pose);
-  std::size_t number_of_parts = surface.number_of_parts_of_triangles(options.number_of_parts);
+  std::size_t number_of_parts = surface.number_of_parts_of_triangles(
+    (std::min)(options.number_of_parts, polygons.size()));
   if(number_of_parts == 0)
     preferences.least_normal = least_normal_with_direction;
   const Face_graph graph = surface.has_pose() ? surface.graph_of_pose() : surface.graph();
   const Patches patches
     = farthest_point_patches(graph, concave_lengths(graph, preferences.edge_concavity),
                              number_of_patches, farthest_face(graph));
-  std::size_t number_of_parts = (std::min)(options.number_of_parts, polygons.size());
   const Patch_graph neighbors
     = patch_graph(graph, patches, preferences, Eigen::VectorXd::Zero(graph.areas.size()));
   Sweep_partition partition;
