@@ -47,7 +47,8 @@ inline Result pose_of(const Polygon_soup& soup, const CGAL::Canonical_pose_3::Op
   return pose_of(soup.points, soup.polygons, options);
 }
 
-inline Triangle_soup bent_bar() { return boundary(tetrahedral_bent_bar(24, 3, 3, 2.)); }
+/// a bent bar, so fine that it is not refined
+inline Triangle_soup bent_bar() { return boundary(tetrahedral_bent_bar(48, 6, 6, 2.)); }
 
 /// two bent bars, far from each other
 inline Triangle_soup two_bars()
@@ -67,7 +68,7 @@ inline Polygon_soup bar() { return to_polygons(bent_bar()); }
 /// a bar of half the size
 inline Polygon_soup small_bar()
 {
-  return to_polygons(boundary(tetrahedral_bent_bar(16, 2, 2, 2., {{4., .5, .5}})));
+  return to_polygons(boundary(tetrahedral_bent_bar(48, 6, 6, 2., {{4., .5, .5}})));
 }
 
 /// a soup with that many isolated vertices in front

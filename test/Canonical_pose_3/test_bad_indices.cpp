@@ -204,9 +204,10 @@ TEST(Bad_indices, of_parts)
 
 TEST(Bad_indices, of_landmarks)
 {
-  const CP::Prepared_surface_3 prepared
-    = CP::prepare_surface(corners(), {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}});
-  const CP::Surface_component_3& surface = prepared.components.front().surface;
+  CP::Surface_component_3 surface;
+  surface.points = corners();
+  surface.triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+  surface.face_of_triangle = surface.origins = surface.body_origins = {0, 1, 2, 3};
   const CP::Landmark_fields_function exact
     = CP::landmark_fields_function<CP::Exact_geodesics_3<Mesh>>();
   for(const std::size_t bad : {std::size_t(4), MINUS_ONE})
@@ -227,6 +228,10 @@ TEST(Bad_indices, of_landmarks)
   CP::Coarse_surface_3 coarse = CP::coarse_surface(surface);
   EXPECT_THROW_WITH(CP::landmark_fields(coarse, options), std::invalid_argument,
                     "the given landmark 4 is not a vertex of the coarse surface");
+  options.given.landmark_fields->landmarks = {0, 1};
+  options.given.landmark_fields->distances = Eigen::MatrixXd::Ones(3, 2);
+  EXPECT_THROW_WITH(CP::landmark_fields(coarse, options), std::invalid_argument,
+                    "the given distances have 3 rows, but there are 4 vertices");
   EXPECT_THROW_WITH(CP::component_of_surface(CP::Repaired_surface_3(), MINUS_ONE),
                     std::invalid_argument, "there is no component");
 }

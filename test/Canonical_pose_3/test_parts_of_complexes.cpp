@@ -81,8 +81,8 @@ CP::Options with(const CP::Options::Components components)
 Tetrahedral_soup bar(const bool has_cavity)
 {
   const std::array<double, 3> lengths = {{8., 1.2, 1.2}};
-  const Tetrahedral_soup straight = shapes::tetrahedral_box(20, 6, 6, lengths);
-  Tetrahedral_soup soup = shapes::tetrahedral_bent_bar(20, 6, 6, 2., lengths);
+  const Tetrahedral_soup straight = shapes::tetrahedral_box(40, 6, 6, lengths);
+  Tetrahedral_soup soup = shapes::tetrahedral_bent_bar(40, 6, 6, 2., lengths);
   soup.cells.clear();
   for(const auto& cell : straight.cells)
   {
@@ -109,7 +109,7 @@ Tetrahedral_soup merged(Tetrahedral_soup a, const Tetrahedral_soup& b, const dou
   return a;
 }
 
-Tetrahedral_soup small_bar() { return shapes::tetrahedral_bent_bar(12, 2, 2, 2., {{4., .5, .5}}); }
+Tetrahedral_soup small_bar() { return shapes::tetrahedral_bent_bar(48, 6, 6, 2., {{4., .5, .5}}); }
 const Eigen::Index small_size = Eigen::Index(small_bar().points.size());
 
 // A straight bar of 10 x 1 x 1 cubes, and a bar of half the size, or a small cell, at its last vertex.
@@ -217,7 +217,8 @@ TEST(Parts_of_complexes, more_rows_than_vertices)
   options.given = both;
   const CP::Result again = pose_of(soup, options);
   EXPECT_EQ(*again.target, *both.target);
-  EXPECT_LT(shapes::relative_rms(again.pose, both.pose), 1e-2);
+  // interpolated at points that were added
+  EXPECT_LT(shapes::relative_rms(again.pose, both.pose), 3e-2);
 }
 
 // The common vertex of two parts has a row in each of them, with different targets, which lead to the
@@ -241,7 +242,8 @@ TEST(Parts_of_complexes, each_has_its_own_target_at_a_common_vertex)
   options.given = first;
   const CP::Result second = pose_of(soup, options);
   EXPECT_EQ(*second.target, *first.target);
-  EXPECT_LT(shapes::relative_rms(second.pose, first.pose), 1e-3);
+  // interpolated at points that were added
+  EXPECT_LT(shapes::relative_rms(second.pose, first.pose), 1e-2);
 }
 
 // Distances are those of the outer surface, so target and scale are those of the full bar; the
@@ -274,7 +276,7 @@ TEST(Parts_of_complexes, cavity_belongs_to_its_part)
       ++number_inside;
       EXPECT_EQ(hollow.target->row(i), hollow.pose.row(Eigen::Index(origin[std::size_t(i)])));
     }
-  EXPECT_EQ(number_inside, 11u * 5 * 5 - 9u * 3 * 3); // the sides of 10 x 4 x 4 cubes
+  EXPECT_EQ(number_inside, 21u * 5 * 5 - 19u * 3 * 3); // the sides of 20 x 4 x 4 cubes
 }
 
 TEST(Parts_of_complexes, several_are_refused)

@@ -83,17 +83,17 @@ TEST(Unfolding_of_the_call, is_the_sum_of_its_steps)
 
   const CP::Prepared_surface_3 prepared
     = CP::prepare_surface(shapes::to_matrix(soup.points), shapes::bar().polygons, options);
-  const CP::Surface_component_3& surface = prepared.components[0].surface;
-  const CP::Coarse_surface_3 coarse = CP::coarse_surface(surface, options);
-  const CP::Landmark_fields_3 fields = CP::landmark_fields(coarse, options);
-  const CP::Surface_body_3 body = CP::surface_body(surface, coarse, fields, options);
+  const auto& [surface, local] = prepared.components[0];
+  const CP::Coarse_surface_3 coarse = CP::coarse_surface(surface, local);
+  const CP::Landmark_fields_3 fields = CP::landmark_fields(coarse, local);
+  const CP::Surface_body_3 body = CP::surface_body(surface, coarse, fields, local);
   EXPECT_EQ(body.length_scale, fields.distances.leftCols(2).maxCoeff());
   EXPECT_EQ(result.summary.target.max_geodesic, body.length_scale);
-  const CP::Target_3 target = CP::unfolded_target(surface, body, options);
+  const CP::Target_3 target = CP::unfolded_target(surface, body, local);
   EXPECT_NEAR(area(target.points, surface.triangles), area(surface.points, surface.triangles),
               1e-9);
   const CP::Result joined = CP::joined_result(
-    prepared, {CP::registered_pose(surface, coarse, fields, target, body, options)});
+    prepared, {CP::registered_pose(surface, coarse, fields, target, body, local)});
   EXPECT_EQ(joined.pose, result.pose);
   EXPECT_EQ(joined.summary.energy, result.summary.energy);
 }

@@ -116,7 +116,11 @@ CGAL_CANONICAL_POSE_3_INLINE Landmark_fields_3 landmark_fields(const Coarse_surf
                                                                const Component_options& options)
 {
   if(options.given.landmark_fields)
+  {
+    internal::check_shape(*options.given.landmark_fields, coarse.number_of_surface_vertices(),
+                          "the given distances");
     return internal::fields_at(*options.given.landmark_fields, coarse);
+  }
   return landmark_fields(coarse.surface, options);
 }
 

@@ -135,8 +135,8 @@ CGAL_CANONICAL_POSE_3_INLINE Segmentation_tree_3 consensus_segmentation_tree(
                                                  number_of_patches, farthest_face(graph));
   const Lines_of_sight lines(graph, triangles, patches.centers);
   const Eigen::VectorXd log_thickness = smoothed(graph, patches, lines.log_thickness());
-  const std::size_t number_of_parts = surface.number_of_parts_of_triangles(
-    (std::min)(options.number_of_parts, polygons.size()));
+  const std::size_t requested_number = (std::min)(options.number_of_parts, polygons.size());
+  const std::size_t number_of_parts = surface.number_of_parts_of_triangles(requested_number);
   const bool is_number_given = number_of_parts > 0;
   bool is_pose_faithful = false;
   std::vector<Viewed_surface> geometries = {{graph, lines.visibility(), lines.distances()}};
@@ -160,7 +160,7 @@ CGAL_CANONICAL_POSE_3_INLINE Segmentation_tree_3 consensus_segmentation_tree(
                               votes.similarities(number_of_parts, options.random_seed))
             .tree(number_of_parts)
         : tree_with_agreement(graph, patches, votes, options.random_seed);
-  return surface.tree_of_polygons(std::move(tree), options.number_of_parts);
+  return surface.tree_of_polygons(std::move(tree), requested_number);
 }
 
 } // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION

@@ -74,8 +74,8 @@ CGAL_CANONICAL_POSE_3_INLINE Segmentation_tree_3 sweep_segmentation_tree(
   if(const Thread_limit limit(options.number_of_threads); limit.is_exceeded())
     return limit.execute([&] { return sweep_segmentation_tree(points, polygons, pose, options); });
   const Segmented_surface surface(points, polygons, pose);
-  std::size_t number_of_parts = surface.number_of_parts_of_triangles(
-    (std::min)(options.number_of_parts, polygons.size()));
+  const std::size_t requested_number = (std::min)(options.number_of_parts, polygons.size());
+  std::size_t number_of_parts = surface.number_of_parts_of_triangles(requested_number);
   if(number_of_parts == 0)
     preferences.least_normal = least_normal_with_direction;
   const Face_graph graph = surface.has_pose() ? surface.graph_of_pose() : surface.graph();
@@ -96,7 +96,7 @@ CGAL_CANONICAL_POSE_3_INLINE Segmentation_tree_3 sweep_segmentation_tree(
                       patches.size(), 0, std::move(partition));
   Segmentation_tree_3 tree
     = Part_hierarchy(graph, patches, similarities_of_splits(partition)).tree(number_of_parts);
-  return surface.tree_of_polygons(std::move(tree), options.number_of_parts);
+  return surface.tree_of_polygons(std::move(tree), requested_number);
 }
 
 } // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
