@@ -68,7 +68,7 @@ inline Polygon_soup bar() { return to_polygons(bent_bar()); }
 /// a bar of half the size
 inline Polygon_soup small_bar()
 {
-  return to_polygons(boundary(tetrahedral_bent_bar(48, 6, 6, 2., {{4., .5, .5}})));
+  return to_polygons(boundary(tetrahedral_bent_bar(56, 6, 6, 2., {{4., .5, .5}})));
 }
 
 /// a soup with that many isolated vertices in front

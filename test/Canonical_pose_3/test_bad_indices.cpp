@@ -227,7 +227,7 @@ TEST(Bad_indices, of_landmarks)
   options.given.landmark_fields->distances = Eigen::MatrixXd::Ones(4, 2);
   CP::Coarse_surface_3 coarse = CP::coarse_surface(surface);
   EXPECT_THROW_WITH(CP::landmark_fields(coarse, options), std::invalid_argument,
-                    "the given landmark 4 is not a vertex of the coarse surface");
+                    "the given distances have landmark 4, but there are 4 vertices");
   options.given.landmark_fields->landmarks = {0, 1};
   options.given.landmark_fields->distances = Eigen::MatrixXd::Ones(3, 2);
   EXPECT_THROW_WITH(CP::landmark_fields(coarse, options), std::invalid_argument,

@@ -141,7 +141,8 @@ TEST(Coarse_meshes, pose_of_a_subdivision)
 {
   for(Soup soup : {box(3, 2, 1), box(10, 1, 1), box(4, 3, .3), l_prism(), u_prism(),
                    shapes::tube_soup(6, 8, 6, 1), shapes::torus_soup(20, 10, 2, .6), ellipsoid(1),
-                   ellipsoid(2), shapes::bent_bar()})
+                   ellipsoid(2),
+                   shapes::boundary(shapes::tetrahedral_bent_bar(24, 3, 3, 2.))})
   {
     const Point_matrix coarse = pose(soup);
     const std::size_t n = soup.points.size();

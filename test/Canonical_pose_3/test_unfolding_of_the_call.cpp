@@ -104,7 +104,7 @@ TEST(Unfolding_of_the_call, bent_and_straight_bars_have_the_same_pose)
 {
   const shapes::Triangle_soup bent = shapes::bent_bar();
   const shapes::Triangle_soup straight
-    = shapes::boundary(shapes::tetrahedral_bent_bar(24, 3, 3, 0.));
+    = shapes::boundary(shapes::tetrahedral_bent_bar(48, 6, 6, 0.));
   const double before
     = shapes::relative_rms(shapes::to_matrix(bent.points), shapes::to_matrix(straight.points));
   const double after = shapes::relative_rms(shapes::pose_of(bent, unfolding()).pose,
@@ -188,10 +188,9 @@ TEST(Unfolding_of_the_call, options_of_other_targets_are_refused)
   options = unfolding();
   options.takes_mirror_image = true;
   refuses(options, "takes_mirror_image");
-  options = unfolding();
-  options.unfolding.weight = -1;
-  refuses(options, "the weight of the unfolding");
-  options = CP::Options();
-  options.unfolding.weight = -1; // not used
-  EXPECT_TRUE(shapes::pose_of(soup, options).is_usable());
+  for(CP::Options any : {unfolding(), CP::Options()}) // also where it is not used
+  {
+    any.unfolding.weight = -1;
+    refuses(any, "option unfolding.weight");
+  }
 }

@@ -45,12 +45,12 @@ namespace internal {
 class Lattice_builder
 {
 public:
-  // `share_of_cells`: of those that a lattice would have otherwise.
+  // `share_of_cells`: of those that a lattice would have otherwise, if no spacing is requested.
   Lattice_builder(const Point_matrix& points, std::vector<std::array<std::size_t, 3>> triangles,
                   Geodesic_bounds bounds, const double spacing,
                   const std::vector<std::array<std::size_t, 3>>& caps,
                   const double share_of_cells = 1)
-    : m_coarsening(1 / std::sqrt(share_of_cells)),
+    : m_coarsening(spacing > 0 ? 1 : 1 / std::sqrt(share_of_cells)),
       m_number_of_cubes(share_of_cells * SUITABLE_NUMBER_OF_CUBES)
   {
     check(bounds, spacing);
