@@ -279,5 +279,5 @@ TEST(Unfolding, refuses_what_has_no_minimum)
   for(const double weight :
       {0., -1., std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
     EXPECT_THROW_WITH(registrar.set_unfolding(with_weight(weight)), std::invalid_argument,
-                      "the weight of the unfolding is");
+                      "option unfolding.weight is");
 }

@@ -161,7 +161,7 @@ struct Method_options
   std::size_t number_of_coarse_vertices = 5000;
 
   /// number of landmarks, at least 1. If it exceeds the number \f$ n \f$ of vertices, \f$ n \f$ is
-  /// used. The number used must be at most 4096 and at most \f$ 2^{29} / n \f$.
+  /// used, or 80 if vertices are added because there are too few of them. The number used must be at most 4096 and at most \f$ 2^{29} / n \f$.
   std::size_t number_of_landmarks = 80;
 
   /// if 0, the first landmark is `extremal_point()`; otherwise it is drawn with this seed. Nothing

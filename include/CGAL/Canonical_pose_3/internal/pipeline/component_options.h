@@ -202,6 +202,9 @@ inline void refine(std::vector<Prepared_surface_3::Component>& components)
     if(options.paper_weights || options.make_body || !is_coarse(surface.points, surface.triangles))
       continue;
     surface = refined_surface(surface, (std::min)(surface.share_of_cells / all, 1.));
+    options.number_of_landmarks
+      = (std::min)(options.number_of_landmarks,
+                   (std::max)(surface.origins.size(), Method_options().number_of_landmarks));
     if(options.given.target)
       options.given.target = with_added(surface, *options.given.target);
     if(options.given.landmark_fields)
