@@ -69,6 +69,19 @@ Canonical_pose_test::Triangle_soup row_of_balls_soup(const std::size_t rings,
   return soup;
 }
 
+// A surface of triangles, and a copy of it beside it.
+Polygon_soup twice(Polygon_soup soup, const Eigen::RowVector3d& translation)
+{
+  const std::size_t n = soup.polygons.size(), v = static_cast<std::size_t>(soup.points.rows());
+  soup.points.conservativeResize(2 * soup.points.rows(), 3);
+  soup.points.bottomRows(soup.points.rows() / 2)
+    = soup.points.topRows(soup.points.rows() / 2).rowwise() + translation;
+  for(std::size_t f = 0; f < n; ++f)
+    soup.polygons.push_back(
+      {soup.polygons[f][0] + v, soup.polygons[f][1] + v, soup.polygons[f][2] + v});
+  return soup;
+}
+
 Polygon_soup row_of_balls() { return polygon_soup(row_of_balls_soup(80, 24)); }
 
 // The row with a small ball at each end, of a five-hundredth of the area; the circles in which these
@@ -299,11 +312,13 @@ TEST_P(Segmentation, number_of_parts_is_determined)
 TEST_P(Segmentation, what_has_no_parts_is_one)
 {
   using Canonical_pose_test::tube_soup;
-  const auto number = [&](const Canonical_pose_test::Triangle_soup& soup) {
-    const Polygon_soup polygons = polygon_soup(soup);
+  const auto number_of_polygons = [&](const Polygon_soup& polygons) {
     const Segmentation_tree_3 result = tree(polygons, with_parts(0));
     EXPECT_EQ(result.number_of_parts, number_of(result.parts()));
     return result.number_of_parts;
+  };
+  const auto number = [&](const Canonical_pose_test::Triangle_soup& soup) {
+    return number_of_polygons(polygon_soup(soup));
   };
   EXPECT_EQ(number(tube_soup(25, 16, 5, .5)), 1u);
   EXPECT_EQ(number(tube_soup(80, 12, 20, .5)), 1u);
@@ -312,6 +327,45 @@ TEST_P(Segmentation, what_has_no_parts_is_one)
   EXPECT_EQ(number(Canonical_pose_test::plane_grid_soup(160, 4, 40, 1)), 1u);
   EXPECT_EQ(number(Canonical_pose_test::icosphere_soup(3, 1)), 1u);
   EXPECT_EQ(number(Canonical_pose_test::torus_soup(60, 20, 1, .3)), 1u);
+  EXPECT_EQ(number_of_polygons(twice(polygon_soup(tube_soup(80, 12, 20, .5)), {0, 5, 0})), 2u);
+}
+
+// The teeth of a comb are bars that meet its back at concave edges. Each is cut off, although within
+// the comb most cuts have others as good beside them.
+TEST_P(Segmentation, teeth_of_a_comb_are_parts)
+{
+  constexpr double back = 6, length_of_teeth = 10, period = 4, width = 2;
+  const Canonical_pose_test::Tetrahedral_soup box
+    = Canonical_pose_test::tetrahedral_box(18, 16, 2, {18, back + length_of_teeth, 2});
+  Canonical_pose_test::Tetrahedral_soup comb = box;
+  comb.cells.clear();
+  for(const auto& cell : box.cells)
+  {
+    double x = 0, y = 0;
+    for(const std::size_t v : cell)
+    {
+      x += box.points[v][0] / 4;
+      y += box.points[v][1] / 4;
+    }
+    if(y < back || std::fmod(x, period) < width)
+      comb.cells.push_back(cell);
+  }
+  const Polygon_soup soup = polygon_soup(Canonical_pose_test::boundary(comb));
+  const Parts parts = tree(soup, with_parts(0)).parts();
+  std::vector<std::set<std::size_t>> of_tooth(5);
+  for(std::size_t f = 0; f < parts.size(); ++f)
+  {
+    const auto v = static_cast<Eigen::Index>(soup.polygons[f][0]);
+    if(soup.points(v, 1) > back + length_of_teeth - width)
+      of_tooth[static_cast<std::size_t>(soup.points(v, 0) / period)].insert(parts[f]);
+  }
+  std::set<std::size_t> all;
+  for(const std::set<std::size_t>& own : of_tooth)
+  {
+    EXPECT_EQ(own.size(), 1u);
+    all.insert(own.begin(), own.end());
+  }
+  EXPECT_EQ(all.size(), 5u);
 }
 
 // Two parts of a row of three balls are one ball and two balls.
@@ -529,14 +583,9 @@ TEST(Consensus_segmentation, fins_of_a_body_are_parts)
 
 TEST_P(Segmentation, each_component_has_a_part)
 {
-  Polygon_soup soup = polygon_soup(Canonical_pose_test::icosphere_soup(2, 1));
-  const std::size_t n = soup.polygons.size(), v = static_cast<std::size_t>(soup.points.rows());
-  soup.points.conservativeResize(2 * soup.points.rows(), 3);
-  soup.points.bottomRows(soup.points.rows() / 2)
-    = soup.points.topRows(soup.points.rows() / 2).rowwise() + Eigen::RowVector3d(10, 0, 0);
-  for(std::size_t f = 0; f < n; ++f)
-    soup.polygons.push_back(
-      {soup.polygons[f][0] + v, soup.polygons[f][1] + v, soup.polygons[f][2] + v});
+  const Polygon_soup soup
+    = twice(polygon_soup(Canonical_pose_test::icosphere_soup(2, 1)), {10, 0, 0});
+  const std::size_t n = soup.polygons.size() / 2;
   const Segmentation_tree_3 result = tree(soup, with_parts(1));
   EXPECT_EQ(result.least_number_of_parts(), 2u);
   const Parts parts = result.parts();

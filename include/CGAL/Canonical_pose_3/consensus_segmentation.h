@@ -71,7 +71,7 @@ boundaries are moved such that they are short and run along concave edges. A pos
 fifth of the volume of the surface (both scaled to the same area), or of its lines of sight, does not
 vote. A pose with more than 1.1 times the volume, such as that of a cup, whose wall bulges, does not
 vote if the number of parts is not given, and is not compared with the surface if it is. If the number
-is not given, sweep cuts are made only where the shape is concave or has a neck, so a bar is one part.
+is not given, components that are concave nowhere and have no neck, such as bars, are not divided.
 Each component with less than a three-hundredth of the area is one part, and does not take part.
 
 \tparam TriangleMesh a model of `FaceListGraph`

@@ -61,7 +61,7 @@ Segmentation_tree_3 sweep_segmentation_tree(const Point_matrix& points,
 The surface is split in two, then one of the parts again, and so on; each time, by the cheapest of
 the cuts along level sets of heat kernels and of eigenvectors of the Laplacian, where boundaries cost
 their length, less at concave edges, divided by a power of the smaller area. If the number of parts is
-not given, cuts are made only where the shape is concave or has a neck, so a bar is one part. Each
+not given, components that are concave nowhere and have no neck, such as bars, are not divided. Each
 component with less than a three-hundredth of the area is one part.
 
 \tparam TriangleMesh a model of `FaceListGraph`

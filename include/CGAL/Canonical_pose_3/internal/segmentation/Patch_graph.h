@@ -37,7 +37,8 @@ struct Patch_graph
     double cost;           // of a boundary between the two
     double conductance;    // the cost by the distance of the centroids
     double length = 0;     // of the boundary
-    double shape_cost = 0; // the cost without the factor of the thickness
+    double shape_cost = 0; // the cost without the thickness, and without mean normals that have no
+                           // direction, such as those of patches around a bar
   };
 
   Eigen::VectorXd areas;
@@ -51,10 +52,7 @@ struct Boundary_preferences
   double patch_concavity; // scale of the angles between the mean normals of patches; 0: ignored
   double thickness_ratio; // scale of the differences of the logarithm of the thickness; 0: ignored
   double least_of_concavity = least_concavity_factor; // least factor for a concave edge or angle
-  double least_normal = 0; // length of a mean normal; that of a patch around a bar has no direction
 };
-
-inline constexpr double least_normal_with_direction = .5;
 
 // Costs of the boundaries between patches: lengths, times a factor for each preference.
 // `log_thickness`: one value per face.
@@ -63,6 +61,7 @@ inline Patch_graph patch_graph(const Face_graph& graph, const Patches& patches,
                                const Eigen::VectorXd& log_thickness)
 {
   constexpr double least_of_thickness = .2, shortest_distance = 1e-9;
+  constexpr double least_with_direction = .5; // length of a mean normal
   Patch_graph result;
   result.areas = patch_areas(graph, patches);
   const Row_vectors centroids = patch_means(graph, patches, graph.centroids, result.areas);
@@ -90,11 +89,14 @@ inline Patch_graph patch_graph(const Face_graph& graph, const Patches& patches,
     const auto a = static_cast<Eigen::Index>(edge.a), b = static_cast<Eigen::Index>(edge.b);
     const Eigen::RowVector3d difference = centroids.row(b) - centroids.row(a);
     const Eigen::RowVector3d na = normals.row(a), nb = normals.row(b);
-    if(preferences.patch_concavity > 0 && (na - nb).dot(difference) > 0
-       && (std::min)(na.norm(), nb.norm()) >= preferences.least_normal)
+    edge.shape_cost = edge.cost;
+    if(preferences.patch_concavity > 0 && (na - nb).dot(difference) > 0)
+    {
       edge.cost *= concavity_factor(angle_between(na, nb), preferences.patch_concavity,
                                     preferences.least_of_concavity);
-    edge.shape_cost = edge.cost;
+      if((std::min)(na.norm(), nb.norm()) >= least_with_direction)
+        edge.shape_cost = edge.cost;
+    }
     if(preferences.thickness_ratio > 0)
     {
       const double ratio = (thickness[b] - thickness[a]) / preferences.thickness_ratio;

@@ -198,8 +198,6 @@ private:
       const double w = evenly_spread(i, 2) / share_with_normals;
       preferences.patch_concavity = w < 1 ? .3 + .7 * w : 0;
       preferences.thickness_ratio = m_is_number_given || i / 2 % 2 == 0 ? .4 : 0;
-      if(number_of_parts == 0)
-        preferences.least_normal = least_normal_with_direction;
       if(m_compares_poses)
         preferences.least_of_concavity = .3;
       if(m_compares_poses && m_has_limbs && i % 3 == 0) // intrinsic
@@ -225,7 +223,7 @@ private:
     const Sweep_partition parts = sweep_partition(
       m_compares_poses ? joint_patch_graph(own, preferences)
                        : patch_graph(graph, own, preferences, m_thickness_of_face),
-      {exponent, m_is_number_given ? least_area(number_of_parts) : 0, !is_given},
+      {exponent, m_is_number_given ? least_area(number_of_parts) : 0, is_given ? 0 : COST_LIMIT},
       (std::max)(number_of_parts, std::size_t(1)), is_given ? number_of_parts : MOST_PARTS,
       is_given ? 0 : COST_LIMIT);
     return {largest_parts(graph, own, parts), parts.number_of_large_parts};

@@ -35,8 +35,9 @@ struct Cut_preferences
 {
   double exponent; // the cost of a cut is that of its boundary by this power of the smaller area: 0
                    // is the cheapest boundary, 1 the one of smallest conductance
-  double least_area;         // of both sides
-  bool needs_reason = false; // whether a cut is made only where it is better than those beside it
+  double least_area; // of both sides
+  // A component has cuts only if one of at most this cost has a reason; 0: none is needed.
+  double reason_limit = 0;
 };
 
 // Splits a set of patches in two: the cheapest of the cuts along level sets of smooth functions,
@@ -50,7 +51,8 @@ public:
   Sweep_cut(const Patch_graph& graph, const std::vector<std::size_t>& patches,
             const Cut_preferences& preferences)
     : m_size(static_cast<Eigen::Index>(patches.size())), m_preferences(preferences),
-      m_neighbors(patches.size()), m_areas(m_size), m_is_inside(patches.size())
+      m_has_reason(!(preferences.reason_limit > 0)), m_neighbors(patches.size()), m_areas(m_size),
+      m_is_inside(patches.size())
   {
     if(m_size < 2)
       return;
@@ -67,7 +69,9 @@ public:
 
   // NONE if there is no cut, 0 if the set is not connected. Components may be smaller than the least
   // area.
-  double cost() const { return m_cost; }
+  double cost() const { return m_has_reason ? m_cost : NONE; }
+
+  const Cut_preferences& preferences() const { return m_preferences; }
 
   // Whether each patch of the set is on the first side.
   const std::vector<bool>& is_on_first_side() const { return m_is_on_first_side; }
@@ -131,6 +135,7 @@ private:
     if(reached.size() == m_neighbors.size())
       return false;
     m_cost = 0;
+    m_has_reason = true;
     m_is_on_first_side = std::move(is_reached);
     return true;
   }
@@ -175,10 +180,11 @@ private:
     {
       const Contour& contour = m_contours[i];
       const double smaller = (std::min)(contour.area, (std::max)(total - contour.area, 1e-15));
-      if(contour.cost > longest || smaller < m_preferences.least_area)
+      if((contour.cost > longest && m_has_reason) || smaller < m_preferences.least_area)
         continue;
       const double c = (std::max)(contour.cost, 0.) / std::pow(smaller, m_preferences.exponent);
-      if(c < cost && (!m_preferences.needs_reason || has_reason(i)))
+      m_has_reason = m_has_reason || (c <= m_preferences.reason_limit && has_reason(i));
+      if(c < cost)
       {
         cost = c;
         best = i;
@@ -212,12 +218,12 @@ private:
     }
   }
 
-  // Whether a contour runs along what is concave, or is shorter than all contours beside it, on both
-  // sides: not so anywhere along a bar, where one cut is as good as the next. The thickness is no
+  // Whether a contour runs along what is concave, or is much cheaper than all contours beside it, on
+  // both sides: not so anywhere along a bar, where one cut is as good as the next. The thickness is no
   // reason: it differs at the end of a bar.
   bool has_reason(const std::size_t i) const
   {
-    constexpr double most_of_length = .75, least_contrast = 2;
+    constexpr double most_of_length = .85, least_contrast = 2;
     constexpr double width = .3, least_number_of_patches = 8; // of the bands beside the contour
     const Contour& own = m_contours[i];
     if(own.shape_cost <= most_of_length * own.length)
@@ -227,15 +233,15 @@ private:
                                    least_number_of_patches * total / static_cast<double>(m_size));
     if((std::min)(own.area, total - own.area) < band)
       return false;
-    for(std::size_t j = 0; j < m_contours.size(); ++j)
-      if(j != i && std::abs(m_contours[j].area - own.area) <= band
-         && m_contours[j].shape_cost < least_contrast * own.shape_cost)
-        return false;
-    return true;
+    return std::none_of(m_contours.begin(), m_contours.end(), [&](const Contour& other) {
+      return &other != &own && std::abs(other.area - own.area) <= band
+             && other.shape_cost < least_contrast * own.shape_cost;
+    });
   }
 
   Eigen::Index m_size;
   Cut_preferences m_preferences;
+  bool m_has_reason;
   std::vector<std::vector<Neighbor>> m_neighbors;
   Eigen::VectorXd m_areas;
   double m_cost = NONE;
@@ -303,8 +309,11 @@ inline Sweep_partition sweep_partition(const Patch_graph& graph, const Cut_prefe
       ++result.number_of_large_parts;
     result.parents.push_back(parent);
     result.costs.push_back(cost);
-    cuts[parent] = Sweep_cut(graph, parts[parent], preferences);
-    cuts.emplace_back(graph, parts.back(), preferences);
+    Cut_preferences of_sides = cheapest->preferences();
+    if(cost > 0) // sides of a cut are no components
+      of_sides.reason_limit = 0;
+    cuts[parent] = Sweep_cut(graph, parts[parent], of_sides);
+    cuts.emplace_back(graph, parts.back(), of_sides);
   }
   result.number_of_parts = parts.size();
   return result;

@@ -67,7 +67,7 @@ CGAL_CANONICAL_POSE_3_INLINE Segmentation_tree_3 sweep_segmentation_tree(
   const Point_matrix& pose, const Segmentation_options& options)
 {
   using namespace internal;
-  Boundary_preferences preferences = {1, .3, 0};
+  constexpr Boundary_preferences preferences = {1, .3, 0};
   constexpr Cut_preferences cuts = {.7, 0};
   constexpr double cost_limit = 2;
   constexpr std::size_t number_of_patches = 250, least_number_of_leaves = 32;
@@ -76,8 +76,6 @@ CGAL_CANONICAL_POSE_3_INLINE Segmentation_tree_3 sweep_segmentation_tree(
   const Segmented_surface surface(points, polygons, pose);
   const std::size_t requested_number = (std::min)(options.number_of_parts, polygons.size());
   std::size_t number_of_parts = surface.number_of_parts_of_triangles(requested_number);
-  if(number_of_parts == 0)
-    preferences.least_normal = least_normal_with_direction;
   const Face_graph graph = surface.has_pose() ? surface.graph_of_pose() : surface.graph();
   const Patches patches
     = farthest_point_patches(graph, concave_lengths(graph, preferences.edge_concavity),
@@ -87,7 +85,7 @@ CGAL_CANONICAL_POSE_3_INLINE Segmentation_tree_3 sweep_segmentation_tree(
   Sweep_partition partition;
   if(number_of_parts == 0)
   {
-    partition = sweep_partition(neighbors, {cuts.exponent, cuts.least_area, true}, 1,
+    partition = sweep_partition(neighbors, {cuts.exponent, cuts.least_area, cost_limit}, 1,
                                 patches.size(), cost_limit);
     number_of_parts = partition.number_of_parts;
   }
