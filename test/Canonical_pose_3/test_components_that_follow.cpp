@@ -116,7 +116,22 @@ Triangle_soup tetrahedra_in_a_row(const std::size_t number)
 
 TEST(Components_that_follow, small_ones)
 {
-  expect_one_follower(tetrahedron({{0, 9, 0}}, .5), true);
+  expect_one_follower(tetrahedron({{0, 1.5, 0}}, .5), true);
+}
+
+// The rotation of the end of the bar would carry it away.
+TEST(Components_that_follow, those_far_away_keep_their_place)
+{
+  const Triangle_soup soup = bar_and(tetrahedron({{0, 9, 0}}, .5));
+  for(const auto mode : {CP::Options::Components::AUTOMATIC, CP::Options::Components::EACH})
+  {
+    CP::Options options;
+    options.components = mode;
+    const Result result = pose_of(soup, options);
+    EXPECT_EQ(result.pose.bottomRows(4), shapes::to_matrix(soup.points).bottomRows(4));
+    ASSERT_EQ(result.summary.followers.size(), 1u);
+    EXPECT_EQ(result.summary.followers[0].leader, 1u);
+  }
 }
 
 // A fifth of the area of the bar.

@@ -106,7 +106,8 @@ TEST(Mesh_3_body, refuses_by_name)
   EXPECT_THROW_WITH(CP::mesh_3_body(mesh, mesh.points(), 10., 1. / 20), std::runtime_error, "thin");
   EXPECT_THROW_WITH(CP::mesh_3_body(mesh, mesh.points(), 10., 1e-5), std::invalid_argument,
                     "a thousandth");
-  EXPECT_THROW_WITH(CP::mesh_3_body(mesh, mesh.points(), NAN), std::invalid_argument, "not finite");
+  EXPECT_THROW_WITH(CP::mesh_3_body(mesh, mesh.points(), NAN), std::invalid_argument,
+                    "length_scale is nan");
   mesh = Canonical_pose_test::torus<Mesh>(24, 12, 1., 0.4);
   mesh.point(Mesh::Vertex_index(0)) = Mesh::Point(-3, 0, 0);
   EXPECT_THROW_WITH(CP::mesh_3_body(mesh, mesh.points(), 5.), std::invalid_argument,

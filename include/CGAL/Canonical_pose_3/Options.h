@@ -123,9 +123,10 @@ struct Method_options
   /// most 5 % of that (small), or 25 % if it touches what moves with it; if a third of its area is in
   /// contact with that, within 5 % of its diameter; if half of it lies inside; or if it wraps a third
   /// of the largest, like a dress. What is in contact or inside almost entirely, or large, and not
-  /// tiny, is deformed with the body; the rest moves rigidly. See `Registration_summary::followers`.
-  /// Pieces without area, and small fragments that are connected to another component by a vertex,
-  /// follow in any case.
+  /// tiny, is deformed with the body; the rest moves rigidly. With `AUTOMATIC` and `EACH`, what is
+  /// farther away than a quarter of the diameter of the largest one keeps its place. Pieces without
+  /// area, and small fragments that are connected to another component by a vertex, follow in any
+  /// case. See `Registration_summary::followers`.
   enum class Components { AUTOMATIC, REFUSE, LARGEST, EACH };
 
   /// how to handle handles of a surface that look like false contacts of its parts: keep them, or cut

@@ -160,6 +160,8 @@ public:
           roles.m_roles[c].kind = Component_role::RIGID;
       roles.unite_rigid_ones();
     }
+    if(mode != Options::Components::LARGEST)
+      roles.leave_those_far_away();
     return roles.m_roles;
   }
 
@@ -171,6 +173,7 @@ private:
   static constexpr double SHARE_INSIDE = .5;
   static constexpr double DEFORMED_SHARE = .67; // in touch or inside, if not large
   static constexpr double WRAPPED_SHARE = .33;  // of the area of the largest
+  static constexpr double REACH = .25;          // of the diameter of the largest
   static constexpr double GAP = .02;            // of the diameter, between parts of one thing
   static constexpr std::size_t LARGEST_NUMBER_OF_THINGS = 32;
   static constexpr double RIGID_SIZE = .15; // of the square root of the area of the largest
@@ -392,6 +395,32 @@ private:
     const Component_labels labels = label_components(groups);
     for(const std::size_t c : rigid)
       m_roles[c].group = labels.of_items[c];
+  }
+
+  // What is far away keeps its place: the rotation of the nearest limb would carry it away.
+  void leave_those_far_away()
+  {
+    std::vector<std::size_t> leaders, rigid;
+    for(std::size_t c = 0; c < m_roles.size(); ++c)
+      if(m_components[c].points.rows() > 0)
+        (m_roles[c].kind == Component_role::POSED || m_roles[c].kind == Component_role::DEFORMED
+           ? leaders
+           : rigid)
+          .push_back(c);
+    if(leaders.empty() || rigid.empty())
+      return;
+    const Component_neighborhood body(m_components, leaders);
+    const double reach = REACH * diameter(m_components[m_largest].points);
+    std::vector<char> is_near(rigid.size(), 0);
+    for_each_index(rigid.size(), [&](const std::size_t i) {
+      is_near[i] = distance(m_components[rigid[i]].points, body) <= reach;
+    });
+    std::vector<char> is_group_near(m_roles.size(), 0);
+    for(std::size_t i = 0; i < rigid.size(); ++i)
+      is_group_near[m_roles[rigid[i]].group] |= is_near[i];
+    for(const std::size_t c : rigid)
+      if(!is_group_near[m_roles[c].group])
+        m_roles[c].kind = Component_role::FIXED;
   }
 
   static double distance(const Point_matrix& points, const Component_neighborhood& neighborhood)

@@ -19,6 +19,7 @@
 #include <CGAL/Canonical_pose_3/internal/pipeline/with_geodesics.h>
 #include <CGAL/Canonical_pose_3/internal/soup/Face_defect.h>
 #include <CGAL/Canonical_pose_3/internal/soup/Indexed_mesh.h>
+#include <CGAL/Canonical_pose_3/internal/soup/has_area.h>
 #include <CGAL/Canonical_pose_3/internal/soup/refined_surface.h>
 #include <CGAL/Canonical_pose_3/internal/soup/without_degenerate_faces.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
@@ -91,6 +92,10 @@ inline Eigen::MatrixXd distances_by_function(const Split_surface& surface,
                                              const std::vector<std::size_t>& sources,
                                              const Distances_function& function)
 {
+  Point_matrix normalized = surface.points;
+  normalize(normalized);
+  if(!has_area(normalized, surface.triangles))
+    throw Face_defect(0, "is degenerate, and so are all the others");
   const Eigen::MatrixXd distances = with_faces_of_input(surface.face_of_triangle, [&] {
     return function(without_degenerate_faces(surface.points, surface.triangles), surface.triangles,
                     sources);
