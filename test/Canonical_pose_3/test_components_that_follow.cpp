@@ -100,7 +100,7 @@ Triangle_soup crumbs(const std::size_t number)
 {
   Triangle_soup soup;
   for(std::size_t i = 0; i < number; ++i)
-    append(soup, tetrahedron({{.1 * double(i), 1.5, 3}}, .02));
+    append(soup, tetrahedron(shapes::bend({{8 * double(i) / double(number), 1.5, .5}}, 8, 2), .02));
   return soup;
 }
 
