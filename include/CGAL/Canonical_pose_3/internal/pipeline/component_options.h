@@ -28,7 +28,6 @@
 #include <CGAL/Canonical_pose_3/internal/support/values_at.h>
 #include <CGAL/Canonical_pose_3/internal/target/check_landmark_fields.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
-#include <CGAL/Canonical_pose_3/pose_steps.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -40,6 +39,12 @@
 namespace CGAL {
 namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
+
+// A step that is declared for users in pose_steps.h, which leads here.
+Landmark_fields_3 landmark_fields(const Surface_component_3& surface,
+                                  const std::vector<std::size_t>& landmarks,
+                                  const Method_options& options);
+
 namespace internal {
 
 // Throws `std::invalid_argument` for options that do not apply to unfolding.
