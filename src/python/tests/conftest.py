@@ -65,6 +65,12 @@ def tube():
 
 
 @pytest.fixture(scope="session")
+def fine_tube():
+    """The same tube, on which the heat method is accurate."""
+    return make_tube(72, 30)
+
+
+@pytest.fixture(scope="session")
 def box():
     """A box of quadrilaterals, in integers."""
     vertices = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 5)])

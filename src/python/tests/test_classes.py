@@ -17,8 +17,8 @@ import pytest
 import canonical_pose
 
 
-def test_heat_solver(tube):
-    vertices, faces = tube
+def test_heat_solver(fine_tube):
+    vertices, faces = fine_tube
     solver = canonical_pose.HeatSolver(vertices, faces)
     expected = canonical_pose.geodesics(vertices, faces, [0, 17])
     assert solver.distances([0, 17]).tobytes() == expected.tobytes()
@@ -28,8 +28,8 @@ def test_heat_solver(tube):
     assert not np.array_equal(smooth.distances(0), expected[:, 0])
 
 
-def test_heat_solver_of_a_surface_to_be_repaired(tube):
-    vertices, faces = tube
+def test_heat_solver_of_a_surface_to_be_repaired(fine_tube):
+    vertices, faces = fine_tube
     # A soup: each triangle has vertices of its own.
     soup = vertices[faces].reshape(-1, 3)
     faces = np.arange(len(soup)).reshape(-1, 3)
@@ -96,7 +96,7 @@ def test_target_of_several_components(tube):
 def test_small_components_follow(tube):
     vertices, faces = tube
     n = len(vertices)
-    crumb = vertices.max(axis=0) + [[1, 0, 0], [1.01, 0, 0], [1, .01, 0]]
+    crumb = vertices[0] + [[.1, 0, 0], [.11, 0, 0], [.1, .01, 0]]
     _, report = canonical_pose.pose(np.concatenate([vertices, crumb]),
                                     np.concatenate([faces, [[n, n + 1, n + 2]]]), rounds=0)
     assert report["followers"] == [{"component": 1, "vertex": n, "leader": 0, "rigid": True}]
