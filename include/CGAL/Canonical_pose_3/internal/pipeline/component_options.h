@@ -22,14 +22,12 @@
 #include <CGAL/Canonical_pose_3/internal/registration/Constraint_element_traits.h>
 #include <CGAL/Canonical_pose_3/internal/registration/check_registration.h>
 #include <CGAL/Canonical_pose_3/internal/soup/check_soup.h>
-#include <CGAL/Canonical_pose_3/internal/soup/refined_surface.h>
 #include <CGAL/Canonical_pose_3/internal/support/Indexed_vector.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/support/values_at.h>
 #include <CGAL/Canonical_pose_3/internal/target/check_landmark_fields.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <stdexcept>
 #include <string>
@@ -39,12 +37,6 @@
 namespace CGAL {
 namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
-
-// A step that is declared for users in pose_steps.h, which leads here.
-Landmark_fields_3 landmark_fields(const Surface_component_3& surface,
-                                  const std::vector<std::size_t>& landmarks,
-                                  const Method_options& options);
-
 namespace internal {
 
 // Throws `std::invalid_argument` for options that do not apply to unfolding.
@@ -183,42 +175,7 @@ inline Point_matrix points_of_followers(const Point_matrix& points, const Vertex
   return result;
 }
 
-// Completes given distances by those of the vertices that were added. They are measured, and corrected
-// by what is interpolated of the difference between given and measured ones.
-inline void complete(const Surface_component_3& surface, const Method_options& options,
-                     Landmark_fields_3& given)
-{
-  const Eigen::MatrixXd measured = landmark_fields(surface, given.landmarks, options).distances;
-  const Eigen::MatrixXd difference = given.distances - measured.topRows(given.distances.rows());
-  given.distances = (measured + with_added(surface, difference)).cwiseMax(0);
-}
-
-// Adds vertices to components that are too coarse to measure distances. Those with a small share of the
-// cells get fewer, so that many of them do not cost more than a single one. In planes, wavefronts are
-// exact.
-inline void refine(std::vector<Prepared_surface_3::Component>& components)
-{
-  constexpr double all = 0.25; // the share of cells that suffices for as many vertices as a single one
-  for(auto& [surface, options] : components)
-  {
-    if(is_planar(surface.points, surface.triangles)
-       && options.geodesics == Options::Geodesics::HEAT)
-      options.geodesics = Options::Geodesics::WAVEFRONT;
-    if(options.paper_weights || options.make_body || !is_coarse(surface.points, surface.triangles))
-      continue;
-    surface = refined_surface(surface, (std::min)(surface.share_of_cells / all, 1.));
-    options.number_of_landmarks
-      = (std::min)(options.number_of_landmarks,
-                   (std::max)(surface.origins.size(), Method_options().number_of_landmarks));
-    if(options.given.target)
-      options.given.target = with_added(surface, *options.given.target);
-    if(options.given.landmark_fields)
-      complete(surface, options, *options.given.landmark_fields);
-  }
-}
-
-// Assigns options to the components with a pose, except for the stiffness and, at the vertices that are
-// added, the matching weights. The others, vertices without a component, and followers are assigned to
+// Assigns options to the components with a pose, except for the stiffness. The others, vertices without a component, and followers are assigned to
 // one of them. `rows`: the first four members of the map.
 inline Prepared_surface_3 prepared(Diagnosis_3 diagnosis, const Point_matrix& points,
                                    std::vector<Surface_component_3> components, Vertex_map rows,
@@ -271,7 +228,6 @@ inline Prepared_surface_3 prepared(Diagnosis_3 diagnosis, const Point_matrix& po
   distribute(constraints.directions, map, &Constraints_3::directions, result.components);
   distribute(constraints.handles, map, &Constraints_3::handles, result.components);
   distribute(constraints.symmetric_pairs, map, &Constraints_3::symmetric_pairs, result.components);
-  refine(result.components);
   return result;
 }
 

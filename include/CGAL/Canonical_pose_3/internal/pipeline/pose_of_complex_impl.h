@@ -26,6 +26,7 @@
 #include <CGAL/Canonical_pose_3/internal/pipeline/component_roles.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/pose_of_components.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/poses.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/refine_components.h>
 #include <CGAL/Canonical_pose_3/internal/registration/check_registration.h>
 #include <CGAL/Canonical_pose_3/internal/soup/refined_surface.h>
 #include <CGAL/Canonical_pose_3/internal/support/Indexed_vector.h>
@@ -97,6 +98,7 @@ inline Prepared_surface_3 prepared_complex(const Point_matrix& points, const Com
   Prepared_surface_3 result
     = prepared(diagnose(parts.boundary_points(), parts.boundary_triangles()), points,
                std::move(surfaces), std::move(rows), roles, options);
+  refine(result.components);
   const std::vector<std::size_t> posed = posed_components(roles);
   for(std::size_t c = 0; c < posed.size(); ++c)
   {

@@ -18,6 +18,7 @@
 #include <CGAL/Canonical_pose_3/internal/pipeline/component_options.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/component_roles.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/fragments.h>
+#include <CGAL/Canonical_pose_3/internal/pipeline/refine_components.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/shares_of_cells.h>
 #include <CGAL/Canonical_pose_3/internal/registration/check_registration.h>
 #include <CGAL/Canonical_pose_3/internal/soup/examine_surface.h>
@@ -167,6 +168,7 @@ prepare_surface(const Point_matrix& points, const std::vector<std::vector<std::s
   Prepared_surface_3 result
     = internal::prepared(diagnosis, points, std::move(components), std::move(rows), roles,
                          options);
+  internal::refine(result.components);
   for(auto& [refined, local] : result.components)
   {
     if(options.matching_weights.size() > 0)

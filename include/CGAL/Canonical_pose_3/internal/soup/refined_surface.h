@@ -66,20 +66,19 @@ private:
   std::size_t m_number = 0;
 };
 
-inline bool is_coarse(Point_matrix points, const std::vector<Index_triangle>& triangles)
+// `points`: normalized.
+inline bool is_coarse(const Point_matrix& points, const std::vector<Index_triangle>& triangles)
 {
-  normalize(points);
   Edge_length_measure measure;
   for(const Index_triangle& t : triangles)
     measure.add(points, t);
   return measure.is_coarse();
 }
 
-// Whether all points are in the plane of the largest triangle, up to 1e-6 of their size.
-inline bool is_planar(Point_matrix points, const std::vector<Index_triangle>& triangles)
+// Whether all points, normalized, are in the plane of the largest triangle, up to 1e-6 of their size.
+inline bool is_planar(const Point_matrix& points, const std::vector<Index_triangle>& triangles)
 {
   constexpr double tolerance = 1e-6;
-  normalize(points);
   const Index_triangle& largest = *std::max_element(
     triangles.begin(), triangles.end(), [&](const Index_triangle& s, const Index_triangle& t) {
       return twice_area(points, s) < twice_area(points, t);
