@@ -14,6 +14,7 @@
 #include <CGAL/Canonical_pose_3/internal/soup/Triangle_tree.h>
 #include <CGAL/Canonical_pose_3/internal/soup/check_soup.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+#include <CGAL/Canonical_pose_3/internal/support/for_each_block.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <Eigen/Dense>
@@ -24,7 +25,6 @@
 #include <cstddef>
 #include <limits>
 #include <map>
-#include <set>
 #include <vector>
 
 namespace CGAL {
@@ -70,8 +70,11 @@ public:
       m_cells_of_vertex(
         internal::cells_of_vertices(static_cast<std::size_t>(body.points().rows()), body.cells())),
       m_triangles(checked(triangles, static_cast<std::size_t>(body.embedding().rows()))),
-      m_tree(body.embedding() * body.points(), triangles)
-  {}
+      m_tree(body.embedding() * body.points(), triangles), m_points(body.points())
+  {
+    for(Eigen::Index i = 0; i < m_points.rows(); ++i)
+      m_points.row(i) = m_tree.normalized(m_points.row(i));
+  }
 
   /// \cond SKIP_IN_MANUAL
   Body_deformer_3(const ElasticBody&&, const std::vector<std::array<std::size_t, 3>>&) = delete;
@@ -91,8 +94,13 @@ public:
   {
     internal::check_finite(points);
     std::vector<Row> rows(static_cast<std::size_t>(points.rows()));
-    for(std::size_t i = 0; i < rows.size(); ++i)
-      rows[i] = embed(m_tree.normalized(points.row(static_cast<Eigen::Index>(i))));
+    internal::for_each_block(
+      rows.size(),
+      [&](std::size_t, const std::size_t begin, const std::size_t end) {
+        for(std::size_t i = begin; i < end; ++i)
+          rows[i] = embed(m_tree.normalized(points.row(static_cast<Eigen::Index>(i))));
+      },
+      64);
     std::vector<Eigen::Triplet<double>> entries;
     entries.reserve(4 * rows.size());
     for(std::size_t i = 0; i < rows.size(); ++i)
@@ -124,7 +132,7 @@ private:
   {
     std::array<Eigen::Vector3d, 4> corners;
     for(std::size_t k = 0; k < 4; ++k)
-      corners[k] = m_tree.normalized(m_body.points().row(m_body.cells()[cell][k]));
+      corners[k] = m_points.row(m_body.cells()[cell][k]);
     return internal::barycentric_coordinates(corners, point);
   }
 
@@ -147,12 +155,14 @@ private:
   Row embed(const Eigen::RowVector3d& point) const
   {
     const std::map<int, double> support = support_of(m_tree.nearest(point));
-    std::set<std::size_t> cells;
+    std::vector<std::size_t> cells;
     for(const auto& [vertex, weight] : support)
     {
       const auto& around = m_cells_of_vertex[static_cast<std::size_t>(vertex)];
-      cells.insert(around.begin(), around.end());
+      cells.insert(cells.end(), around.begin(), around.end());
     }
+    std::sort(cells.begin(), cells.end());
+    cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
     Row best{0, Eigen::Vector4d::Zero()};
     double least_outside = std::numeric_limits<double>::infinity(), largest_share = 0;
     for(const std::size_t cell : cells)
@@ -188,6 +198,7 @@ private:
   internal::Buckets<std::size_t> m_cells_of_vertex;
   std::vector<std::array<std::size_t, 3>> m_triangles;
   internal::Triangle_tree m_tree;
+  Point_matrix m_points; // of the body, in the unit of the tree
 };
 
 } // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
