@@ -17,6 +17,7 @@
 #include "matchers.h"
 #include "shapes.h"
 
+#include <array>
 #include <cstddef>
 #include <stdexcept>
 #include <utility>
@@ -103,15 +104,16 @@ TEST(Components, isolated_vertices_go_with_the_nearest)
   }
 }
 
-// The pose of the largest component is that of a separate call. The others move with the body, but
-// keep their shape.
+// The pose of the largest component is that of a separate call. The others, if not far away, move with
+// the body, but keep their shape.
 TEST(Components, the_largest_carries_followers_and_the_others)
 {
-  const Polygon_soup moved_bar = shapes::merged({}, bar(), 20.);
+  const Polygon_soup bars = shapes::merged(small_bar(), bar(), 2.6);
+  const Polygon_soup moved_bar = shapes::merged({}, bar(), 2.6);
   CP::Options options = largest_component();
-  options.followers = shapes::to_matrix(two_bars().points);
+  options.followers = shapes::to_matrix(bars.points);
   Point_matrix pose;
-  const Point_matrix followers = pose_of_followers(two_bars(), options, pose);
+  const Point_matrix followers = pose_of_followers(bars, options, pose);
   EXPECT_EQ(pose.bottomRows(pose.rows() - small_size), pose_of(moved_bar, CP::Options()).pose);
   const Eigen::Index n = pose.rows() - small_size;
   EXPECT_LT((followers - pose).bottomRows(n).cwiseAbs().maxCoeff(), 1e-9);
@@ -164,6 +166,25 @@ TEST(Components, constraints_belong_to_their_component)
   const Point_matrix pose = pose_of(two_bars(), options).pose;
   EXPECT_EQ(pose.topRows(small_size), pose_of(small_bar(), options).pose);
   EXPECT_GT((pose - pose_of(two_bars(), each_with_own_lattice()).pose).norm(), 1e-3);
+}
+
+// The ends of a ring touch in a vertex: a constraint acts on both copies.
+TEST(Components, constraints_act_on_all_copies)
+{
+  const Polygon_soup ring
+    = shapes::to_polygons(shapes::boundary(shapes::tetrahedral_bent_bar(48, 6, 6, 6.)));
+  const Point_matrix rest = shapes::to_matrix(ring.points);
+  const auto vertex_at = [&](const std::array<double, 3>& p) {
+    Eigen::Index nearest;
+    (rest.rowwise() - Eigen::RowVector3d(p[0], p[1], p[2])).rowwise().norm().minCoeff(&nearest);
+    return static_cast<std::size_t>(nearest);
+  };
+  const std::size_t p = vertex_at(shapes::bend({{0, 0, 1}}, 8, 6));
+  const Polygon_soup soup = shapes::renamed(ring, vertex_at(shapes::bend({{8, 0, 1}}, 8, 6)), p);
+  const Eigen::RowVector3d position = rest.row(Eigen::Index(p));
+  CP::Options options;
+  options.constraints.handles = {{p, position, 1e4}};
+  EXPECT_LT((pose_of(soup, options).pose.row(Eigen::Index(p)) - position).norm(), .1);
 }
 
 // A vertex shared by components has only one pose, which is reported.

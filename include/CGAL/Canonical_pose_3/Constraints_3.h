@@ -27,7 +27,8 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 /// \ingroup PkgCanonicalPose3Ref
 /// returns constraints on the vertices of one component. Row \f$ i \f$ of the constraints corresponds to
-/// vertex `vertices[i]` of the input. For a connected surface without defects, `vertices[i]` is `i`.
+/// vertex `vertices[i]` of the input, which occurs once for each of its copies. For a connected surface
+/// without defects, `vertices[i]` is `i`.
 using Constraints_function
   = std::function<std::vector<Registration_constraint_3>(const std::vector<std::size_t>& vertices)>;
 
@@ -39,7 +40,9 @@ using Constraints_function
 Vertices are given as indices in the order of `vertices(tmesh)`, of the points of a soup, or of the
 vertices of a complex; `Vertex_constraints_3` accepts vertex descriptors instead. All vertices of a
 constraint must belong to the same component, and this must be one that is posed. Vectors and
-positions are given in the coordinate system of the input (see `align_target()`).
+positions are given in the coordinate system of the input (see `align_target()`). Where the input is
+not manifold, a vertex has several copies: a constraint acts on all of them in the component with which
+the vertex goes (the largest one, if several), and they share its stiffness.
 */
 struct Constraints_3
 {

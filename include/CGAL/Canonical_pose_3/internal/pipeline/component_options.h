@@ -64,12 +64,31 @@ inline void check_options(const Options& options, const std::size_t n)
                                   + " has a coordinate that is not finite");
 }
 
-// Assigns each element of a constraint to the component of its vertices.
+// For each vertex of the input, its copies in the component to which it belongs.
+inline Indexed_vector<Vertex_index, std::vector<std::size_t>>
+copies_in_components(const std::vector<Prepared_surface_3::Component>& components,
+                     const Vertex_map& map)
+{
+  Indexed_vector<Vertex_index, std::vector<std::size_t>> result(map.number_of_vertices());
+  for(std::size_t c = 0; c < components.size(); ++c)
+    for(std::size_t i = 0; i < components[c].surface.body_origins.size(); ++i)
+      if(const Vertex_index v = vertex_of(components[c].surface, i);
+         map.component_of[v] == Component_index(c))
+        result[v].push_back(i);
+  return result;
+}
+
+// Assigns each element of a constraint to the component of its vertices. It acts on all copies that a
+// vertex has there, which share its stiffness.
 template <class Element>
 void distribute(const std::vector<Element>& elements, const Vertex_map& map,
                 std::vector<Element> Constraints_3::*list,
                 std::vector<Prepared_surface_3::Component>& components)
 {
+  if(elements.empty())
+    return;
+  const Indexed_vector<Vertex_index, std::vector<std::size_t>> copies
+    = copies_in_components(components, map);
   using Traits = Constraint_element_traits<Element>;
   for(std::size_t i = 0; i < elements.size(); ++i)
   {
@@ -94,7 +113,22 @@ void distribute(const std::vector<Element>& elements, const Vertex_map& map,
       throw std::invalid_argument(name + " names vertices " + std::to_string(vertices.front())
                                   + " and " + std::to_string(vertices.back())
                                   + ", which are at the same position and became one");
-    (components[static_cast<std::size_t>(component)].options.constraints.*list).push_back(local);
+    std::vector<Element> shared = {local};
+    for(std::size_t k = 0; k < vertices.size(); ++k)
+    {
+      const auto& of_vertex = copies[map.representatives[Vertex_index(vertices[k])]];
+      std::vector<Element> all;
+      for(Element element : shared)
+        for(const std::size_t copy : of_vertex)
+        {
+          *Traits::pointers_to_vertices(element)[k] = copy;
+          all.push_back(element);
+          all.back().stiffness /= static_cast<double>(of_vertex.size());
+        }
+      shared = std::move(all);
+    }
+    auto& of_component = components[static_cast<std::size_t>(component)].options.constraints.*list;
+    of_component.insert(of_component.end(), shared.begin(), shared.end());
   }
 }
 
@@ -175,8 +209,8 @@ inline Point_matrix points_of_followers(const Point_matrix& points, const Vertex
   return result;
 }
 
-// Assigns options to the components with a pose, except for the stiffness. The others, vertices without a component, and followers are assigned to
-// one of them. `rows`: the first four members of the map.
+// Assigns options to the components with a pose, except for the stiffness. The others, vertices without
+// a component, and followers are assigned to one of them. `rows`: the first four members of the map.
 inline Prepared_surface_3 prepared(Diagnosis_3 diagnosis, const Point_matrix& points,
                                    std::vector<Surface_component_3> components, Vertex_map rows,
                                    const std::vector<Component_role>& roles,
