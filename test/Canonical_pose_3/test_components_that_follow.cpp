@@ -18,7 +18,9 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <random>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 namespace CP = CGAL::Canonical_pose_3;
@@ -94,6 +96,56 @@ void expect_one_follower(const Triangle_soup& other, const bool is_rigid)
   EXPECT_EQ(followers[0].vertex, bar_size);
   EXPECT_EQ(followers[0].leader, 0u);
   EXPECT_EQ(followers[0].is_rigid, is_rigid);
+}
+
+void expect_refused(const Triangle_soup& soup, const char* const text)
+{
+  EXPECT_THROW_WITH(pose_of(soup, quick()), std::invalid_argument, text);
+}
+
+Triangle_soup ball(const std::array<double, 3>& center, const double radius,
+                   const unsigned int subdivisions)
+{
+  Triangle_soup soup = shapes::icosphere_soup(subdivisions, radius);
+  for(auto& p : soup.points)
+    for(std::size_t k = 0; k < 3; ++k)
+      p[k] += center[k];
+  return soup;
+}
+
+// On its end.
+Triangle_soup upright_bar()
+{
+  Triangle_soup soup = shapes::bent_bar();
+  for(auto& p : soup.points)
+    std::swap(p[0], p[2]);
+  return soup;
+}
+
+// A point of the bar: x along it, from 0 to 8, y and z across it, from 0 to 1.
+std::array<double, 3> at(const double x, const double y, const double z)
+{
+  return shapes::bend({{x, y, z}}, 8, 2);
+}
+
+// Triangles with random corners in cubes, which are at random places in a larger one.
+Triangle_soup random_triangles(const std::size_t number, const double extent, const double size)
+{
+  std::mt19937 generator(1);
+  const auto random = [&] { return double(generator()) / double(std::mt19937::max()); };
+  Triangle_soup soup;
+  for(std::size_t i = 0; i < number; ++i)
+  {
+    const std::array<double, 3> low{{random(), random(), random()}};
+    for(std::size_t k = 0; k < 3; ++k)
+    {
+      soup.points.emplace_back();
+      for(std::size_t j = 0; j < 3; ++j)
+        soup.points.back()[j] = (extent - size) * low[j] + size * random();
+    }
+    soup.triangles.push_back({{3 * i, 3 * i + 1, 3 * i + 2}});
+  }
+  return soup;
 }
 
 Triangle_soup crumbs(const std::size_t number)
@@ -199,6 +251,90 @@ TEST(Components_that_follow, several_shapes_are_refused)
   options.components = CP::Options::Components::REFUSE;
   EXPECT_THROW_WITH(pose_of(bar_and(crumbs(1)), options), std::invalid_argument,
                     "the surface has 2 connected components");
+}
+
+// A bar does not follow the dome of a sky, whether it floats there or stands on its floor.
+TEST(Components_that_follow, a_figure_under_a_dome_is_a_shape)
+{
+  for(const unsigned int subdivisions : {1u, 3u})
+    for(const double radius : {5., 7., 15., 60.})
+      expect_refused(bar_and(ball(at(4, .5, .5), radius, subdivisions)),
+                     "the surface has 2 connected components");
+  Triangle_soup room = shapes::boundary(shapes::tetrahedral_box(2, 2, 2, {{30, 30, 15}}));
+  for(auto& p : room.points)
+    p = {{p[0] - 15, p[1] - 15, p[2]}};
+  append(room, upright_bar());
+  expect_refused(room, "the surface has 2 connected components");
+  Triangle_soup scene = bar_and(ball(at(4, .5, .5), 15, 3));
+  append(scene, box({{2, -.1, -.1}}, {{4, 1.2, 1.2}}, 12)); // a sleeve
+  append(scene, crumbs(3));
+  expect_refused(scene, "connected components, besides 3 that follow them");
+}
+
+TEST(Components_that_follow, a_figure_on_the_ground_is_a_shape)
+{
+  for(const std::size_t number : {1u, 60u})
+  {
+    Triangle_soup ground = shapes::plane_grid_soup(number, number, 40, 40);
+    for(auto& p : ground.points)
+      p = {{p[0] - 20, p[1] - 20, 0}};
+    append(ground, upright_bar());
+    expect_refused(ground, "the surface has 2 connected components");
+  }
+}
+
+// Eyes that are half outside or below the skin, an organ, marbles, a ring, a pin, a hat.
+TEST(Components_that_follow, what_belongs_to_a_body)
+{
+  for(const double depth : {.0, .15, .25})
+    for(const unsigned int subdivisions : {1u, 3u})
+      expect_one_follower(ball(at(7.5, 1 - depth, .5), .2, subdivisions), true);
+  expect_one_follower(ball(at(4, .5, .5), .3, 2), true);
+  Triangle_soup marbles = shapes::bent_bar();
+  for(int i = 0; i < 30; ++i)
+    append(marbles, ball(at(.5 + .2 * i, .5, .5), .02, 1));
+  EXPECT_EQ(followers_of(marbles).size(), 30u);
+  Triangle_soup ring = shapes::torus_soup(24, 8, .9, .1);
+  for(auto& p : ring.points)
+    p = at(4 + p[2], p[0] + .5, p[1] + .5);
+  expect_one_follower(ring, true);
+  expect_one_follower(box({{4, .45, -1}}, {{.1, .1, 3}}, 1), true);
+  expect_one_follower(ball(at(7.9, .5, .5), .8, 2), true); // a helmet
+}
+
+// None of many large triangles is the main one. Small ones follow.
+TEST(Components_that_follow, triangles_at_random)
+{
+  for(const std::size_t number : {5u, 20u, 100u, 1000u})
+    expect_refused(random_triangles(number, 1, 1), "connected components");
+  EXPECT_EQ(followers_of(bar_and(random_triangles(200, 2, .1))).size(), 200u);
+}
+
+// What is far away keeps its place, whichever component is posed; what is connected by a vertex
+// follows, even if several components are refused.
+TEST(Components_that_follow, are_named)
+{
+  CP::Options options = quick();
+  options.components = CP::Options::Components::LARGEST;
+  const Triangle_soup soup = bar_and(ball({{0, 12, 0}}, .8, 2));
+  Result result = pose_of(soup, options);
+  const Eigen::Index n = result.pose.rows() - Eigen::Index(bar_size);
+  EXPECT_EQ(result.pose.bottomRows(n), shapes::to_matrix(soup.points).bottomRows(n));
+  ASSERT_EQ(result.summary.followers.size(), 1u);
+  EXPECT_EQ(result.summary.followers[0].leader, 1u);
+
+  Triangle_soup pinched = bar_and(tetrahedron(shapes::bent_bar().points[0], -.2));
+  for(auto& t : pinched.triangles)
+    std::replace(t.begin(), t.end(), bar_size, std::size_t(0));
+  for(const auto mode : {CP::Options::Components::AUTOMATIC, CP::Options::Components::REFUSE,
+                         CP::Options::Components::LARGEST, CP::Options::Components::EACH})
+  {
+    options.components = mode;
+    result = pose_of(pinched, options);
+    ASSERT_EQ(result.summary.followers.size(), 1u);
+    EXPECT_EQ(result.summary.followers[0].component, 1u);
+    EXPECT_EQ(result.summary.followers[0].leader, 0u);
+  }
 }
 
 // What touches a follower follows, too.

@@ -113,20 +113,31 @@ struct Method_options
   ///
   /// - `AUTOMATIC`: one component is posed; eyes, hair, clothes and the like follow it, see below.
   ///   If others remain, they are refused, stating their number.
-  /// - `REFUSE`: several components are refused, stating their number.
-  /// - `LARGEST`: the largest component is posed, all others follow it.
+  /// - `REFUSE`: several components are refused, stating their number, apart from pieces and fragments.
+  /// - `LARGEST`: the largest component is posed, all others follow it, or keep their place.
   /// - `EACH`: all are posed. Their bodies share the cells of a single one by area (with many faces,
   ///   a body has more). What would get less than 2.3 % has no body: it follows the nearest one if it
   ///   is small, or keeps its place.
   ///
   /// With `AUTOMATIC`, a component follows the largest one (open ones count half) if its area is at
   /// most 5 % of that (small), or 25 % if it touches what moves with it; if a third of its area is in
-  /// contact with that, within 5 % of its diameter; if half of it lies inside; or if it wraps a third
-  /// of the largest, like a dress. What is in contact or inside almost entirely, or large, and not
-  /// tiny, is deformed with the body; the rest moves rigidly. With `AUTOMATIC` and `EACH`, what is
-  /// farther away than a quarter of the diameter of the largest one keeps its place. Pieces without
-  /// area, and small fragments that are connected to another component by a vertex, follow in any
-  /// case. See `Registration_summary::followers`.
+  /// contact with the largest, within 5 % of its diameter; if half of it lies inside; or if it wraps a third
+  /// of the largest, like a dress. But a figure under the dome of a sky, or on the ground, does not
+  /// follow these: a component with more than 5 % of the diameter of the largest one, or no fewer
+  /// triangles (and at least 200), is a shape of its own if
+  /// - the largest one lies in a plane, and it does not, or
+  /// - it is inside, half of its area is farther from the surface than 30 % of its diameter, unlike that
+  ///   of an eye, and it has more than 5 % of the area, or more than 5 % of the diameter and no fewer
+  ///   triangles, or floats, nowhere nearer to the surface than 15 % of the diameter of the largest one.
+  ///
+  /// Nor does anything follow because of contact if what does so has three times the area of the
+  /// largest one in total, as in a soup of triangles: there is no main one.
+  ///
+  /// With `AUTOMATIC` and `LARGEST`, what is in contact or inside almost entirely, or large, and not
+  /// tiny, is deformed with the body; the rest moves rigidly. With all values, pieces without area,
+  /// and small fragments that are connected to another component by a vertex, follow (those of a
+  /// complex are part of its body), and what moves rigidly, but is farther away than a quarter of the
+  /// diameter of the largest one, keeps its place. See `Registration_summary::followers`.
   enum class Components { AUTOMATIC, REFUSE, LARGEST, EACH };
 
   /// how to handle handles of a surface that look like false contacts of its parts: keep them, or cut

@@ -140,7 +140,7 @@ struct Registration_summary
   std::vector<Round> rounds;
   /// the body.
   Body body;
-  /// the components that follow others.
+  /// the components without a pose of their own: pieces and fragments, too.
   std::vector<Follower> followers;
   /// warnings, one line each, about a usable result.
   std::vector<std::string> warnings;

@@ -16,6 +16,7 @@
 #include <CGAL/Canonical_pose_3/internal/pipeline/shares_of_cells.h>
 #include <CGAL/Canonical_pose_3/internal/soup/Triangle_tree.h>
 #include <CGAL/Canonical_pose_3/internal/soup/has_area.h>
+#include <CGAL/Canonical_pose_3/internal/soup/refined_surface.h>
 #include <CGAL/Canonical_pose_3/internal/soup/root_of_area.h>
 #include <CGAL/Canonical_pose_3/internal/soup/twice_area.h>
 #include <CGAL/Canonical_pose_3/internal/support/Disjoint_sets.h>
@@ -134,7 +135,9 @@ private:
 
 // Decides which of the components of an input follow others. A component follows another one if it
 // is small against it; if it is not large, and touches it; if it is in contact with it over a fair
-// share of its surface; if it lies inside it; or if it wraps it, like a dress.
+// share of its surface; if it lies inside it; or if it wraps it, like a dress. What is on a plane, or lies
+// inside, but apart from the surface, is a shape of its own, like a figure under the dome of a sky, unless
+// it is tiny.
 class Component_roles
 {
 public:
@@ -145,33 +148,36 @@ public:
                                           const Options::Components mode, const bool has_budget)
   {
     Component_roles roles(components, is_fragment, mode);
-    if(roles.m_candidates.empty() || mode == Options::Components::REFUSE)
-      return roles.m_roles;
     if(mode == Options::Components::EACH)
     {
       if(has_budget)
         roles.exclude_those_without_a_body();
     }
-    else
+    else if(mode != Options::Components::REFUSE && !roles.m_candidates.empty())
     {
       roles.find_followers();
       if(mode == Options::Components::LARGEST)
         for(const std::size_t c : roles.m_candidates)
           roles.m_roles[c].kind = Component_role::RIGID;
+      else
+        roles.keep_those_without_a_main_one();
       roles.unite_rigid_ones();
     }
-    if(mode != Options::Components::LARGEST)
-      roles.leave_those_far_away();
+    roles.leave_those_far_away();
     return roles.m_roles;
   }
 
 private:
   static constexpr double SMALL_AREA = .05, SMALL_AREA_IN_TOUCH = .25; // of that of the largest
-  static constexpr double SMALL_AREAS_IN_TOTAL = .5;
+  static constexpr double SMALL_AREAS_IN_TOTAL = .5, AREAS_IN_TOUCH_IN_TOTAL = 3; // of that, too
   static constexpr double CLOSENESS = .05;      // of the component's diameter
   static constexpr double SHARE_IN_TOUCH = .33; // of the component's area
   static constexpr double SHARE_INSIDE = .5;
   static constexpr double DEFORMED_SHARE = .67; // in touch or inside, if not large
+  static constexpr double APARTNESS = .3;       // of the component's diameter
+  static constexpr double GAP_OF_FLOATING = .15;           // of the diameter of the largest
+  static constexpr double TINY_SIZE = .05;                 // of the diameter of the largest
+  static constexpr std::size_t TRIANGLES_OF_A_SHAPE = 200; // at least
   static constexpr double WRAPPED_SHARE = .33;  // of the area of the largest
   static constexpr double REACH = .25;          // of the diameter of the largest
   static constexpr double GAP = .02;            // of the diameter, between parts of one thing
@@ -188,7 +194,7 @@ private:
   public:
     Candidate() = default;
     Candidate(const Surface_component_3& surface, const std::size_t number_of_samples)
-      : m_diameter(diameter(surface.points)),
+      : m_diameter(Component_roles::diameter(surface.points)),
         m_points(points_on_surface(surface.points, surface.triangles, number_of_samples)),
         m_distances(static_cast<std::size_t>(m_points.rows()),
                     std::numeric_limits<double>::infinity()),
@@ -220,6 +226,23 @@ private:
                              [&](const double distance) { return is_close(distance); }))
              / static_cast<double>(number);
     }
+
+    // Half of the area is farther away than that.
+    double median_distance() const
+    {
+      std::vector<double> distances(
+        m_distances.begin(), m_distances.begin() + static_cast<std::ptrdiff_t>(m_is_inside.size()));
+      const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
+      std::nth_element(distances.begin(), middle, distances.end());
+      return *middle;
+    }
+
+    double least_distance() const
+    {
+      return *std::min_element(m_distances.begin(), m_distances.end());
+    }
+
+    double diameter() const { return m_diameter; }
 
     double share_inside() const
     {
@@ -263,6 +286,8 @@ private:
     m_largest = mode == Options::Components::AUTOMATIC ? *largest : m_candidates.front();
     m_candidates.erase(std::find(m_candidates.begin(), m_candidates.end(), m_largest));
     m_size_of_largest = root_of_area(components[m_largest].points, components[m_largest].triangles);
+    m_diameter_of_largest = diameter(components[m_largest].points);
+    m_is_largest_flat = is_flat(m_largest);
     double small_areas = 0;
     for(const std::size_t c : m_candidates)
       if(m_areas[c] <= SMALL_AREA * m_areas[m_largest])
@@ -284,7 +309,8 @@ private:
   }
 
   // Removes followers from the candidates. Those that follow the largest component directly are
-  // found first, then those that follow these, and so on.
+  // found first, then those that follow these, and so on. Large ones must be in contact with the
+  // largest itself.
   void find_followers()
   {
     const std::size_t number_of_samples
@@ -295,7 +321,7 @@ private:
     std::vector<Candidate> candidates(m_components.size());
     std::vector<std::size_t> rest;
     for(const std::size_t c : m_candidates)
-      if(is_small(c) && is_of_rigid_size(c))
+      if(is_small(c) && is_of_rigid_size(c) && is_tiny(c)) // the quick way for many
         m_roles[c].kind = Component_role::RIGID;
       else
       {
@@ -309,28 +335,87 @@ private:
           && surrounds(rest[i],
                        points_of_largest.topRows(static_cast<Eigen::Index>(number_of_samples)));
     });
+    std::vector<std::size_t> apart;
+    std::vector<char> is_in_contact(m_components.size(), 0);
     for(std::vector<std::size_t> leaders = {m_largest}; !rest.empty() && !leaders.empty();)
     {
       const Component_neighborhood neighborhood(m_components, leaders);
       for_each_index(rest.size(),
                      [&](const std::size_t i) { candidates[rest[i]].approach(neighborhood); });
+      const bool is_first = leaders.front() == m_largest;
       leaders.clear();
       std::vector<std::size_t> others;
       for(const std::size_t c : rest)
-        (wraps[c] || follows(c, candidates[c]) ? leaders : others).push_back(c);
-      for(const std::size_t c : leaders)
-        m_roles[c].kind = wraps[c] || is_deformed(c, candidates[c]) ? Component_role::DEFORMED
-                                                                    : Component_role::RIGID;
+      {
+        const Candidate& candidate = candidates[c];
+        if(is_first)
+          is_in_contact[c] = candidate.share_in_touch() >= SHARE_IN_TOUCH;
+        const bool is_inside = candidate.share_inside() >= SHARE_INSIDE;
+        if(is_first && !wraps[c] && is_apart(c, candidate))
+          apart.push_back(c);
+        else if(is_small(c) && is_of_rigid_size(c))
+          m_roles[c].kind = Component_role::RIGID;
+        else if(wraps[c] || is_small(c) || is_inside || is_in_contact[c]
+                || (is_not_large(c) && candidate.is_in_touch()))
+        {
+          m_roles[c].kind = wraps[c] || is_deformed(c, candidate) ? Component_role::DEFORMED
+                                                                  : Component_role::RIGID;
+          leaders.push_back(c);
+          if(!is_small(c) && !is_inside)
+            m_in_touch.push_back(c);
+        }
+        else
+          others.push_back(c);
+      }
       rest = std::move(others);
     }
+    rest.insert(rest.end(), apart.begin(), apart.end());
     m_candidates = std::move(rest);
   }
 
-  bool follows(const std::size_t c, const Candidate& candidate) const
+  // If what touches the largest component, or what touches that, is several times as large, as in a soup
+  // of triangles, the largest is not the main one.
+  void keep_those_without_a_main_one()
   {
-    return is_small(c) || (is_not_large(c) && candidate.is_in_touch())
-           || candidate.share_in_touch() >= SHARE_IN_TOUCH
-           || candidate.share_inside() >= SHARE_INSIDE;
+    double areas = 0;
+    for(const std::size_t c : m_in_touch)
+      areas += m_areas[c];
+    if(areas > AREAS_IN_TOUCH_IN_TOTAL * m_areas[m_largest])
+      for(const std::size_t c : m_in_touch)
+        m_roles[c].kind = Component_role::POSED;
+  }
+
+  bool is_apart(const std::size_t c, const Candidate& candidate) const
+  {
+    if(is_tiny(c))
+      return false;
+    if(m_is_largest_flat)
+      return !is_flat(c);
+    return candidate.share_inside() >= SHARE_INSIDE
+           && candidate.median_distance() > APARTNESS * candidate.diameter()
+           && (m_areas[c] > SMALL_AREA * m_areas[m_largest]
+               || candidate.least_distance() >= GAP_OF_FLOATING * m_diameter_of_largest
+               || (!is_of_tiny_size(c) && !has_less_detail(c)));
+  }
+
+  bool is_tiny(const std::size_t c) const { return is_of_tiny_size(c) && has_less_detail(c); }
+
+  bool is_of_tiny_size(const std::size_t c) const
+  {
+    return diameter(m_components[c].points) <= TINY_SIZE * m_diameter_of_largest;
+  }
+
+  bool has_less_detail(const std::size_t c) const
+  {
+    return m_components[c].triangles.size()
+           < (std::max)(m_components[m_largest].triangles.size(), TRIANGLES_OF_A_SHAPE);
+  }
+
+  bool is_flat(const std::size_t c) const
+  {
+    Point_matrix points = m_components[c].points;
+    normalize(points);
+    return is_planar(points, m_components[c].triangles);
   }
 
   // A sword that is held by a hand is not.
@@ -410,7 +495,7 @@ private:
     if(leaders.empty() || rigid.empty())
       return;
     const Component_neighborhood body(m_components, leaders);
-    const double reach = REACH * diameter(m_components[m_largest].points);
+    const double reach = REACH * m_diameter_of_largest;
     std::vector<char> is_near(rigid.size(), 0);
     for_each_index(rigid.size(), [&](const std::size_t i) {
       is_near[i] = distance(m_components[rigid[i]].points, body) <= reach;
@@ -442,7 +527,10 @@ private:
   std::vector<Component_role> m_roles;
   std::size_t m_largest = 0;             // of those that have an area
   double m_size_of_largest = 0;          // square root of its area
+  double m_diameter_of_largest = 0;
+  bool m_is_largest_flat = false;
   std::vector<std::size_t> m_candidates; // the others that have one
+  std::vector<std::size_t> m_in_touch;   // followers that are neither small nor inside
   bool m_are_small_ones_few = true;
 };
 
