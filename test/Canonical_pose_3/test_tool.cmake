@@ -168,6 +168,13 @@ expect_exit(0 pose crumb.off -o out/b.off --rounds 0)
 expect_same_bytes(out/a.off out/b.off)
 expect_refusal("2 connected components" pose crumb.off -o out/a.off --components refuse)
 
+# What is in the middle of a large shape does not belong to it.
+file(WRITE ${WORK}/nested.off "OFF\n8 8 0\n9 9 9\n9 -9 -9\n-9 9 -9\n-9 -9 9\n2.2 2.2 2.2\n2.2 -2.2 -2.2\n-2.2 2.2 -2.2\n-2.2 -2.2 2.2
+3 0 1 2\n3 0 3 1\n3 0 2 3\n3 1 3 2\n3 4 5 6\n3 4 7 5\n3 4 6 7\n3 5 7 6\n")
+expect_refusal("2 connected components" pose nested.off -o out/a.off)
+expect_exit(0 pose nested.off -o out/a.off --report out/report.json --components largest --rounds 0)
+expect_json(out/report.json 1 followers 0 component)
+
 expect_exit(0 pose ball.mesh -o out/pose.mesh --target out/target.off --report out/report.json)
 expect_complete_report(out/report.json)
 expect_json(out/report.json complex body kind)
