@@ -260,6 +260,7 @@ TEST(Components_that_follow, a_figure_under_a_dome_is_a_shape)
     for(const double radius : {5., 7., 15., 60.})
       expect_refused(bar_and(ball(at(4, .5, .5), radius, subdivisions)),
                      "the surface has 2 connected components");
+  expect_refused(bar_and(ball(at(4, .5, .5), 100, 4)), "the surface has 2 connected components");
   Triangle_soup room = shapes::boundary(shapes::tetrahedral_box(2, 2, 2, {{30, 30, 15}}));
   for(auto& p : room.points)
     p = {{p[0] - 15, p[1] - 15, p[2]}};

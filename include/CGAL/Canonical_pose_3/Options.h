@@ -123,7 +123,7 @@ struct Method_options
   /// most 5 % of that (small), or 25 % if it touches what moves with it; if a third of its area is in
   /// contact with the largest, within 5 % of its diameter; if half of it lies inside; or if it wraps a third
   /// of the largest, like a dress. But a figure under the dome of a sky, or on the ground, does not
-  /// follow these: a component with more than 5 % of the diameter of the largest one, or no fewer
+  /// follow these: a component with more than 5 % of the diameter of the largest one, or a tenth of its
   /// triangles (and at least 200), is a shape of its own if
   /// - the largest one lies in a plane, and it does not, or
   /// - it is inside, half of its area is farther from the surface than 30 % of its diameter, unlike that

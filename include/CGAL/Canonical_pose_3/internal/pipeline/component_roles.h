@@ -177,7 +177,7 @@ private:
   static constexpr double APARTNESS = .3;       // of the component's diameter
   static constexpr double GAP_OF_FLOATING = .15;           // of the diameter of the largest
   static constexpr double TINY_SIZE = .05;                 // of the diameter of the largest
-  static constexpr std::size_t TRIANGLES_OF_A_SHAPE = 200; // at least
+  static constexpr double TRIANGLES_OF_A_SHAPE = 200;      // at least
   static constexpr double WRAPPED_SHARE = .33;  // of the area of the largest
   static constexpr double REACH = .25;          // of the diameter of the largest
   static constexpr double GAP = .02;            // of the diameter, between parts of one thing
@@ -395,20 +395,22 @@ private:
            && candidate.median_distance() > APARTNESS * candidate.diameter()
            && (m_areas[c] > SMALL_AREA * m_areas[m_largest]
                || candidate.least_distance() >= GAP_OF_FLOATING * m_diameter_of_largest
-               || (!is_of_tiny_size(c) && !has_less_detail(c)));
+               || (!is_of_tiny_size(c) && has_detail(c, 1)));
   }
 
-  bool is_tiny(const std::size_t c) const { return is_of_tiny_size(c) && has_less_detail(c); }
+  bool is_tiny(const std::size_t c) const { return is_of_tiny_size(c) && !has_detail(c, .1); }
 
   bool is_of_tiny_size(const std::size_t c) const
   {
     return diameter(m_components[c].points) <= TINY_SIZE * m_diameter_of_largest;
   }
 
-  bool has_less_detail(const std::size_t c) const
+  // Whether a component has this share of the triangles of the largest.
+  bool has_detail(const std::size_t c, const double share) const
   {
-    return m_components[c].triangles.size()
-           < (std::max)(m_components[m_largest].triangles.size(), TRIANGLES_OF_A_SHAPE);
+    const double number = share * static_cast<double>(m_components[m_largest].triangles.size());
+    return static_cast<double>(m_components[c].triangles.size())
+           >= (std::max)(number, TRIANGLES_OF_A_SHAPE);
   }
 
   bool is_flat(const std::size_t c) const
