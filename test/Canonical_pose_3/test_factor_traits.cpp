@@ -244,7 +244,28 @@ TEST(Eigen_factor_traits, reports_factors_that_are_too_large)
 }
 
 #ifdef CGAL_CANONICAL_POSE_3_USE_CHOLMOD
-TEST(Cholmod_factor_traits, reports_factors_that_are_too_large)
+// In its given order, the factor of this matrix has no zero: 18 GB.
+TEST(Cholmod_factor_traits, analyzes_factors_of_any_size)
+{
+  constexpr int n = 47000;
+  std::vector<Eigen::Triplet<double>> entries;
+  for(int i = 0; i < n; ++i)
+  {
+    entries.emplace_back(i, 0, 1.);
+    entries.emplace_back(i, i, n);
+  }
+  internal::Cholmod_matrix matrix(n, n);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  cholmod_sparse view = internal::lower_triangle(matrix);
+  internal::Cholmod_common common;
+  common.get()->nmethods = 1;
+  common.get()->method[0].ordering = CHOLMOD_NATURAL;
+  const auto factor = internal::own_cholmod_factor(cholmod_l_analyze(&view, common.get()));
+  ASSERT_NE(factor, nullptr);
+  EXPECT_EQ(factor->xsize, std::size_t(n) * n);
+}
+
+TEST(Cholmod_factor_traits, failures)
 {
   internal::Cholmod_common common;
   for(const int status : {CHOLMOD_OK, CHOLMOD_NOT_POSDEF})
@@ -252,10 +273,12 @@ TEST(Cholmod_factor_traits, reports_factors_that_are_too_large)
     common.get()->status = status;
     EXPECT_NO_THROW(common.check(7));
   }
-  common.get()->status = CHOLMOD_TOO_LARGE;
-  EXPECT_EQ(message_of<std::runtime_error>([&] { common.check(7); }),
-            "the factor of a matrix with 7 rows is too large: it has more than 2147483647 entries "
-            "(CHOLMOD)");
+  for(const int status : {CHOLMOD_OUT_OF_MEMORY, CHOLMOD_TOO_LARGE})
+  {
+    common.get()->status = status;
+    EXPECT_EQ(message_of<std::runtime_error>([&] { common.check(7); }),
+              "there is not enough memory for the factor of a matrix with 7 rows (CHOLMOD)");
+  }
 }
 
 #if defined(__unix__) && SUITESPARSE_VERSION < SUITESPARSE_VER_CODE(6, 0)

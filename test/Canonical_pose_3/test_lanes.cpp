@@ -112,27 +112,28 @@ void for_each_version(const Function& f)
 // Two blocks: columns 0 to 10 with the rows 0 to 10, 12, 19; columns 11 to 19.
 struct Two_blocks
 {
-  std::vector<int> rows;
-  std::array<int, 3> columns = {0, 11, 20}, first_rows = {0, 13, 22}, first_values = {0, 143, 224};
+  std::vector<Factor_index> rows;
+  std::array<Factor_index, 3> columns = {0, 11, 20}, first_rows = {0, 13, 22},
+                              first_values = {0, 143, 224};
   std::vector<double> values = std::vector<double>(224), inverse_diagonal = std::vector<double>(20);
   Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(20, 20);
 
   template <class Uniform>
   explicit Two_blocks(const Uniform& uniform)
   {
-    for(int i = 0; i < 11; ++i)
+    for(Factor_index i = 0; i < 11; ++i)
       rows.push_back(i);
     rows.insert(rows.end(), {12, 19});
-    for(int i = 11; i < 20; ++i)
+    for(Factor_index i = 11; i < 20; ++i)
       rows.push_back(i);
     for(double& v : values)
       v = uniform();
     for(std::size_t s = 0; s < 2; ++s)
-      for(int j = columns[s], k = first_values[s]; j < columns[s + 1]; ++j)
-        for(int r = first_rows[s]; r < first_rows[s + 1]; ++r, ++k)
+      for(Factor_index j = columns[s], k = first_values[s]; j < columns[s + 1]; ++j)
+        for(Factor_index r = first_rows[s]; r < first_rows[s + 1]; ++r, ++k)
           if(rows[std::size_t(r)] == j)
             inverse_diagonal[std::size_t(j)]
-              = 1 / (dense(j, j) = values[std::size_t(k)] = 1 + 0.1 * j);
+              = 1 / (dense(j, j) = values[std::size_t(k)] = 1 + 0.1 * double(j));
           else if(rows[std::size_t(r)] > j)
             dense(rows[std::size_t(r)], j) = values[std::size_t(k)];
   }

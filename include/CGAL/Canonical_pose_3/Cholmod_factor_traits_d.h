@@ -75,8 +75,7 @@ public:
   /// factors `matrix`, reading only its lower triangle.
   /// \returns `false` if the matrix is not numerically positive definite: a pivot is not positive,
   /// not finite, or below 1e-14 times the original diagonal entry.
-  /// \throws std::runtime_error if memory runs out, or the factor has more than \f$ 2^{31} - 1 \f$
-  ///         entries.
+  /// \throws std::runtime_error if memory runs out
   bool factor(const Matrix& matrix, NT& denominator)
   {
     denominator = 1;
@@ -85,8 +84,7 @@ public:
     const internal::Single_threaded_blas guard;
     const internal::Openmp_off no_openmp;
     internal::Cholmod_common common;
-    Eigen::SparseMatrix<double> compressed = matrix.eigen_object();
-    compressed.makeCompressed();
+    const internal::Cholmod_matrix compressed = matrix.eigen_object();
     cholmod_sparse view = internal::lower_triangle(compressed);
     const auto result = internal::analyzed(view, common);
     if(result == nullptr || !internal::factorize(view, result.get(), common)

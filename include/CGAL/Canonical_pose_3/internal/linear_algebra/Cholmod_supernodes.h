@@ -44,15 +44,15 @@ public:
   std::size_t number_of_rows() const { return m_factor->n; }
 
   // The row of the matrix for each row of the factor.
-  const int* order() const { return static_cast<const int*>(m_factor->Perm); }
+  const Factor_index* order() const { return static_cast<const Factor_index*>(m_factor->Perm); }
 
   Supernodal_matrix matrix() const
   {
     return {m_factor->nsuper,
-            static_cast<const int*>(m_factor->super),
-            static_cast<const int*>(m_factor->pi),
-            static_cast<const int*>(m_factor->px),
-            static_cast<const int*>(m_factor->s),
+            static_cast<const Factor_index*>(m_factor->super),
+            static_cast<const Factor_index*>(m_factor->pi),
+            static_cast<const Factor_index*>(m_factor->px),
+            static_cast<const Factor_index*>(m_factor->s),
             static_cast<const double*>(m_factor->x),
             m_inverse_diagonal.data()};
   }

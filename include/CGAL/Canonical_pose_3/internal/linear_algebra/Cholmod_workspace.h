@@ -25,12 +25,14 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // CHOLMOD's settings and memory statistics. Each caller creates its own, since all calls modify it.
+// It is for the functions cholmod_l_...; those with indices of type int, of which the results are the
+// same bit for bit, refuse factors with more than 2^31 entries.
 class Cholmod_common
 {
 public:
   Cholmod_common()
   {
-    cholmod_start(&m_common);
+    cholmod_l_start(&m_common);
     m_common.print = 0;
     m_common.final_ll = 0;
     m_common.quick_return_if_not_posdef = 1;
@@ -40,7 +42,7 @@ public:
     m_common.supernodal = CHOLMOD_AUTO;
     m_common.supernodal_switch = 200;
   }
-  ~Cholmod_common() { cholmod_finish(&m_common); }
+  ~Cholmod_common() { cholmod_l_finish(&m_common); }
   Cholmod_common(const Cholmod_common&) = delete;
   Cholmod_common& operator=(const Cholmod_common&) = delete;
 
@@ -49,9 +51,8 @@ public:
   // Throws if a call failed for another reason than the values of a matrix.
   void check(const std::size_t number_of_rows) const
   {
-    if(m_common.status == CHOLMOD_TOO_LARGE)
-      throw_too_large(number_of_rows, "CHOLMOD");
-    if(m_common.status == CHOLMOD_OUT_OF_MEMORY)
+    // too large: for the address space
+    if(m_common.status == CHOLMOD_OUT_OF_MEMORY || m_common.status == CHOLMOD_TOO_LARGE)
       throw_out_of_memory(number_of_rows, "CHOLMOD");
   }
 
@@ -67,7 +68,7 @@ public:
   ~Cholmod_workspace()
   {
     for(cholmod_dense** dense : {&m_solution, &m_first, &m_second})
-      cholmod_free_dense(dense, m_common.get());
+      cholmod_l_free_dense(dense, m_common.get());
   }
   Cholmod_workspace(const Cholmod_workspace&) = delete;
   Cholmod_workspace& operator=(const Cholmod_workspace&) = delete;
@@ -84,7 +85,7 @@ public:
     b.x = const_cast<double*>(right_hand_sides.data()); // read only
     b.xtype = CHOLMOD_REAL;
     b.dtype = CHOLMOD_DOUBLE;
-    if(!cholmod_solve2(CHOLMOD_A, factor, &b, nullptr, &m_solution, nullptr, &m_first, &m_second,
+    if(!cholmod_l_solve2(CHOLMOD_A, factor, &b, nullptr, &m_solution, nullptr, &m_first, &m_second,
                        m_common.get()))
     {
       m_common.check(factor->n);

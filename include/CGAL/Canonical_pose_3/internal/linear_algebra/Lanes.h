@@ -144,13 +144,16 @@ CGAL_CANONICAL_POSE_3_ROUTINE inline bool is_any_above(const typename Vector::Nu
   return result;
 }
 
+// An index of CHOLMOD's factors, which may have more than 2^31 entries.
+using Factor_index = std::ptrdiff_t;
+
 // Part of a dense matrix: entry (k, m) is entries[k * down + m * across]. It is multiplied by the rows
 // `right[m]` of what is in lanes, and belongs to its rows `left[k]`.
 struct Lane_block
 {
-  const int* left;
+  const Factor_index* left;
   std::size_t number_of_left;
-  const int* right;
+  const Factor_index* right;
   std::size_t number_of_right;
   const double* entries;
   std::size_t down, across;
@@ -162,7 +165,7 @@ CGAL_CANONICAL_POSE_3_ROUTINE inline void subtract_rows(const Lane_block& block,
                                                         double* x)
 {
   using Numbers = typename Vector::Numbers;
-  const int* const left = block.left + first;
+  const Factor_index* const left = block.left + first;
   for(std::size_t p = 0; p < NUMBER_OF_PARTS<Vector>; ++p)
   {
     Numbers sums[COUNT];

@@ -50,7 +50,7 @@ public:
              Eigen::Ref<Eigen::MatrixXd> solutions) const
   {
     const std::size_t n = m_supernodes.number_of_rows();
-    const int* const order = m_supernodes.order();
+    const Factor_index* const order = m_supernodes.order();
     std::vector<double> numbers(NUMBER_OF_COORDINATES * n);
     const Coordinate_arrays x = {numbers.data(), n};
     const auto columns = static_cast<std::size_t>(right_hand_sides.cols());

@@ -45,7 +45,8 @@ public:
     // Columns are merged into blocks unless this adds too many zeros: more zeros make factoring
     // faster, but each substitution slower.
     common.get()->zrelax[0] = 0.3;
-    cholmod_sparse view = lower_triangle(matrix);
+    const Cholmod_matrix copy = matrix;
+    cholmod_sparse view = lower_triangle(copy);
     m_analysis = analyzed(view, common);
   }
 
@@ -57,9 +58,10 @@ public:
     const Openmp_off no_openmp;
     Cholmod_common common;
     common.get()->supernodal = CHOLMOD_SUPERNODAL;
-    cholmod_sparse view = lower_triangle(matrix);
+    const Cholmod_matrix copy = matrix;
+    cholmod_sparse view = lower_triangle(copy);
     const Cholmod_factor_pointer result
-      = own_cholmod_factor(cholmod_copy_factor(m_analysis.get(), common.get()));
+      = own_cholmod_factor(cholmod_l_copy_factor(m_analysis.get(), common.get()));
     if(result == nullptr)
       common.check(m_analysis->n);
     if(!factorize(view, result.get(), common) || !has_positive_pivots(*result, matrix.diagonal()))
@@ -71,7 +73,7 @@ public:
   // The row of the factor for each row of the matrix.
   std::vector<int> places() const
   {
-    const auto* const order = static_cast<const int*>(m_analysis->Perm);
+    const auto* const order = static_cast<const Factor_index*>(m_analysis->Perm);
     std::vector<int> result(m_analysis->n);
     for(std::size_t i = 0; i < result.size(); ++i)
       result[static_cast<std::size_t>(order[i])] = static_cast<int>(i);

@@ -27,10 +27,10 @@ namespace internal {
 struct Supernodal_matrix
 {
   std::size_t number_of_blocks;
-  const int* first_columns;
-  const int* first_rows;
-  const int* first_values;
-  const int* rows;
+  const Factor_index* first_columns;
+  const Factor_index* first_rows;
+  const Factor_index* first_values;
+  const Factor_index* rows;
   const double* values;
   const double* inverse_diagonal;
 };
@@ -67,7 +67,7 @@ struct Supernode
   }
 
   std::size_t first, columns, stride;
-  const int* rows;
+  const Factor_index* rows;
   const double* values;
   const double* inverse_diagonal;
 };
