@@ -19,6 +19,7 @@
 #include "matchers.h"
 
 #include <atomic>
+#include <stdexcept>
 
 namespace CP = CGAL::Canonical_pose_3;
 using CP::Point_matrix;
@@ -27,7 +28,8 @@ using CP::Registration_summary;
 namespace {
 
 // Refuses matrices, so that no patch can be untangled: all except that of the registration, with n
-// rows, and those with at least `smallest_patch` rows. Counts the nonzeros of both kinds.
+// rows, and those with at least `smallest_patch` rows. Counts the nonzeros of both kinds. A negative
+// `smallest_patch`: other matrices make the solver fail.
 class Refusing_factor_traits_d : public CP::Default_factor_traits_d
 {
 public:
@@ -41,6 +43,8 @@ public:
       nonzeros_of_the_registration = matrix.eigen_object().nonZeros();
     else
       nonzeros_of_patches += matrix.eigen_object().nonZeros();
+    if(rows != rows_of_the_registration && smallest_patch < 0)
+      throw std::runtime_error("the solver has no license");
     return (rows == rows_of_the_registration || rows >= smallest_patch)
            && CP::Default_factor_traits_d::factor(matrix, denominator);
   }
@@ -99,6 +103,13 @@ TEST(Injective_last_resort, minimum_from_the_rest_pose)
   EXPECT_TRUE(summary.converged());
   EXPECT_EQ(summary.warnings.size(), 1u);
   EXPECT_LT(summary.energy, 0.9 * at_rest.energy);
+}
+
+// Matrices that are not positive definite are expected, other failures are the user's.
+TEST(Injective_last_resort, failures_of_the_solver_end_the_call)
+{
+  Point_matrix pose;
+  EXPECT_THROW_WITH(run(bar(), -1, pose), std::runtime_error, "the solver has no license");
 }
 
 // Where the minimum is far from the rest pose, untangling ends after the work of 40 steps of the

@@ -715,6 +715,9 @@ TEST(K_means_segmentation, finds_balls)
       {CP::K_means_weights::VERTICES, CP::K_means_weights::AREAS})
     expect_balls(soup, CP::k_means_parts(soup.points, soup.polygons, with_parts(3), weights));
   EXPECT_THROW(CP::k_means_parts(soup.points, soup.polygons, with_parts(0)), std::invalid_argument);
+  Segmentation_options bad = with_parts(3);
+  bad.number_of_threads = -1;
+  EXPECT_THROW(CP::k_means_parts(soup.points, soup.polygons, bad), std::invalid_argument);
   EXPECT_THROW(CP::k_means_parts(soup.points, {}, with_parts(3)), std::invalid_argument);
   EXPECT_THROW(CP::k_means_parts(soup.points, {{0, 1, 1000000}}, with_parts(3)),
                std::invalid_argument);

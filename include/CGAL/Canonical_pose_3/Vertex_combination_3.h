@@ -24,7 +24,7 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 \brief represents a vertex of a surface as a combination of three others.
 
-\sa `Coarse_surface_3`
+\sa `Coarse_surface_3`, `Surface_component_3::added`
 */
 struct Vertex_combination_3
 {

@@ -51,8 +51,8 @@ regions. For better ones, see `consensus_segmentation()`.
 \returns the part of each polygon, numbered from 0 in the order of the first polygons. There are fewer
          parts than requested if there are fewer different positions.
 
-\throws std::invalid_argument if the number of parts is not given, there is no polygon, a coordinate is
-        not finite, or a polygon has an invalid row.
+\throws std::invalid_argument if the number of parts is not given, that of threads is negative, there is
+        no polygon, a coordinate is not finite, or a polygon has an invalid row.
 
 <em>Complexity:</em> \f$ O(kn) \f$ per iteration of Lloyd's algorithm.
 

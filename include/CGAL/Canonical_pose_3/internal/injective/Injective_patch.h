@@ -16,6 +16,7 @@
 #include <CGAL/Canonical_pose_3/internal/injective/Inversion_barrier.h>
 #include <CGAL/Canonical_pose_3/internal/injective/Inversion_penalty.h>
 #include <CGAL/Canonical_pose_3/internal/linear_algebra/Sparse_factor.h>
+#include <CGAL/Canonical_pose_3/internal/linear_algebra/factor_failures.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
@@ -27,7 +28,6 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -147,7 +147,7 @@ private:
     {
       step = newton_step(penalty, g);
     }
-    catch(const std::runtime_error&) // too ill-conditioned
+    catch(const Ill_conditioned&)
     {
       return std::nullopt;
     }

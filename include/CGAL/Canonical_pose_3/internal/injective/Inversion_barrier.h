@@ -12,6 +12,7 @@
 
 #include <CGAL/Canonical_pose_3/internal/energy/Elastic_cell.h>
 #include <CGAL/Canonical_pose_3/internal/injective/Inversion_penalty.h>
+#include <CGAL/Canonical_pose_3/internal/linear_algebra/factor_failures.h>
 #include <CGAL/Canonical_pose_3/internal/linear_algebra/leading_eigenvectors.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 
@@ -22,7 +23,6 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
-#include <stdexcept>
 
 namespace CGAL {
 namespace Canonical_pose_3 {
@@ -34,7 +34,7 @@ inline Matrix_9 positive_part(const Matrix_9& m)
 {
   const std::optional<Eigenpairs> pairs = all_eigenpairs(m);
   if(!pairs)
-    throw std::runtime_error("the eigenvalues of a Hessian matrix could not be computed");
+    throw Ill_conditioned("the eigenvalues of a Hessian matrix could not be computed");
   const Matrix_9 vectors = pairs->vectors;
   const Vector_9 values = pairs->values.cwiseMax(0);
   return vectors * values.asDiagonal() * vectors.transpose();

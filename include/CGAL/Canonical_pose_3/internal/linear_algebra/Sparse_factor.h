@@ -11,6 +11,7 @@
 #define CGAL_CANONICAL_POSE_3_INTERNAL_LINEAR_ALGEBRA_SPARSE_FACTOR_H
 
 #include <CGAL/Canonical_pose_3/internal/linear_algebra/Factor_base.h>
+#include <CGAL/Canonical_pose_3/internal/linear_algebra/factor_failures.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/assertions.h>
 
@@ -18,7 +19,6 @@
 #include <Eigen/SparseCore>
 
 #include <memory>
-#include <stdexcept>
 #include <string>
 
 namespace CGAL {
@@ -34,14 +34,14 @@ public:
   explicit Sparse_factor(const Factor_maker maker = make_default_factor) : m_solver(maker()) {}
 
   // `matrix`: full symmetric (or its lower triangle); `what`: its name in messages. Throws
-  // `std::runtime_error` if the matrix is not positive definite; then nothing is factored.
+  // `Ill_conditioned` if the matrix is not positive definite; then nothing is factored.
   void factor(const Eigen::SparseMatrix<double>& matrix, const char* what)
   {
     CGAL_precondition(matrix.rows() == matrix.cols());
     m_what = what;
     m_size = -1;
     if(!m_solver->factor(matrix))
-      throw std::runtime_error(m_what + " is not positive definite (" + name() + ")");
+      throw Ill_conditioned(m_what + " is not positive definite (" + name() + ")");
     m_size = matrix.rows();
   }
 
@@ -62,7 +62,7 @@ public:
     CGAL_precondition(right_hand_sides.rows() == m_size);
     solutions.resize(right_hand_sides.rows(), right_hand_sides.cols());
     if(!m_solver->solve(right_hand_sides, solutions) || !solutions.allFinite())
-      throw std::runtime_error("a solution for " + m_what + " is not finite (" + name() + ")");
+      throw Ill_conditioned("a solution for " + m_what + " is not finite (" + name() + ")");
   }
 
   bool is_factored() const { return m_size >= 0; }

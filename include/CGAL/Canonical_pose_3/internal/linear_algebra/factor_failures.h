@@ -22,6 +22,13 @@ namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
+// A system of equations that cannot be solved because of its numbers.
+class Ill_conditioned : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+
 // Reasons why a matrix cannot be factored although it may be positive definite.
 
 [[noreturn]] inline void throw_too_large(const std::size_t number_of_rows, const char* solver)

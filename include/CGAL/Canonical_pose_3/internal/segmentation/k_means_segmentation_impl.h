@@ -15,7 +15,6 @@
 #include <CGAL/Canonical_pose_3/internal/segmentation/Random_numbers.h>
 #include <CGAL/Canonical_pose_3/internal/soup/Triangle_soup.h>
 #include <CGAL/Canonical_pose_3/internal/soup/twice_area.h>
-#include <CGAL/Canonical_pose_3/internal/support/Thread_limit.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/support/require_option.h>
 #include <CGAL/Canonical_pose_3/k_means_segmentation.h>
@@ -82,7 +81,8 @@ k_means_parts(const Point_matrix& points, const std::vector<std::vector<std::siz
   if(polygons.empty())
     throw std::invalid_argument("the surface has no face");
   require_enumerator("weights", weights, K_means_weights::AREAS);
-  const Thread_limit limit(options.number_of_threads);
+  require_option(options.number_of_threads >= 0, "number_of_threads", options.number_of_threads,
+                 ">= 0");
   check_finite(points);
   Point_matrix scaled = points;
   normalize(scaled);

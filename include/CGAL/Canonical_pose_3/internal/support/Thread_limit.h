@@ -11,13 +11,11 @@
 #define CGAL_CANONICAL_POSE_3_INTERNAL_SUPPORT_THREAD_LIMIT_H
 
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+#include <CGAL/Canonical_pose_3/internal/support/require_option.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/task_arena.h>
 #endif
-
-#include <stdexcept>
-#include <string>
 
 namespace CGAL {
 namespace Canonical_pose_3 {
@@ -33,9 +31,7 @@ class Thread_limit
 public:
   explicit Thread_limit(const int number_of_threads) : m_number_of_threads(number_of_threads)
   {
-    if(number_of_threads < 0)
-      throw std::invalid_argument("option number_of_threads is " + std::to_string(number_of_threads)
-                                  + ", but must be >= 0");
+    require_option(number_of_threads >= 0, "number_of_threads", number_of_threads, ">= 0");
   }
 
   // Whether parallel loops of this thread may use more threads: not inside of execute().
