@@ -6,9 +6,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Author(s) : The Canonical_pose_3 authors
+#include "Triangle_graph.h"
 #include "geodesic_fixtures.h"
 
 #include <CGAL/Canonical_pose_3/Biharmonic_distances_3.h>
+#include <CGAL/Canonical_pose_3/Eigen_factor_traits_d.h>
 #include <CGAL/Polyhedron_3.h>
 
 #include <Eigen/Dense>
@@ -18,8 +20,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <memory>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 using namespace Canonical_pose_test;
 namespace CP = CGAL::Canonical_pose_3;
@@ -144,6 +149,37 @@ TEST(Biharmonic_distances, polyhedron)
   EXPECT_TRUE(
     Biharmonic(mesh, 10).distances(vertex(mesh, 3))
     == CP::Biharmonic_distances_3<Polyhedron>(polyhedron, 10).distances(vertex(polyhedron, 3)));
+}
+
+// A graph without optional features, own points without a kernel, a property map, and another solver.
+// All eigenfunctions are used, since a solver may order those of equal eigenvalues differently.
+TEST(Biharmonic_distances, archetypes)
+{
+  using ::archetype::Hashed_graph;
+  const Triangle_soup soup = stretched_square(9, 5.);
+  const Mesh mesh = to_mesh<Mesh>(soup);
+  const Eigen::VectorXd expected = Biharmonic(mesh, 1000).distances(vertex(mesh, 3));
+
+  const Hashed_graph graph(soup);
+  const CP::Biharmonic_distances_3<Hashed_graph> on_graph(graph, 1000);
+  const Hashed_graph::Vertex_map<float> written{
+    std::make_shared<std::vector<float>>(soup.points.size())};
+  on_graph.distances({3}, written);
+  EXPECT_EQ(on_graph.distances(Hashed_graph::Vertex{3}), expected);
+  EXPECT_EQ(*written.values,
+            std::vector<float>(expected.data(), expected.data() + expected.size()));
+
+  std::map<Mesh::Vertex_index, Canonical_pose_test::archetype::Point> points;
+  for(const auto v : mesh.vertices())
+    points.emplace(v, Canonical_pose_test::archetype::Traits().construct_point_3_object()(
+                        mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z()));
+  using Point_map = boost::const_associative_property_map<
+    std::map<Mesh::Vertex_index, Canonical_pose_test::archetype::Point>>;
+  const CP::Biharmonic_distances_3<Mesh, Point_map, Canonical_pose_test::archetype::Traits,
+                                   CP::Eigen_factor_traits_d>
+    with_own_parts(mesh, Point_map(points), 1000);
+  EXPECT_LT((with_own_parts.distances(vertex(mesh, 3)) - expected).cwiseAbs().maxCoeff(),
+            1e-9 * expected.maxCoeff());
 }
 
 TEST(Biharmonic_distances, refuse_by_name)

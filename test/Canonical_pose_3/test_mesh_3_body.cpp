@@ -98,6 +98,15 @@ TEST(Mesh_3_body, takes_large_faces)
   const CP::Embedded_body_3 body = CP::mesh_3_body(mesh, mesh.points(), 2.);
   expect_hangs(body, CP::point_matrix(mesh), 2);
   EXPECT_NEAR(body.volume(), 1. / 6, 0.001);
+
+  // the same, with named parameters: the points are those of another mesh
+  Mesh moved = mesh;
+  for(const auto v : moved.vertices())
+    moved.point(v) = CGAL::ORIGIN;
+  const auto np = CGAL::parameters::vertex_point_map(mesh.points()).geom_traits(Mesh::Point::R());
+  const CP::Embedded_body_3 same = CP::mesh_3_body(moved, 2., CP::internal::MESH_3_CELL_SIZE, np);
+  EXPECT_EQ(same.points(), body.points());
+  EXPECT_EQ(same.cells(), body.cells());
 }
 
 TEST(Mesh_3_body, refuses_by_name)

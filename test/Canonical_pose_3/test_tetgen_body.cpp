@@ -34,6 +34,7 @@ TEST(Tetgen_body, fills_the_surface)
   for(const auto v : mesh.vertices())
     EXPECT_EQ(body.points()(Eigen::Index(v), 0), mesh.point(v).x());
   EXPECT_EQ(body.embedding().rows(), Eigen::Index(mesh.number_of_vertices()));
+  EXPECT_EQ(CP::tetgen_body(mesh).points(), body.points());
 
   // also in other units
   for(const double unit : {1e-6, 1e6, 1e-90})
@@ -41,8 +42,11 @@ TEST(Tetgen_body, fills_the_surface)
     Mesh scaled = mesh;
     for(const auto v : scaled.vertices())
       scaled.point(v) = CGAL::ORIGIN + unit * (mesh.point(v) - CGAL::ORIGIN);
-    const double ratio = CP::tetgen_body(scaled, scaled.points()).volume() / (unit * unit * unit);
-    EXPECT_NEAR(ratio, body.volume(), 1e-11);
+    const double volume = CP::tetgen_body(scaled, scaled.points()).volume();
+    EXPECT_NEAR(volume / (unit * unit * unit), body.volume(), 1e-11);
+    const auto np
+      = CGAL::parameters::vertex_point_map(scaled.points()).geom_traits(Mesh::Point::R());
+    EXPECT_EQ(CP::tetgen_body(mesh, np).volume(), volume);
   }
 }
 
