@@ -41,7 +41,8 @@ inline Cholmod_factor_pointer own_cholmod_factor(cholmod_factor* factor)
 }
 
 using Cholmod_matrix = Eigen::SparseMatrix<double, Eigen::ColMajor, Factor_index>;
-static_assert(sizeof(Factor_index) == sizeof(SuiteSparse_long), "indices of CHOLMOD have another size");
+static_assert(sizeof(Factor_index) == sizeof(SuiteSparse_long),
+              "indices of CHOLMOD have another size");
 
 // A view of the lower triangle of a compressed matrix; CHOLMOD does not write to it.
 inline cholmod_sparse lower_triangle(const Cholmod_matrix& matrix)

@@ -86,7 +86,7 @@ public:
     b.xtype = CHOLMOD_REAL;
     b.dtype = CHOLMOD_DOUBLE;
     if(!cholmod_l_solve2(CHOLMOD_A, factor, &b, nullptr, &m_solution, nullptr, &m_first, &m_second,
-                       m_common.get()))
+                         m_common.get()))
     {
       m_common.check(factor->n);
       return false;
