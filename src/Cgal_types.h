@@ -89,9 +89,9 @@ inline Mesh_file boundary_of(const Mesh_file& file)
 
 inline CGAL::Canonical_pose_3::Diagnosis_3 diagnosis_of(const Mesh_file& file)
 {
-  if(file.is_tetrahedral)
-    return diagnosis_of(boundary_of(file));
-  return CGAL::Canonical_pose_3::diagnose(matrix_of(points_of(file)), file.faces);
+  const Point_matrix points = matrix_of(points_of(file));
+  return file.is_tetrahedral ? CGAL::Canonical_pose_3::diagnose(points, file.cells)
+                             : CGAL::Canonical_pose_3::diagnose(points, file.faces);
 }
 
 } // namespace Canonical_pose_tool

@@ -14,14 +14,12 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <cstddef>
-#include <cstdlib>
 #include <limits>
+#include <optional>
+#include <sstream>
 #include <stdexcept>
 #include <string>
-#include <system_error>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -38,24 +36,31 @@ struct Raw_arguments
   std::vector<std::string> springs, directions, handles, symmetric_pairs;
 };
 
-// Splits "1,2,0.5" into numbers; there must be from `least` to `most` of them.
-std::vector<double> numbers(const std::string& option, const std::string& text,
-                            const std::size_t least, const std::size_t most)
+using CGAL::Canonical_pose_3::Registration_options;
+
+// Splits "1,2,0.5" at the commas; there must be from `least` to `most` numbers.
+std::vector<std::string> words(const std::string& option, const std::string& text,
+                               const std::size_t least, const std::size_t most)
 {
-  std::vector<double> result;
-  const char* position = text.c_str();
-  for(char* end;; position = end + 1)
+  std::vector<std::string> result;
+  for(std::size_t begin = 0, end = 0; end != std::string::npos; begin = end + 1)
   {
-    result.push_back(std::strtod(position, &end));
-    if(end == position || !std::isfinite(result.back()) || (*end != ',' && *end != '\0'))
+    end = text.find(',', begin);
+    result.push_back(text.substr(begin, end - begin));
+    if(!real_of(result.back()))
       throw CLI::ValidationError(option, "'" + text
                                            + "' is not a list of numbers with commas between them");
-    if(*end == '\0')
-      break;
   }
   if(result.size() < least || result.size() > most)
     throw CLI::ValidationError(option, "'" + text + "' has a wrong number of values");
   return result;
+}
+
+std::string shown(const double number)
+{
+  std::ostringstream out;
+  out << number;
+  return out.str();
 }
 
 // Defines a constraint: vertices, then numbers, then optionally a stiffness.
@@ -65,19 +70,25 @@ struct Constraint_values
                     const std::size_t number_of_vertices, const std::size_t number_of_numbers)
   {
     const std::size_t n = number_of_vertices + number_of_numbers;
-    rest = numbers(option, text, n, n + 1);
+    const std::vector<std::string> all = words(option, text, n, n + 1);
     for(std::size_t i = 0; i < number_of_vertices; ++i)
     {
-      const double v = rest[i];
-      if(v < 0 || v > 1e15 || v != std::floor(v))
+      const auto vertex = count_of<std::size_t>(all[i]);
+      if(!vertex)
         throw CLI::ValidationError(
           option, "'" + text + "' does not begin with "
                     + (number_of_vertices == 2 ? "two vertex numbers" : "a vertex number"));
-      vertices.push_back(static_cast<std::size_t>(v));
+      vertices.push_back(*vertex);
     }
-    if(rest.size() > n)
-      stiffness = rest.back();
-    rest.erase(rest.begin(), rest.begin() + static_cast<std::ptrdiff_t>(number_of_vertices));
+    for(std::size_t i = number_of_vertices; i < n; ++i)
+      rest.push_back(*real_of(all[i]));
+    if(all.size() > n)
+      stiffness = *real_of(all.back());
+    constexpr double least = Registration_options::SMALLEST_WEIGHT,
+                     largest = Registration_options::LARGEST_WEIGHT;
+    if(stiffness < least || stiffness > largest)
+      throw CLI::ValidationError(option, "'" + text + "' has a stiffness that is not from "
+                                           + shown(least) + " to " + shown(largest));
   }
 
   Eigen::RowVector3d vector() const { return {rest[0], rest[1], rest[2]}; }
@@ -112,37 +123,32 @@ void take_constraints(const Raw_arguments& raw, Options& options)
   }
 }
 
-// The type of the option must be `Integer`. Only digits are accepted: no other notation, no sign of a
-// number that cannot be negative, no overflow.
+// The type of the option must be `Integer`.
 template <class Integer>
 CLI::Validator integer(const Integer least)
 {
   const std::string name = least > 0 ? "POSITIVE" : "NONNEGATIVE";
   return CLI::Validator(
     [=](std::string& text) {
-      Integer value;
-      const char* const end = text.data() + text.size();
-      const std::from_chars_result result = std::from_chars(text.data(), end, value);
-      if(result.ec != std::errc() || result.ptr != end || value < least)
+      const std::optional<Integer> value = count_of<Integer>(text);
+      if(!value || *value < least)
         return "'" + text + "' is not an integer from " + std::to_string(least) + " to "
                + std::to_string((std::numeric_limits<Integer>::max)());
-      text = std::to_string(value); // leading zeros would mean octal numbers
+      text = std::to_string(*value); // leading zeros would mean octal numbers
       return std::string();
     },
     name, name);
 }
 
-CLI::Validator number(const bool positive)
+CLI::Validator number(const double least, const double largest)
 {
-  const std::string name = positive ? "POSITIVE" : "NONNEGATIVE";
+  const std::string name = least > 0 ? "POSITIVE" : "NONNEGATIVE";
   return CLI::Validator(
     [=](const std::string& text) {
-      double value;
-      const bool holds = CLI::detail::lexical_cast(text, value) && std::isfinite(value)
-                         && (positive ? value > 0 : value >= 0);
-      return holds
+      const std::optional<double> value = real_of(text);
+      return value && *value >= least && *value <= largest
                ? std::string()
-               : "'" + text + "' is not a " + (positive ? "positive" : "nonnegative") + " number";
+               : "'" + text + "' is not a number from " + shown(least) + " to " + shown(largest);
     },
     name, name);
 }
@@ -213,7 +219,7 @@ void add_pose_options(CLI::App& command, Arguments& arguments, Raw_arguments& ra
   command
     .add_option("--spacing", options.lattice_spacing,
                 "spacing of the lattice by the largest distance")
-    ->check(number(true));
+    ->check(number(Options::SMALLEST_LATTICE_SPACING, 1));
   command
     .add_option("--target-mode", raw.target_mode,
                 "target by scaling of distances, or by moving vertices away from each other, which "
@@ -231,12 +237,13 @@ void add_pose_options(CLI::App& command, Arguments& arguments, Raw_arguments& ra
   command
     .add_option("--detail-length", options.registration.detail_length,
                 "details smaller than this keep their shape; by the largest distance")
-    ->check(number(true))
+    ->check(number(Registration_options::SMALLEST_DETAIL_LENGTH,
+                   Registration_options::LARGEST_DETAIL_LENGTH))
     ->capture_default_str();
   command
     .add_option("--tikhonov", options.registration.tikhonov,
                 "weight that holds an iteration near the one before")
-    ->check(number(false))
+    ->check(number(0, Registration_options::LARGEST_WEIGHT))
     ->capture_default_str();
   command
     .add_option("--iterations", options.registration.number_of_iterations,
@@ -420,12 +427,12 @@ void add_collection(CLI::App& command, Arguments& arguments, Raw_arguments& raw)
     ->transform(integer(std::size_t(0)))
     ->capture_default_str();
   command.add_option("--time-limit", arguments.time_limit, "seconds for a shape; 0: no limit")
-    ->check(number(false))
+    ->check(number(0, 1e9))
     ->capture_default_str();
   command
     .add_option("--memory-limit", arguments.memory_limit,
                 "megabytes of addresses for a shape; 0: no limit")
-    ->check(number(false))
+    ->check(number(0, 1e9))
     ->capture_default_str();
   add_recorded_pose_options(command, arguments, raw);
 }
@@ -518,23 +525,28 @@ void take(const Raw_arguments& raw, Arguments& arguments)
     options.geodesics = Options::Geodesics::WAVEFRONT;
   if(!raw.paper_weights.empty())
   {
-    const std::vector<double> weights = numbers("--paper-weights", raw.paper_weights, 2, 2);
-    if(!(weights[0] > 0) || weights[1] < 0)
+    const std::vector<std::string> weights = words("--paper-weights", raw.paper_weights, 2, 2);
+    const double alpha = *real_of(weights[0]), beta = *real_of(weights[1]);
+    if(!(alpha > 0) || beta < 0 || beta > Registration_options::LARGEST_WEIGHT)
       throw CLI::ValidationError("--paper-weights",
-                                 "ALPHA must be positive, and BETA not negative");
-    options.paper_weights = CGAL::Canonical_pose_3::Paper_weights{weights[0], weights[1]};
+                                 "'" + raw.paper_weights
+                                   + "': ALPHA must be positive, and BETA from 0 to "
+                                   + shown(Registration_options::LARGEST_WEIGHT));
+    options.paper_weights = CGAL::Canonical_pose_3::Paper_weights{alpha, beta};
   }
   if(options.target_mode == Options::Target_mode::UNFOLDING && !arguments.given_target.empty())
     throw CLI::ValidationError("--target-mode", "unfold excludes --given-target");
   take_constraints(raw, options);
   if(raw.parts != "auto")
   {
-    const double parts = numbers("--parts", raw.parts, 1, 1)[0];
-    if(!(parts >= 1) || parts > 1e9 || parts != std::floor(parts))
+    arguments.number_of_parts = count_of<std::size_t>(raw.parts).value_or(0);
+    if(arguments.number_of_parts == 0)
       throw CLI::ValidationError("--parts",
                                  "'" + raw.parts + "' is neither auto nor a positive number");
-    arguments.number_of_parts = static_cast<std::size_t>(parts);
   }
+  if(arguments.method == "kmeans" && arguments.number_of_parts == 0)
+    throw CLI::ValidationError("--method", "'kmeans' cannot determine the number of parts: --parts "
+                                           "is required");
 }
 
 } // namespace

@@ -13,6 +13,7 @@
 #include <array>
 #include <cstddef>
 #include <iosfwd>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,13 @@ Format format_of(const std::string& path);
 // Throws std::invalid_argument with the defect and the element. This is why CGAL's readers are not
 // used: they only report failure.
 Mesh_file read_mesh_file(const std::string& path);
+
+// Throws std::invalid_argument unless it is a surface.
+inline void check_is_surface(const Mesh_file& mesh)
+{
+  if(mesh.is_tetrahedral)
+    throw std::invalid_argument("a surface is needed, but this is a tetrahedral mesh");
+}
 
 // Reads numbers separated by blanks or line ends from a text file; '#' starts a comment. Throws
 // std::invalid_argument, which also names the file.

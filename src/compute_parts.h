@@ -74,6 +74,10 @@ inline std::vector<std::size_t> compute_parts(const Segmentation_input& input,
     parts = report.tree->parts();
   }
   report.parts = CP::segmentation_parts(points, faces, parts);
+  if(report.parts.size() < input.number_of_parts)
+    report.warnings.push_back("the number of parts is " + std::to_string(report.parts.size())
+                              + " instead of the " + std::to_string(input.number_of_parts)
+                              + " requested: the surface is not divided further");
   report.stages.emplace_back("segmentation", clock.lap());
   return parts;
 }

@@ -57,8 +57,7 @@ Shape_description describe_shape(const Mesh_file& input, const std::vector<Descr
     limit.emplace(tbb::global_control::max_allowed_parallelism,
                   static_cast<std::size_t>(arguments.options.number_of_threads));
 #endif
-  if(input.is_tetrahedral)
-    throw std::invalid_argument("a surface is needed, but this is a tetrahedral mesh");
+  check_is_surface(input);
   Shape_description shape;
   shape.points = matrix_of(points_of(input));
   if(needs_pose

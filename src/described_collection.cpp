@@ -11,15 +11,16 @@
 #include "Mesh_file.h"
 #include "Report.h"
 #include "describe_shape.h"
+#include "option_values.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdlib>
 #include <stdexcept>
 
 namespace Canonical_pose_tool {
 
 namespace {
+
+using CGAL::Canonical_pose_3::Registration_options;
 
 // Removes the weight of "NAME:WEIGHT".
 std::optional<double> take_weight(std::string& name)
@@ -27,12 +28,12 @@ std::optional<double> take_weight(std::string& name)
   const std::size_t colon = name.rfind(':');
   if(colon == std::string::npos)
     return std::nullopt;
-  char* end = nullptr;
   const std::string text = name.substr(colon + 1);
-  const double weight = std::strtod(text.c_str(), &end);
-  if(text.empty() || *end != '\0' || !(weight > 0) || !std::isfinite(weight))
+  const std::optional<double> weight = real_of(text);
+  if(!weight || *weight < Registration_options::SMALLEST_WEIGHT
+     || *weight > Registration_options::LARGEST_WEIGHT)
     throw std::invalid_argument("'" + text + "' is not a positive weight of "
-                                + name.substr(0, colon));
+                                + name.substr(0, colon) + ", from 1e-09 to 1e+09");
   name.erase(colon);
   return weight;
 }

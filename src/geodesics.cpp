@@ -30,8 +30,7 @@ void run_geodesics(const Arguments& arguments)
   check_format_of_values(arguments.output);
   Output_files files({arguments.output});
   const Mesh_file input = read_mesh_file(arguments.input);
-  if(input.is_tetrahedral)
-    throw std::invalid_argument("this is a tetrahedral mesh, but a surface is needed");
+  check_is_surface(input);
   const bool is_exact = arguments.geodesics == "exact";
   const Eigen::MatrixXd distances = CGAL::Canonical_pose_3::geodesic_distances(
     matrix_of(points_of(input)), input.faces, arguments.sources, arguments.options,

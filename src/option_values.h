@@ -12,10 +12,15 @@
 
 #include <CGAL/Canonical_pose_3/Options.h>
 
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
 #include <map>
+#include <optional>
 #include <string>
+#include <system_error>
 
-// The names of the values that options can have, on the command line and in Python.
+// The numbers of the command line. The names of the values that options can have, on the command line and in Python.
 
 namespace Canonical_pose_tool {
 
@@ -52,6 +57,29 @@ inline const Option_values<Options::Solver> SOLVERS = {{"auto", Options::Solver:
 
 inline const Option_values<Options::Target_mode> TARGET_MODES
   = {{"mds", Options::Target_mode::MDS}, {"unfold", Options::Target_mode::UNFOLDING}};
+
+// A count: digits and nothing else.
+template <class Integer>
+std::optional<Integer> count_of(const std::string& text)
+{
+  Integer value;
+  const char* const end = text.data() + text.size();
+  const std::from_chars_result result = std::from_chars(text.data(), end, value);
+  return result.ec == std::errc() && result.ptr == end && text[0] != '-' ? std::optional(value)
+                                                                         : std::nullopt;
+}
+
+// A finite number in the notation of std::from_chars(), which is not in all libraries of C++17: neither
+// a plus sign before it nor hexadecimal.
+inline std::optional<double> real_of(const std::string& text)
+{
+  if(text.empty() || text.find_first_not_of("0123456789+-.eE") != std::string::npos
+     || text[0] == '+')
+    return std::nullopt;
+  char* end;
+  const double value = std::strtod(text.c_str(), &end);
+  return *end == '\0' && std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
 
 } // namespace Canonical_pose_tool
 

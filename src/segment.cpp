@@ -144,8 +144,7 @@ void run_segment(const Arguments& arguments)
   Output_folder folder(is_folder(arguments.output) ? arguments.output : std::string());
   Output_files({is_folder(arguments.output) ? std::string() : arguments.output, arguments.report});
   const Mesh_file input = read_mesh_file(arguments.input);
-  if(input.is_tetrahedral)
-    throw std::invalid_argument("a surface is needed, but this is a tetrahedral mesh");
+  check_is_surface(input);
   Segmentation_report report;
   report.stages.emplace_back("read", clock.lap());
   const std::vector<std::size_t> parts = parts_of(input, arguments, report, clock);

@@ -151,9 +151,6 @@ void take_paper_weights(Keywords& keywords, Options& options)
     return;
   const auto [alpha, beta]
     = value_of<std::pair<double, double>>(value, "option paper_weights", "two numbers");
-  if(!(alpha > 0) || !(beta >= 0) || !std::isfinite(alpha) || !std::isfinite(beta))
-    throw std::invalid_argument(
-      "option paper_weights: ALPHA must be positive, and BETA not negative");
   options.paper_weights = CGAL::Canonical_pose_3::Paper_weights{alpha, beta};
 }
 
@@ -231,9 +228,11 @@ Options options_of(const py::dict& values)
   keywords.take_integer("threads", 0, options.number_of_threads);
   if(const std::optional<double> spacing = keywords.take_number("spacing"))
   {
-    if(!(*spacing > 0))
-      throw std::invalid_argument("option spacing is " + std::to_string(*spacing)
-                                  + ", but must be > 0");
+    constexpr double least = Options::SMALLEST_LATTICE_SPACING;
+    if(!(*spacing >= least && *spacing <= 1))
+      throw std::invalid_argument("option spacing is " + std::string(py::str(py::float_(*spacing)))
+                                  + ", but must be from " + std::string(py::str(py::float_(least)))
+                                  + " to 1");
     options.lattice_spacing = *spacing;
   }
   int rounds = -1;

@@ -246,7 +246,12 @@ TEST(Components_that_follow, several_shapes_are_refused)
                     "the surface has 2 connected components");
   append(soup, crumbs(3));
   EXPECT_THROW_WITH(pose_of(soup, quick()), std::invalid_argument,
-                    "2 connected components, besides 3 that follow them");
+                    "2 connected components, besides 3 that follow them: vertex 0 belongs to one, "
+                    "vertex ");
+  soup = bar_and(box({{7.8, 0, 0}}, {{8, 1, 1}}, 24));
+  append(soup, crumbs(1));
+  EXPECT_THROW_WITH(pose_of(soup, quick()), std::invalid_argument,
+                    "2 connected components, besides 1 that follows them: vertex 0 belongs to one");
   CP::Options options = quick();
   options.components = CP::Options::Components::REFUSE;
   EXPECT_THROW_WITH(pose_of(bar_and(crumbs(1)), options), std::invalid_argument,

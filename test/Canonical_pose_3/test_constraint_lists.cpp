@@ -113,7 +113,7 @@ TEST(Constraints, bad_elements_are_named)
                     "handle 2 names vertex 8");
   EXPECT_THROW_WITH(h.set_position(0, RowVector3d(0, infinite, 0)), std::invalid_argument,
                     "handle 0 has a position");
-  EXPECT_THROW_WITH(h.set_stiffness(0, 0.), std::invalid_argument, "handle 0 has a stiffness");
+  EXPECT_THROW_WITH(h.set_stiffness(0, 0.), std::invalid_argument, "handle 0 has the stiffness 0, but");
   EXPECT_THROW_WITH(s.insert({0, n, 1.}), std::invalid_argument, "symmetric pair 4 names vertex 8");
   EXPECT_THROW_WITH(s.set_stiffness(1, nan), std::invalid_argument, "symmetric pair 1");
   EXPECT_THROW(s.set_stiffness(4, 1.), CGAL::Precondition_exception);

@@ -9,6 +9,8 @@
 
 #include "diagnosed.h"
 
+#include <array>
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -21,6 +23,22 @@ TEST(Diagnosis, nothing_wrong)
   EXPECT_EQ(defects(ball()), Defects());
   EXPECT_TRUE(diagnosis(ball()).is_clean());
   EXPECT_EQ(diagnosis(ball()).self_intersections, 0u);
+}
+
+// Vertices are those of the complex, one of which is inside, and cells may touch at one.
+TEST(Diagnosis, tetrahedral_complex)
+{
+  CGAL::Canonical_pose_3::Point_matrix points(9, 3);
+  points << 9, 9, 9, 1, 0, 0, 0, 1, 0, 0, 0, 1, -1, 0, 0, 0, -1, 0, 0, 0, -1, 0, 0, 0, .2, .2, .2;
+  const std::vector<std::array<std::size_t, 4>> cells
+    = {{{7, 4, 5, 6}}, {{8, 1, 2, 3}}, {{8, 1, 3, 7}}, {{8, 1, 7, 2}}, {{8, 2, 7, 3}}};
+  const auto found = CGAL::Canonical_pose_3::diagnose(points, cells);
+  EXPECT_EQ(found.vertices, 7u);
+  EXPECT_EQ(found.faces, 8u);
+  EXPECT_EQ(found.isolated_vertices, 0u);
+  EXPECT_EQ(found.self_intersections, 0u);
+  ASSERT_EQ(found.defects.size(), 1u);
+  EXPECT_EQ(found.first_defect, "vertex 7 is not manifold: 2 fans of faces meet there");
 }
 
 TEST(Diagnosis, no_face)

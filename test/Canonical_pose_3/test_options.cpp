@@ -101,7 +101,9 @@ std::vector<Bad_value> bad_enumerators(const std::string& name,
 
 const std::vector<double> NOT_NONNEGATIVE = {-1, NOT_A_NUMBER, INFINITE},
                           NOT_POSITIVE = {0, -1, NOT_A_NUMBER, INFINITE},
-                          NOT_FINITE = {NOT_A_NUMBER, INFINITE, -INFINITE};
+                          NOT_FINITE = {NOT_A_NUMBER, INFINITE, -INFINITE},
+                          NO_WEIGHT = {0, -1, NOT_A_NUMBER, INFINITE, 1e-320, 1e300},
+                          NO_WEIGHT_OR_ZERO = {-1, NOT_A_NUMBER, INFINITE, 1e300};
 
 Bad_values of_registration()
 {
@@ -112,15 +114,18 @@ Bad_values of_registration()
   };
   using R = CP::Registration_options;
   return {
-    {"detail_length", numbers("detail_length", NOT_POSITIVE, &R::detail_length)},
-    {"tikhonov", numbers("tikhonov", NOT_NONNEGATIVE, &R::tikhonov)},
+    {"detail_length",
+     numbers("detail_length", {0, -1, NOT_A_NUMBER, INFINITE, 1e-320, 1e-7, 1e4, 1e20},
+             &R::detail_length)},
+    {"tikhonov", numbers("tikhonov", NO_WEIGHT_OR_ZERO, &R::tikhonov)},
     {"number_of_iterations", numbers("number_of_iterations", {-1}, &R::number_of_iterations)},
     {"energy_tolerance", numbers("energy_tolerance", NOT_NONNEGATIVE, &R::energy_tolerance)},
     {"move_tolerance", numbers("move_tolerance", NOT_NONNEGATIVE, &R::move_tolerance)},
     {"acceleration_window", numbers("acceleration_window", {-1}, &R::acceleration_window)},
     {"fairing_passes", numbers("fairing_passes", {-1}, &R::fairing_passes)},
-    {"fairing_lambda", numbers("fairing_lambda", NOT_FINITE, &R::fairing_lambda)},
-    {"fairing_mu", numbers("fairing_mu", NOT_FINITE, &R::fairing_mu)},
+    {"fairing_lambda",
+     numbers("fairing_lambda", {NOT_A_NUMBER, INFINITE, -1.5, 1.5}, &R::fairing_lambda)},
+    {"fairing_mu", numbers("fairing_mu", {NOT_A_NUMBER, INFINITE, -1.5, 1.5}, &R::fairing_mu)},
     {"injective", {}},
   };
 }
@@ -151,13 +156,14 @@ Bad_values of_method()
     {"kernel", bad_enumerators("kernel", &O::kernel, O::Kernel::UNCENTERED_GAUSSIAN)},
     {"mds_kernel", {{"mds_kernel", [](Options& o) { o.mds_kernel = Kernel_without_values(); }}}},
     {"target_mode", bad_enumerators("target_mode", &O::target_mode, O::Target_mode::UNFOLDING)},
-    {"unfolding", bad_numbers("unfolding.weight", NOT_POSITIVE,
+    {"unfolding", bad_numbers("unfolding.weight", NO_WEIGHT,
                               [](Options& o) -> double& { return o.unfolding.weight; })},
     {"number_of_rounds", bad_numbers("number_of_rounds", {-1}, number_of_rounds)},
     {"takes_mirror_image", {}},
     {"body", bad_enumerators("body", &O::body, O::Body::MESH_3)},
     {"make_body", {}},
-    {"lattice_spacing", bad_numbers("lattice_spacing", NOT_NONNEGATIVE, spacing)},
+    {"lattice_spacing",
+     bad_numbers("lattice_spacing", {-1, NOT_A_NUMBER, INFINITE, 1e-320, 1e-7, 1.5}, spacing)},
     {"components", bad_enumerators("components", &O::components, O::Components::EACH)},
     {"contacts", bad_enumerators("contacts", &O::contacts, O::Contacts::CUT)},
     {"frame", bad_enumerators("frame", &O::frame, O::Frame::CANONICAL)},
@@ -180,7 +186,7 @@ Bad_values of_method()
 Bad_values of_paper_weights()
 {
   return {{"alpha", of_method()["paper_weights"]},
-          {"beta", bad_numbers("paper_weights.beta", NOT_NONNEGATIVE, [](Options& o) -> double& {
+          {"beta", bad_numbers("paper_weights.beta", NO_WEIGHT_OR_ZERO, [](Options& o) -> double& {
              return o.paper_weights.emplace().beta;
            })}};
 }
@@ -207,9 +213,9 @@ std::vector<Bad_value> bad_factors(const std::string& name,
 Bad_values of_vertices()
 {
   return {
-    {"matching_weights",
-     bad_factors("matching weight", &Options::matching_weights, NOT_NONNEGATIVE)},
-    {"stiffness", bad_factors("stiffness", &Options::stiffness, NOT_POSITIVE)},
+    {"matching_weights", bad_factors("matching weight", &Options::matching_weights,
+                                     {-1, NOT_A_NUMBER, INFINITE, 1e-320, 1e300})},
+    {"stiffness", bad_factors("stiffness", &Options::stiffness, NO_WEIGHT)},
     {"constraints",
      {{"spring 0",
        [](Options& o) {
@@ -252,7 +258,7 @@ Bad_values of_springs()
   return {{"p", bad({NO_VERTEX}, &CP::Spring_3::p)},
           {"q", bad({NO_VERTEX, 0}, &CP::Spring_3::q)},
           {"rest_length", bad(NOT_NONNEGATIVE, &CP::Spring_3::rest_length)},
-          {"stiffness", bad(NOT_POSITIVE, &CP::Spring_3::stiffness)}};
+          {"stiffness", bad(NO_WEIGHT, &CP::Spring_3::stiffness)}};
 }
 
 Bad_values of_directions()
@@ -265,7 +271,7 @@ Bad_values of_directions()
   return {{"p", bad({NO_VERTEX}, [](D& d) -> std::size_t& { return d.p; })},
           {"q", bad({NO_VERTEX, 0}, [](D& d) -> std::size_t& { return d.q; })},
           {"vector", bad(NOT_FINITE, [](D& d) -> double& { return d.vector[2]; })},
-          {"stiffness", bad(NOT_POSITIVE, [](D& d) -> double& { return d.stiffness; })}};
+          {"stiffness", bad(NO_WEIGHT, [](D& d) -> double& { return d.stiffness; })}};
 }
 
 Bad_values of_handles()
@@ -277,7 +283,7 @@ Bad_values of_handles()
   using H = CP::Handle_3;
   return {{"p", bad({NO_VERTEX}, [](H& h) -> std::size_t& { return h.p; })},
           {"position", bad(NOT_FINITE, [](H& h) -> double& { return h.position[2]; })},
-          {"stiffness", bad(NOT_POSITIVE, [](H& h) -> double& { return h.stiffness; })}};
+          {"stiffness", bad(NO_WEIGHT, [](H& h) -> double& { return h.stiffness; })}};
 }
 
 Bad_values of_symmetric_pairs()
@@ -290,7 +296,7 @@ Bad_values of_symmetric_pairs()
   using S = CP::Symmetric_pair_3;
   return {{"p", bad({NO_VERTEX}, [](S& s) -> std::size_t& { return s.p; })},
           {"q", bad({NO_VERTEX}, [](S& s) -> std::size_t& { return s.q; })},
-          {"stiffness", bad(NOT_POSITIVE, [](S& s) -> double& { return s.stiffness; })}};
+          {"stiffness", bad(NO_WEIGHT, [](S& s) -> double& { return s.stiffness; })}};
 }
 
 Bad_values of_constraints()
@@ -402,6 +408,82 @@ TEST(Options_of_the_call, bad_values_are_refused_by_name)
     expect_refused(values);
 }
 
+// The detail length that the paper's weight leads to is known once there is a body.
+TEST(Options_of_the_call, paper_weights_lead_to_a_detail_length)
+{
+  for(const double alpha : {1e-320, 1e-20, 1e20, 1e300})
+  {
+    Options options;
+    options.paper_weights.emplace().alpha = alpha;
+    EXPECT_THROW_WITH(shapes::pose_of(shapes::small_bar(), options), std::invalid_argument,
+                      "option paper_weights.alpha is ");
+  }
+}
+
+TEST(Options_of_the_call, values_are_shown_with_enough_digits)
+{
+  Options options;
+  options.registration.detail_length = 1000.0000000000001;
+  EXPECT_THROW_WITH(shapes::pose_of(shapes::small_bar(), options), std::invalid_argument,
+                    "option detail_length is 1000.0000000000001, but must be from 1e-06 to 1000");
+  options = Options();
+  options.lattice_spacing = 1e-320;
+  EXPECT_THROW_WITH(shapes::pose_of(shapes::small_bar(), options), std::invalid_argument,
+                    "option lattice_spacing is 9.99989e-321, but must be 0 or from 1e-06 to 1");
+  options.lattice_spacing = 1e-6;
+  EXPECT_THROW_WITH(shapes::pose_of(shapes::small_bar(), options), std::invalid_argument,
+                    "the spacing of the lattice, 1e-06 of the largest distance, is too small");
+}
+
+// At the ends of the ranges, also in rounds, where the detail length is halved.
+TEST(Options_of_the_call, the_ends_of_the_ranges_work)
+{
+  using R = CP::Registration_options;
+  const std::vector<std::function<void(Options&)>> ends = {
+    [](Options& o) { o.registration.detail_length = R::SMALLEST_DETAIL_LENGTH; },
+    [](Options& o) { o.registration.detail_length = R::LARGEST_DETAIL_LENGTH; },
+    [](Options& o) { o.registration.tikhonov = R::LARGEST_WEIGHT; },
+    [](Options& o) { o.lattice_spacing = 1; },
+    [](Options& o) {
+      o.target_mode = Options::Target_mode::UNFOLDING, o.unfolding.weight = R::SMALLEST_WEIGHT;
+    },
+    [](Options& o) {
+      o.target_mode = Options::Target_mode::UNFOLDING, o.unfolding.weight = R::LARGEST_WEIGHT;
+    },
+    [](Options& o) {
+      o.constraints.springs = {{0, 1, 1., R::LARGEST_WEIGHT}};
+    },
+    [](Options& o) {
+      o.constraints.handles = {{0, Eigen::RowVector3d(0, 0, 0), R::SMALLEST_WEIGHT}};
+    },
+    [](Options& o) {
+      o.constraints.symmetric_pairs = {{0, 1, R::LARGEST_WEIGHT}};
+    },
+    [](Options& o) {
+      o.stiffness = Eigen::VectorXd::Constant(Eigen::Index(NUMBER_OF_VERTICES), R::LARGEST_WEIGHT);
+      o.stiffness[0] = R::SMALLEST_WEIGHT;
+    },
+    [](Options& o) {
+      o.stiffness = Eigen::VectorXd::Constant(Eigen::Index(NUMBER_OF_VERTICES), R::SMALLEST_WEIGHT);
+    },
+    [](Options& o) {
+      o.matching_weights = Eigen::VectorXd::Constant(Eigen::Index(NUMBER_OF_VERTICES), 1e100);
+      o.matching_weights[0] = 1e-100;
+    },
+    [](Options& o) {
+      o.registration.fairing_passes = 1;
+      o.registration.fairing_lambda = 1;
+      o.registration.fairing_mu = -1;
+    }};
+  for(std::size_t i = 0; i < ends.size(); ++i)
+  {
+    SCOPED_TRACE(i);
+    Options options;
+    ends[i](options);
+    EXPECT_TRUE(shapes::pose_of(shapes::small_bar(), options).allFinite());
+  }
+}
+
 // The steps are given options that the first one has not seen.
 TEST(Options_of_the_steps, bad_values_are_refused_by_name)
 {
@@ -489,17 +571,17 @@ TEST(Parameters, bad_values_are_refused_by_name)
   const shapes::Triangle_soup bar = shapes::bent_bar();
   const CP::Point_matrix points = shapes::to_matrix(bar.points);
   const Eigen::MatrixXd distances = Eigen::MatrixXd::Ones(points.rows(), 1);
-  for(const double value : NOT_POSITIVE)
+  for(const double value : NO_WEIGHT)
     EXPECT_THROW_WITH(CP::Power_kernel{value}, std::invalid_argument, "option exponent is ");
-  for(const double value : NOT_FINITE)
+  for(const double value : {NOT_A_NUMBER, INFINITE, -1e300, 1e300})
     EXPECT_THROW_WITH(CP::Smacof_target_builder_3{value}, std::invalid_argument,
                       "option weight_exponent is ");
-  for(const double value : NOT_NONNEGATIVE)
+  for(const double value : {-1., NOT_A_NUMBER, INFINITE, 1e-320, 1e300})
   {
     EXPECT_THROW_WITH(CP::Smacof_target_builder_3(1., value), std::invalid_argument,
                       "option robust_scale is ");
     EXPECT_THROW_WITH(CP::Lattice_body_3(points, bar.triangles, distances, value),
-                      std::invalid_argument, "the spacing of the lattice");
+                      std::invalid_argument, "option lattice_spacing is ");
   }
   for(const int value : {0, -1})
     EXPECT_THROW_WITH(CP::Landmark_mds_target_builder_3<>(CP::Squared_distance_kernel(), value),

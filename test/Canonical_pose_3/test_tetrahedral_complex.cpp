@@ -162,5 +162,11 @@ TEST(Conforming_body, bad_input_is_named)
   std::unordered_map<Mesh::Vertex_index, std::size_t> origin;
   EXPECT_THROW_WITH(CP::extract_boundary(bad, mesh, boost::make_assoc_property_map(origin)),
                     std::invalid_argument, "share a face");
+  bad = box;
+  bad.cells.push_back({{box.cells[2][1], box.cells[2][0], box.cells[2][3], box.cells[2][2]}});
+  Mesh other;
+  EXPECT_THROW_WITH(CP::extract_boundary(bad, other, boost::make_assoc_property_map(origin)),
+                    std::invalid_argument,
+                    "cells 2 and " + std::to_string(box.cells.size()) + " are the same");
   EXPECT_THROW_WITH(CP::complex_body(Tetrahedra()), std::invalid_argument, "no cell");
 }

@@ -1,4 +1,5 @@
-# Numbers that options refuse, see test_tool.cmake: wrong usage with exit code 2, and one line on stderr that names option
+# Numbers that options refuse: a count is digits only; all other numbers have neither a plus sign nor hexadecimal digits,
+# see test_tool.cmake: wrong usage with exit code 2, and one line on stderr that names option
 # and value. The options of all commands are those of their help.
 
 function(expect_bad_number option value)
@@ -21,8 +22,8 @@ set(search_arguments ball.off --database out/a.db)
 set(geodesics_arguments ball.off -o out/a.txt --source 0)
 set(shape_arguments ball.off)
 set(large 99999999999999999999) # more than 64 bits
-set(bad_numbers nan inf -1 one 1x "1 x" 1,2 1e999)
-set(bad_integers ${large} 1e3 1.5 0x10 +1 " 1")
+set(bad_numbers nan inf -1 one 1x "1 x" 1,2 1e999 1e300 0x10 +1 " 1")
+set(bad_integers ${large} 1e3 1.5)
 set(number_of_tested_options 0)
 foreach(subcommand IN ITEMS pose segment describe collection search shape geodesics evaluate compare check page)
   expect_exit(0 ${subcommand} --help)
@@ -58,7 +59,7 @@ if(number_of_tested_options LESS 50)
 endif()
 
 # Numbers in lists.
-foreach(value IN ITEMS nan inf 1e999 one 1x ${large})
+foreach(value IN ITEMS nan inf 1e999 one 1x 1e0 1.0 0x1 +1 " 1" ${large})
   foreach(text IN ITEMS "--spring=0,${value},1" "--direction=${value},1,1,0,0" "--handle=${value},0,0,0"
       "--symmetric=0,${value}" "--parts=${value}")
     set(subcommand pose)
@@ -69,10 +70,22 @@ foreach(value IN ITEMS nan inf 1e999 one 1x ${large})
     expect_bad_number("${CMAKE_MATCH_1}" "${CMAKE_MATCH_2}" ${subcommand} ${${subcommand}_arguments} "${text}")
   endforeach()
 endforeach()
-foreach(value IN ITEMS nan inf 1e999 one "1 x" "")
+foreach(value IN ITEMS nan inf 1e999 one "1 x" 0x10 +3 " 1" "")
   foreach(text IN ITEMS "--spring=0,1,${value}" "--spring=0,1,1,${value}" "--direction=0,1,1,0,${value}"
       "--handle=0,0,0,${value}" "--symmetric=0,1,${value}" "--paper-weights=${value},10" "--paper-weights=100,${value}")
     string(REGEX MATCH "(--[a-z-]+)=(.*)" text "${text}")
     expect_bad_number("${CMAKE_MATCH_1}" "${CMAKE_MATCH_2}" pose ${pose_arguments} "${text}")
   endforeach()
 endforeach()
+
+# Values out of range.
+foreach(text IN ITEMS "--spring=0,1,1,1e300" "--direction=0,1,1,0,0,1e-320" "--handle=0,0,0,0,1e300" "--symmetric=0,1,0"
+    "--paper-weights=100,1e300" "--paper-weights=0,10" "--spacing=1.5" "--spacing=1e-320" "--detail-length=1e-320"
+    "--detail-length=1e20" "--tikhonov=1e300")
+  string(REGEX MATCH "(--[a-z-]+)=(.*)" text "${text}")
+  expect_bad_number("${CMAKE_MATCH_1}" "${CMAKE_MATCH_2}" pose ${pose_arguments} "${text}")
+endforeach()
+set(command "canonical-pose segment ${segment_arguments} --parts ''") # run_tool() would drop the empty word
+execute_process(COMMAND ${TOOL} segment ${segment_arguments} --parts "" WORKING_DIRECTORY ${WORK}
+  RESULT_VARIABLE exit_code OUTPUT_VARIABLE stdout ERROR_VARIABLE stderr)
+expect_match("${exit_code} ${stderr}" "^2 canonical-pose: --parts: '' is neither auto nor a positive number\n$")

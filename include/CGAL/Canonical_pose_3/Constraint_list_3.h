@@ -10,8 +10,10 @@
 #ifndef CGAL_CANONICAL_POSE_3_CONSTRAINT_LIST_3_H
 #define CGAL_CANONICAL_POSE_3_CONSTRAINT_LIST_3_H
 
+#include <CGAL/Canonical_pose_3/Registration_options.h>
 #include <CGAL/Canonical_pose_3/internal/registration/Constraint_element_traits.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+#include <CGAL/Canonical_pose_3/internal/support/require_option.h>
 
 #include <CGAL/assertions.h>
 
@@ -79,7 +81,8 @@ public:
 
   /// changes the stiffness of an element. The matrix changes.
   /// \pre `index < elements().size()`
-  /// \throws std::invalid_argument if `stiffness` is not positive and finite.
+  /// \throws std::invalid_argument unless `stiffness` is in the range of weights, see
+  ///         `Registration_options::SMALLEST_WEIGHT`.
   void set_stiffness(const std::size_t index, const double stiffness)
   {
     Element changed = element(index);
@@ -128,8 +131,11 @@ private:
     for(const std::size_t v : internal::vertices_of(element))
       refuse_if(v >= m_number_of_vertices, "names vertex " + std::to_string(v) + ", but there are "
                                              + std::to_string(m_number_of_vertices));
-    refuse_if(!(element.stiffness > 0) || !std::isfinite(element.stiffness),
-              "has a stiffness that is not positive");
+    using R = Registration_options;
+    refuse_if(!(element.stiffness >= R::SMALLEST_WEIGHT && element.stiffness <= R::LARGEST_WEIGHT),
+              "has the stiffness " + internal::shortest_number(element.stiffness)
+                + ", but it must be from " + internal::shortest_number(R::SMALLEST_WEIGHT) + " to "
+                + internal::shortest_number(R::LARGEST_WEIGHT));
     const std::string defect = Element_traits::defect(element);
     refuse_if(!defect.empty(), defect);
   }

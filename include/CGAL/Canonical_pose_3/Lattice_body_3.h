@@ -67,9 +67,9 @@ public:
 
   \pre `distances.rows() == points.rows()`, and there is at least one column.
 
-  \throws std::invalid_argument if a triangle has an invalid row, the spacing is negative or so small that there would be tens of
-         millions of cubes, a vertex is isolated, the surface has no area, or a distance is not
-         finite (for instance for several components).
+  \throws std::invalid_argument if a triangle has an invalid row, the spacing is neither 0 nor from
+         \f$ 10^{-6} \f$ to 1, or so small that there would be tens of millions of cubes, a vertex
+         is isolated, the surface has no area, or a distance is not finite (for instance for several components).
 
   <em>Complexity:</em> linear in the numbers of triangles, cubes and cubes along the chords.
   */

@@ -19,6 +19,7 @@
 #include <CGAL/Canonical_pose_3/Registration_progress.h>
 #include <CGAL/Canonical_pose_3/Unfolding.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+#include <CGAL/Canonical_pose_3/internal/support/require_option.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <Eigen/Core>
@@ -64,8 +65,11 @@ struct Intermediate_results
 */
 struct Paper_weights
 {
-  double alpha = 100; ///< \f$ \alpha \f$, in the inverse of the mesh's unit of length.
-  double beta = 10;   ///< \f$ \beta \f$.
+  /// \f$ \alpha \f$, in the inverse of the mesh's unit of length. Positive, and such that the detail
+  /// length that it leads to is in the range of `Registration_options::detail_length`.
+  double alpha = 100;
+  /// \f$ \beta \f$, from 0 to \f$ 10^9 \f$.
+  double beta = 10;
 };
 
 /// \ingroup PkgCanonicalPose3Ref
@@ -156,6 +160,9 @@ struct Method_options
   /// linear solver. `AUTOMATIC` is CHOLMOD if the package was configured with it, otherwise Eigen.
   enum class Solver { AUTOMATIC, EIGEN, CHOLMOD };
 
+  /// the least value of `lattice_spacing` but 0. How many cubes there may be depends on the shape.
+  static constexpr double SMALLEST_LATTICE_SPACING = internal::SMALLEST_LATTICE_SPACING;
+
   /// the distances.
   Geodesics geodesics = Geodesics::HEAT;
 
@@ -209,8 +216,8 @@ struct Method_options
   /// if set, creates the body of a surface instead.
   Body_function make_body;
 
-  /// spacing of the lattice as a fraction of \f$ L \f$; if 0, it is chosen based on the thickness
-  /// of the shape.
+  /// spacing of the lattice as a fraction of \f$ L \f$, from `SMALLEST_LATTICE_SPACING` to 1, where
+  /// a cube is as large as the shape; if 0, it is chosen based on the thickness of the shape.
   double lattice_spacing = 0;
 
   /// the components of a surface or a complex.
@@ -263,15 +270,16 @@ struct Method_options
 */
 struct Vertex_options
 {
-  /// nonnegative factors of the matching weights, which are shares of the area and are normalized
-  /// to the sum 1 afterwards: one per vertex in the order of `vertices(tmesh)` or of the vertices
-  /// of the complex, or none; see `property_values()`. A vertex with factor 0 has no target and
-  /// follows the others.
+  /// factors of the matching weights, 0 or from \f$ 10^{-100} \f$ to \f$ 10^{100} \f$, which are
+  /// shares of the area and are normalized to the sum 1 afterwards: one per vertex in the order of
+  /// `vertices(tmesh)` or of the vertices of the complex, or none; see `property_values()`. A
+  /// vertex with factor 0 has no target and follows the others.
   Eigen::VectorXd matching_weights;
 
-  /// positive factors of the weights of the cells, or none: one per vertex of a surface,
-  /// transferred to the cells by `cell_stiffness()`, or one per cell of a complex. A uniform factor
-  /// \f$ c \f$ has the same effect as multiplying the detail length by \f$ \sqrt c \f$.
+  /// factors of the weights of the cells, from \f$ 10^{-9} \f$ to \f$ 10^9 \f$, or none: one per
+  /// vertex of a surface, transferred to the cells by `cell_stiffness()`, or one per cell of a
+  /// complex. A uniform factor \f$ c \f$ has the same effect as multiplying the detail length by
+  /// \f$ \sqrt c \f$.
   Eigen::VectorXd stiffness;
 
   /// the constraints.

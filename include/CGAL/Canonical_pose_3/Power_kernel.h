@@ -34,10 +34,10 @@ class Power_kernel
 {
 public:
   /// constructs the kernel.
-  /// \throws std::invalid_argument unless `exponent` is positive and finite.
+  /// \throws std::invalid_argument unless `exponent` is from 0.001 to 100.
   explicit Power_kernel(const double exponent = 1.5) : m_exponent(exponent)
   {
-    internal::require_positive("exponent", exponent);
+    internal::require_in_range("exponent", exponent, 1e-3, 100);
   }
 
   /// returns the exponent \f$ p \f$.

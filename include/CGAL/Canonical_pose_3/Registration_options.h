@@ -28,13 +28,20 @@ inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 */
 struct Registration_options
 {
+  /// the range of `detail_length`.
+  static constexpr double SMALLEST_DETAIL_LENGTH = 1e-6, LARGEST_DETAIL_LENGTH = 1e3;
+
+  /// the range of all weights and of all factors of stiffness. With larger ranges, matrices would
+  /// not be positive definite in double precision.
+  static constexpr double SMALLEST_WEIGHT = 1e-9, LARGEST_WEIGHT = 1e9;
+
   /// \f$ \ell \f$, as a fraction of the length scale \f$ L \f$: features smaller than \f$ \ell L
-  /// \f$ keep their shape, larger ones follow the target. Positive.
+  /// \f$ keep their shape, larger ones follow the target. From \f$ 10^{-6} \f$ to \f$ 10^3 \f$.
   double detail_length = 0.1;
 
   /// \f$ \beta \f$, weight of the Tikhonov term that keeps an iterate close to the previous one
-  /// \cgalCite{cgal:canonical-s-sdacm-15} (Equation 11). Nonnegative. It slows down convergence and
-  /// rarely helps.
+  /// \cgalCite{cgal:canonical-s-sdacm-15} (Equation 11). From 0 to \f$ 10^9 \f$. It slows down
+  /// convergence and rarely helps.
   double tikhonov = 0;
 
   /// maximum number of iterations. Nonnegative.
@@ -62,10 +69,10 @@ struct Registration_options
   /// increase.
   int fairing_passes = 0;
 
-  /// \f$ \lambda \f$ of the fairing. Finite.
+  /// \f$ \lambda \f$ of the fairing. From \f$ -1 \f$ to 1.
   double fairing_lambda = 0.5;
 
-  /// \f$ \mu \f$ of the fairing. Finite.
+  /// \f$ \mu \f$ of the fairing. From \f$ -1 \f$ to 1.
   double fairing_mu = -0.53;
 
   /// whether the result must not have inverted or flat cells, that is, cells whose orientation
@@ -101,15 +108,16 @@ struct Registration_options
   /// \throws std::invalid_argument stating the first value that is out of range.
   void check() const
   {
-    internal::require_positive("detail_length", detail_length);
-    internal::require_nonnegative("tikhonov", tikhonov);
+    internal::require_in_range("detail_length", detail_length, SMALLEST_DETAIL_LENGTH,
+                               LARGEST_DETAIL_LENGTH);
+    internal::require_in_range("tikhonov", tikhonov, 0, LARGEST_WEIGHT);
     internal::require_nonnegative("number_of_iterations", number_of_iterations);
     internal::require_nonnegative("energy_tolerance", energy_tolerance);
     internal::require_nonnegative("move_tolerance", move_tolerance);
     internal::require_nonnegative("acceleration_window", acceleration_window);
     internal::require_nonnegative("fairing_passes", fairing_passes);
-    internal::require_finite("fairing_lambda", fairing_lambda);
-    internal::require_finite("fairing_mu", fairing_mu);
+    internal::require_in_range("fairing_lambda", fairing_lambda, -1, 1);
+    internal::require_in_range("fairing_mu", fairing_mu, -1, 1);
   }
 };
 

@@ -52,8 +52,8 @@ class Smacof_target_builder_3
 {
 public:
   /// constructs a builder; `robust_scale` is 0 for weights that do not depend on residuals.
-  /// \throws std::invalid_argument unless `weight_exponent` is finite, and `robust_scale` is
-  ///         nonnegative and finite.
+  /// \throws std::invalid_argument unless `weight_exponent` is from \f$ -5 \f$ to 5, and
+  ///         `robust_scale` is 0 or from 0.001 to 1000.
   explicit Smacof_target_builder_3(double weight_exponent = 1, double robust_scale = 0);
 
   /*!

@@ -202,7 +202,7 @@ public:
 
   /// sets `Registration_options::detail_length`. The next registration refactors the matrix; data
   /// computed from the body are kept.
-  /// \throws std::invalid_argument if it is not positive and finite.
+  /// \throws std::invalid_argument if it is out of range.
   void set_detail_length(const double detail_length)
   {
     m_registration->set_detail_length(detail_length);

@@ -10,6 +10,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_UNFOLDING_H
 #define CGAL_CANONICAL_POSE_3_UNFOLDING_H
 
+#include <CGAL/Canonical_pose_3/Registration_options.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/support/require_option.h>
 
@@ -32,13 +33,17 @@ growth is bounded for any weight, and ends of limbs are stretched less.
 */
 struct Unfolding
 {
-  /// \f$ \mu \f$, weight of the mean distance to the centroid. Positive. A thin straight bar becomes
-  /// longer by the factor \f$ 1 + \mu / (8 \ell^2) \f$. Without constraints, only the ratio \f$ \mu /
-  /// \ell^2 \f$ matters.
+  /// \f$ \mu \f$, weight of the mean distance to the centroid. From \f$ 10^{-9} \f$ to
+  /// \f$ 10^9 \f$. A thin straight bar becomes longer by the factor \f$ 1 + \mu / (8 \ell^2) \f$.
+  /// Without constraints, only the ratio \f$ \mu / \ell^2 \f$ matters.
   double weight = 0.5;
 
   /// \throws std::invalid_argument if the weight is out of range.
-  void check() const { internal::require_positive("unfolding.weight", weight); }
+  void check() const
+  {
+    internal::require_in_range("unfolding.weight", weight, Registration_options::SMALLEST_WEIGHT,
+                               Registration_options::LARGEST_WEIGHT);
+  }
 };
 
 } // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION

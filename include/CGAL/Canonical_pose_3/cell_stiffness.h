@@ -42,14 +42,15 @@ the body that are not connected do not mix, even if they are close.
 
 \param body the body.
 \param area_shares \f$ n \f$ weights of the surface vertices, see `vertex_area_shares()`.
-\param stiffness \f$ n \f$ positive numbers, one per surface vertex.
+\param stiffness \f$ n \f$ numbers in the range of weights, see `Registration_options::SMALLEST_WEIGHT`,
+       one per surface vertex.
 
 \returns one number per cell, as required by `Tetrahedral_arap_registrar_3`.
 
 \pre `area_shares.size() == body.embedding().rows()`
 
-\throws std::invalid_argument if there is not one number per vertex, or a number is not positive and
-       finite; the message states the index of the vertex.
+\throws std::invalid_argument if there is not one number per vertex, or a number is out of
+       range; the message states the index of the vertex.
 
 <em>Complexity:</em> one pass over the cells per ring.
 */
@@ -100,7 +101,9 @@ Eigen::VectorXd cell_stiffness(const ElasticBody& body, const Eigen::VectorXd& a
     result[static_cast<Eigen::Index>(t)]
       = (values[cell[0]] + values[cell[1]] + values[cell[2]] + values[cell[3]]) / 4;
   }
-  return result;
+  return result
+    .cwiseMax(Registration_options::SMALLEST_WEIGHT) // rounded
+    .cwiseMin(Registration_options::LARGEST_WEIGHT);
 }
 
 } // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION

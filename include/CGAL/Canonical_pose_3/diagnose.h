@@ -58,6 +58,23 @@ Diagnosis_3 diagnose(const Point_matrix& points,
 /*!
 \ingroup PkgCanonicalPose3Ref
 
+\brief examines the boundary of a tetrahedral complex: the faces of exactly one cell, oriented
+outward, in the order of the cells.
+
+\param points \f$ n \times 3 \f$, positions. Those that are not on the boundary are not counted.
+\param cells quadruples of rows of `points`.
+
+\throws std::invalid_argument if a coordinate is not finite, a cell has an invalid row, or a face
+       belongs to more than two cells.
+
+\sa `extract_boundary()`
+*/
+Diagnosis_3 diagnose(const Point_matrix& points,
+                     const std::vector<std::array<std::size_t, 4>>& cells);
+
+/*!
+\ingroup PkgCanonicalPose3Ref
+
 \brief examines a polygon mesh.
 
 \tparam PolygonMesh a model of `FaceListGraph`

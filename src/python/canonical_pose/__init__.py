@@ -57,7 +57,8 @@ def pose(vertices, faces=None, *, cells=None, return_target=False,
     return_target : bool
         Whether the target of the registration is returned, too.
     detail_length : float
-        Details smaller than this keep their shape; as a fraction of the largest distance.
+        Details smaller than this keep their shape; as a fraction of the largest distance, from
+        1e-6 to 1000.
     landmarks : int
         Number of landmarks.
     rounds : int
@@ -66,8 +67,8 @@ def pose(vertices, faces=None, *, cells=None, return_target=False,
     body : "auto", "lattice", "tetgen" or "mesh"
         The elastic body inside a surface.
     spacing : float
-        Spacing of the lattice, as a fraction of the largest distance; by default, it depends on
-        the thickness of the shape.
+        Spacing of the lattice, as a fraction of the largest distance, from 1e-6 to 1; by default,
+        it depends on the thickness of the shape.
     geodesics : "heat", "wavefront" or "exact"
         How distances are computed.
     target_mode : "mds" or "unfold"
@@ -76,7 +77,7 @@ def pose(vertices, faces=None, *, cells=None, return_target=False,
     kernel : "classical", "gaussian" or "gaussian-uncentred"
         The kernel of the target.
     tikhonov : float
-        Weight, without unit, that holds an iteration near the one before.
+        Weight, without unit, that holds an iteration near the one before; from 0 to 1e9.
     iterations : int
         Maximum number of iterations.
     paper_weights : pair of floats
@@ -100,9 +101,9 @@ def pose(vertices, faces=None, *, cells=None, return_target=False,
     threads : int
         Maximum number of threads; 0 for no limit.
     matching_weights : array, n
-        Nonnegative factors of the weights of the vertices, without unit.
+        Factors of the weights of the vertices, without unit, 0 or from 1e-100 to 1e100.
     stiffness : array, n (surface) or m (tetrahedral mesh)
-        Positive factors of the stiffness, without unit.
+        Factors of the stiffness, without unit, from 1e-9 to 1e9.
     given_target : array, n x 3
         The target to be used, in the unit of the vertices. For a tetrahedral mesh, that of the
         vertices of its boundary.

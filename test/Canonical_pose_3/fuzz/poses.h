@@ -73,7 +73,7 @@ inline Options read_options(Byte_source& bytes, const std::size_t number_of_poin
   options.lattice_spacing = one_of<double, 8>({{0.1, 0.1, 0.2, 0.2, 0.5, 0, 1e-9, -1}}, bytes);
   options.number_of_threads = 1;
   options.registration.number_of_iterations = int(bytes.below(3));
-  options.registration.detail_length = one_of<double, 6>({{0.1, 0.1, 0.1, 1e-6, 1e6, 0}}, bytes);
+  options.registration.detail_length = one_of<double, 6>({{0.1, 0.1, 0.1, 1e-6, 1e3, 0}}, bytes);
   options.registration.tikhonov = one_of<double, 4>({{0, 0, 10, -1}}, bytes);
   options.registration.fairing_passes = int(bytes.below(2));
   // By default, all inverted cells are untangled. Half of the cells of an unconverged pose may be:

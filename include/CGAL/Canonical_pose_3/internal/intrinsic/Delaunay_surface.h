@@ -41,7 +41,7 @@ inline void check_some_area(const Face_corners& corners, const Point_matrix& poi
   for(std::size_t h = 0; h < corners.origins.size(); h += 3)
     if(has_area(points, std::array<std::size_t, 3>{vertex(h), vertex(h + 1), vertex(h + 2)}))
       return;
-  throw Face_defect(0, "is degenerate, and so are all the others");
+  throw no_face_has_area();
 }
 
 // The intrinsic Delaunay triangulation of a surface, with nearly degenerate faces mollified, and

@@ -22,6 +22,7 @@
 #include <CGAL/Canonical_pose_3/internal/support/Principal_axes.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/support/for_each_block.h>
+#include <CGAL/Canonical_pose_3/internal/support/require_option.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 #include <CGAL/Canonical_pose_3/surface_measures.h>
 
@@ -58,8 +59,8 @@ public:
     place(points, triangles);
     check_vertices(triangles);
     if(spacing > 0 && is_too_small(spacing, triangles))
-      throw std::invalid_argument("the spacing of the lattice, " + std::to_string(spacing)
-                                  + " of the largest distance, is too small");
+      throw std::invalid_argument("the spacing of the lattice, " + shortest_number(spacing)
+                                  + " of the largest distance, is too small for this surface");
     split_faces(spacing > 0 ? (std::min)(spacing, largest_spacing()) : largest_spacing(), triangles,
                 bounds);
     const Chord_finder find_chords(m_surface, triangles, caps, bounds);
@@ -94,8 +95,7 @@ private:
 
   static void check(const Geodesic_bounds& bounds, const double spacing)
   {
-    if(!(spacing >= 0) || !std::isfinite(spacing))
-      throw std::invalid_argument("the spacing of the lattice is negative or not finite");
+    require_lattice_spacing(spacing);
     if(!bounds.are_finite())
       throw std::invalid_argument("a geodesic distance is not finite");
   }

@@ -11,9 +11,9 @@
 #define CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_COMPLEX_PARTS_H
 
 #include <CGAL/Canonical_pose_3/Surface_component_3.h>
-#include <CGAL/Canonical_pose_3/internal/body/boundary_triangles.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/Vertex_map.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/fragments.h>
+#include <CGAL/Canonical_pose_3/internal/soup/boundary_triangles.h>
 #include <CGAL/Canonical_pose_3/internal/soup/signed_volume.h>
 #include <CGAL/Canonical_pose_3/internal/support/Disjoint_sets.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>

@@ -32,6 +32,7 @@
 #include <CGAL/Canonical_pose_3/internal/registration/flipped_faces.h>
 #include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+#include <CGAL/Canonical_pose_3/internal/support/require_option.h>
 #include <CGAL/Canonical_pose_3/internal/support/values_at.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 #include <CGAL/Canonical_pose_3/surface_measures.h>
@@ -111,12 +112,20 @@ inline Registration_options registration_options(const Method_options& options,
                                                  const Surface_component_3& surface,
                                                  const Body_view& body, const double length_scale)
 {
-  Registration_options result = options.registration;
+  using R = Registration_options;
+  R result = options.registration;
   if(options.paper_weights)
   {
-    result.set_paper_weights(options.paper_weights->alpha, options.paper_weights->beta,
+    const double alpha = options.paper_weights->alpha;
+    result.set_paper_weights(alpha, options.paper_weights->beta,
                              static_cast<std::size_t>(surface.points.rows()), body.volume(),
                              length_scale);
+    require_option(result.detail_length >= R::SMALLEST_DETAIL_LENGTH
+                     && result.detail_length <= R::LARGEST_DETAIL_LENGTH,
+                   "paper_weights.alpha", alpha,
+                   "such that the detail length, which is " + shortest_number(result.detail_length)
+                     + ", is from " + shortest_number(R::SMALLEST_DETAIL_LENGTH) + " to "
+                     + shortest_number(R::LARGEST_DETAIL_LENGTH));
     result.fairing_passes = (std::max)(result.fairing_passes, 1);
   }
   return result;
@@ -168,7 +177,9 @@ struct Registered_body
 // inverted cells do not matter, but limbs should be straight. `factor`: of the detail length.
 inline Registration_options measurement_options(Registration_options options, const double factor)
 {
-  options.detail_length *= factor;
+  using R = Registration_options;
+  options.detail_length = std::clamp(factor * options.detail_length, R::SMALLEST_DETAIL_LENGTH,
+                                     R::LARGEST_DETAIL_LENGTH);
   options.injective = false;
   options.energy_tolerance = (std::max)(options.energy_tolerance, 1e-3);
   options.move_tolerance = (std::max)(options.move_tolerance, 5e-3);

@@ -34,7 +34,7 @@ inline void check_method_options(const Method_options& options)
     require_option(*options.number_of_rounds >= 0, "number_of_rounds", *options.number_of_rounds,
                    ">= 0");
   require_enumerator("body", options.body, O::Body::MESH_3);
-  require_nonnegative("lattice_spacing", options.lattice_spacing);
+  require_lattice_spacing(options.lattice_spacing);
   require_enumerator("components", options.components, O::Components::EACH);
   require_enumerator("contacts", options.contacts, O::Contacts::CUT);
   require_enumerator("frame", options.frame, O::Frame::CANONICAL);
@@ -42,7 +42,8 @@ inline void check_method_options(const Method_options& options)
   if(options.paper_weights)
   {
     require_positive("paper_weights.alpha", options.paper_weights->alpha);
-    require_nonnegative("paper_weights.beta", options.paper_weights->beta);
+    require_in_range("paper_weights.beta", options.paper_weights->beta, 0,
+                     Registration_options::LARGEST_WEIGHT);
   }
   if(options.volume_ratio_limit)
     require_option(*options.volume_ratio_limit > 0, "volume_ratio_limit",

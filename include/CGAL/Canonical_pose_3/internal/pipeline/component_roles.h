@@ -29,6 +29,8 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -61,6 +63,33 @@ inline std::vector<std::size_t> posed_components(const std::vector<Component_rol
     if(roles[c].kind == Component_role::POSED)
       result.push_back(c);
   return result;
+}
+
+// The refusal of several components: `what` they are, their number, and a vertex of each of two.
+// `vertices_of(c)`: those of a component, as indices of the input.
+template <class Function>
+std::invalid_argument refusal_of_several(const std::string& what,
+                                         const std::vector<Component_role>& roles,
+                                         const Function& vertices_of)
+{
+  const std::vector<std::size_t> posed = posed_components(roles);
+  const std::size_t others = roles.size() - posed.size();
+  const auto own_vertex = [&](const std::size_t c, const std::size_t other) {
+    std::vector<std::size_t> own = vertices_of(c), common = vertices_of(other);
+    std::sort(own.begin(), own.end());
+    std::sort(common.begin(), common.end());
+    for(const std::size_t v : own)
+      if(!std::binary_search(common.begin(), common.end(), v))
+        return std::to_string(v);
+    return std::to_string(own.front());
+  };
+  return std::invalid_argument(
+    what
+    + (others == 0 ? ""
+                   : ", besides " + std::to_string(others)
+                       + (others == 1 ? " that follows them" : " that follow them"))
+    + ": vertex " + own_vertex(posed[0], posed[1]) + " belongs to one, vertex "
+    + own_vertex(posed[1], posed[0]) + " to another");
 }
 
 // Points that are uniformly distributed over a surface: samples of the area, then the vertices, unless

@@ -95,7 +95,7 @@ inline Eigen::MatrixXd distances_by_function(const Split_surface& surface,
   Point_matrix normalized = surface.points;
   normalize(normalized);
   if(!has_area(normalized, surface.triangles))
-    throw Face_defect(0, "is degenerate, and so are all the others");
+    throw no_face_has_area();
   const Eigen::MatrixXd distances = with_faces_of_input(surface.face_of_triangle, [&] {
     return function(without_degenerate_faces(surface.points, surface.triangles), surface.triangles,
                     sources);

@@ -73,31 +73,31 @@ inline std::vector<Component_role> roles_of_parts(const std::vector<Complex_part
   if(n == 0)
     throw std::invalid_argument("the boundary of the complex has no area");
   if(n > 1 && refuses_several(options.components))
-    throw std::invalid_argument(
-      "the complex has " + std::to_string(n) + " connected components"
-      + (n < parts.size() ? ", besides " + std::to_string(parts.size() - n) + " that follow them"
-                          : ""));
+    throw refusal_of_several("the complex has " + std::to_string(n) + " connected components",
+                             result, [&](const std::size_t p) { return surfaces[p].body_origins; });
   return result;
 }
 
 // The boundary of a complex, with the options assigned to the parts to be posed.
-inline Prepared_surface_3 prepared_complex(const Point_matrix& points, const Complex_parts& parts,
-                                           const std::vector<Complex_part>& all,
-                                           const std::vector<Component_role>& roles,
-                                           const Options& options)
+inline Prepared_surface_3
+prepared_complex(const Point_matrix& points, const std::vector<std::array<int, 4>>& cells,
+                 const Complex_parts& parts, const std::vector<Complex_part>& all,
+                 const std::vector<Component_role>& roles, const Options& options)
 {
   std::vector<Surface_component_3> surfaces;
   for(const Complex_part& part : all)
     surfaces.push_back(part.surface);
+  std::vector<std::array<std::size_t, 4>> unsigned_cells(cells.size());
+  for(std::size_t t = 0; t < cells.size(); ++t)
+    std::copy(cells[t].begin(), cells[t].end(), unsigned_cells[t].begin());
   Vertex_map rows;
   rows.representatives = identity_map<Vertex_index>(static_cast<std::size_t>(points.rows()));
   rows.representative_rows = identity_map<Row_index>(parts.boundary_vertices().size());
   rows.vertex_of_row
     = Indexed_vector<Row_index, Vertex_index>::of_numbers(parts.boundary_vertices());
   rows.row_name = "boundary vertex";
-  Prepared_surface_3 result
-    = prepared(diagnose(parts.boundary_points(), parts.boundary_triangles()), points,
-               std::move(surfaces), std::move(rows), roles, options);
+  Prepared_surface_3 result = prepared(diagnose(points, unsigned_cells), points,
+                                       std::move(surfaces), std::move(rows), roles, options);
   refine(result.components);
   const std::vector<std::size_t> posed = posed_components(roles);
   for(std::size_t c = 0; c < posed.size(); ++c)
@@ -182,7 +182,7 @@ CGAL_CANONICAL_POSE_3_INLINE Result pose_of_complex(const Point_matrix& points,
   if(options.target_mode == Options::Target_mode::UNFOLDING && !options.return_landmark_fields
      && options.number_of_rounds.value_or(0) == 0)
     used.number_of_landmarks = (std::min)(std::size_t(2), options.number_of_landmarks); // for L
-  const Prepared_surface_3 prepared = prepared_complex(points, parts, all, roles, used);
+  const Prepared_surface_3 prepared = prepared_complex(points, cells, parts, all, roles, used);
   const double seconds_for_diagnosis = timer.time() - seconds_for_body;
 
   Result result = pose_of_components(

@@ -108,19 +108,19 @@ inline std::vector<bool> find_fragments(const std::vector<Surface_component_3>& 
 
 // Throws `std::invalid_argument` if there is nothing to pose, or too much.
 inline void check_roles(const std::vector<Component_role>& roles, const Diagnosis_3& diagnosis,
+                        const std::vector<Surface_component_3>& surfaces,
                         const Options::Components components)
 {
   const std::size_t n = posed_components(roles).size();
   if(n == 0)
     throw std::invalid_argument("the surface has no area: all its faces are degenerate");
   if(n > 1 && refuses_several(components))
-    throw std::invalid_argument(
-      (diagnosis.components > 1
-         ? "the surface has " + std::to_string(n) + " connected components"
-         : "the surface falls into " + std::to_string(n) + " components where it is not manifold: "
-             + diagnosis.first_defect)
-      + (n < roles.size() ? ", besides " + std::to_string(roles.size() - n) + " that follow them"
-                          : ""));
+    throw refusal_of_several(diagnosis.components > 1
+                               ? "the surface has " + std::to_string(n) + " connected components"
+                               : "the surface falls into " + std::to_string(n)
+                                   + " components where it is not manifold ("
+                                   + diagnosis.first_defect + ')',
+                             roles, [&](const std::size_t c) { return surfaces[c].origins; });
 }
 
 } // namespace internal
@@ -143,7 +143,7 @@ prepare_surface(const Point_matrix& points, const std::vector<std::vector<std::s
   const std::vector<internal::Component_role> roles = internal::Component_roles::find(
     components, internal::find_fragments(components, surface.representatives.size()),
     options.components, has_lattice);
-  internal::check_roles(roles, diagnosis, options.components);
+  internal::check_roles(roles, diagnosis, components, options.components);
   if(!options.make_body
      && (options.body == Options::Body::TETGEN || options.body == Options::Body::MESH_3))
   {

@@ -10,7 +10,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_REGISTRATION_TAUBIN_FAIRING_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_REGISTRATION_TAUBIN_FAIRING_H
 
-#include <CGAL/Canonical_pose_3/internal/body/boundary_triangles.h>
+#include <CGAL/Canonical_pose_3/internal/soup/boundary_triangles.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 

@@ -10,8 +10,10 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_REGISTRATION_CHECK_REGISTRATION_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_REGISTRATION_CHECK_REGISTRATION_H
 
+#include <CGAL/Canonical_pose_3/Registration_options.h>
 #include <CGAL/Canonical_pose_3/internal/support/Disjoint_sets.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
+#include <CGAL/Canonical_pose_3/internal/support/require_option.h>
 
 #include <CGAL/assertions.h>
 
@@ -37,8 +39,9 @@ inline double checked_length_scale(const double length_scale)
   return length_scale;
 }
 
-// Throws unless there are either no factors or n finite factors that are positive or, if zeros are
-// allowed, nonnegative and not all 0. Messages refer to them by `what` and `element`.
+// Throws unless there are either no factors or n factors in the range of weights or, if zeros are
+// allowed, 0, but not all of them, or in a range in which their sum and its inverse are finite.
+// Messages refer to them by `what` and `element`.
 inline void check_factors(const Eigen::VectorXd& factors, const Eigen::Index n,
                           const std::string& what, const std::string& element,
                           const bool zeros_are_allowed)
@@ -48,11 +51,14 @@ inline void check_factors(const Eigen::VectorXd& factors, const Eigen::Index n,
   if(factors.size() != n)
     throw std::invalid_argument(std::to_string(factors.size()) + " numbers are given as " + what
                                 + ", but it takes " + std::to_string(n) + ", one per " + element);
+  const double least = zeros_are_allowed ? 1e-100 : Registration_options::SMALLEST_WEIGHT,
+               largest = zeros_are_allowed ? 1e100 : Registration_options::LARGEST_WEIGHT;
   for(Eigen::Index i = 0; i < n; ++i)
-    if(!(zeros_are_allowed ? factors[i] >= 0 : factors[i] > 0) || !std::isfinite(factors[i]))
+    if(!(factors[i] >= least && factors[i] <= largest) && !(zeros_are_allowed && factors[i] == 0))
       throw std::invalid_argument("the " + what + " of " + element + ' ' + std::to_string(i)
-                                  + " is " + (zeros_are_allowed ? "negative" : "not positive")
-                                  + " or not finite");
+                                  + " is " + shortest_number(factors[i]) + ", but must be "
+                                  + (zeros_are_allowed ? "0 or from " : "from ")
+                                  + shortest_number(least) + " to " + shortest_number(largest));
   if(!(factors.array() > 0).any())
     throw std::invalid_argument("the " + what + " of every " + element + " is 0");
 }
@@ -143,7 +149,11 @@ Eigen::VectorXd checked_matching_weights(const ElasticBody& body, const Eigen::V
       throw std::invalid_argument("the matching weight of vertex " + std::to_string(i)
                                   + " is negative or not finite");
   check_that_components_are_held(body, weights);
-  return weights / weights.sum();
+  const double sum = weights.sum();
+  if(!std::isfinite(sum) || !std::isfinite(1 / sum))
+    throw std::invalid_argument("the sum of the matching weights is " + shortest_number(sum)
+                                + ", which is too large or too small");
+  return weights / sum;
 }
 
 } // namespace internal

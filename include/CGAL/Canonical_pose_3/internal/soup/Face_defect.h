@@ -39,6 +39,12 @@ private:
   std::string m_defect;
 };
 
+// Where a surface needs some area.
+inline Face_defect no_face_has_area()
+{
+  return Face_defect(0, "is degenerate, and so are all the others");
+}
+
 // Calls f(). If it throws a defect of a triangle, the message refers to the face that contains the
 // triangle. (A function of the user may have measured on another mesh.)
 template <class Function>

@@ -10,8 +10,8 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_SOUP_WITHOUT_DEGENERATE_FACES_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_SOUP_WITHOUT_DEGENERATE_FACES_H
 
+#include <CGAL/Canonical_pose_3/internal/soup/has_area.h>
 #include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
-#include <CGAL/Canonical_pose_3/internal/soup/twice_area.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
@@ -19,7 +19,6 @@
 
 #include <Eigen/Core>
 
-#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -33,21 +32,14 @@ namespace internal {
 inline Point_matrix without_degenerate_faces(Point_matrix points,
                                              const std::vector<Index_triangle>& triangles)
 {
-  constexpr double thin = 1e-12, distance = 1e-9;
+  constexpr double distance = 1e-9;
   std::vector<bool> is_moved(static_cast<std::size_t>(points.rows()), false);
   Point_matrix normalized = points;
   normalize(normalized);
   for(const Index_triangle& t : triangles)
-  {
-    double longest = 0;
-    for(std::size_t k = 0; k < 3; ++k)
-      longest = (std::max)(longest, (normalized.row(static_cast<Eigen::Index>(t[k]))
-                                     - normalized.row(static_cast<Eigen::Index>(t[(k + 1) % 3])))
-                                      .squaredNorm());
-    if(twice_area(normalized, t) <= thin * longest)
+    if(!has_area(normalized, t))
       for(const std::size_t v : t)
         is_moved[v] = true;
-  }
   Random random(0);
   const double size
     = distance * (points.colwise().maxCoeff() - points.colwise().minCoeff()).maxCoeff();

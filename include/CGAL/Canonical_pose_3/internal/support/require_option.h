@@ -13,25 +13,51 @@
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 
 #include <cmath>
+#include <cstdlib>
+#include <ios>
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 
 namespace CGAL {
 namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
+// With as few digits as possible for the same number to be read.
+inline std::string shortest_number(const double value)
+{
+  std::string text;
+  for(std::streamsize digits = 6; digits <= 17; ++digits)
+  {
+    std::ostringstream out;
+    out.precision(digits);
+    out << value;
+    text = out.str();
+    if(std::strtod(text.c_str(), nullptr) == value)
+      break;
+  }
+  return text;
+}
+
+template <class Value>
+std::string shown_value(const Value& value)
+{
+  if constexpr(std::is_floating_point_v<Value>)
+    return shortest_number(value);
+  else
+    return std::to_string(value);
+}
+
 // Throws `std::invalid_argument` that names an option, unless `holds`.
 template <class Value>
 void require_option(const bool holds, const std::string& name, const Value& value,
                     const std::string& bound)
 {
-  if(holds)
-    return;
-  std::ostringstream message;
-  message << "option " << name << " is " << value << ", but must be " << bound;
-  throw std::invalid_argument(message.str());
+  if(!holds)
+    throw std::invalid_argument("option " + name + " is " + shown_value(value) + ", but must be "
+                                + bound);
 }
 
 inline void require_positive(const std::string& name, const double value)
@@ -44,9 +70,24 @@ inline void require_nonnegative(const std::string& name, const double value)
   require_option(value >= 0 && std::isfinite(value), name, value, ">= 0 and finite");
 }
 
-inline void require_finite(const std::string& name, const double value)
+// Of the largest distance: the least spacing of a lattice but 0. A cube of spacing 1 is as large as the
+// surface.
+constexpr double SMALLEST_LATTICE_SPACING = 1e-6;
+
+// Squares and sums of what is in range, and products with other values that are, do not overflow, and
+// matrices remain positive definite. 0 is not in range, unless it is `least`.
+inline void require_in_range(const std::string& name, const double value, const double least,
+                             const double largest, const bool is_zero_allowed = false)
 {
-  require_option(std::isfinite(value), name, value, "finite");
+  require_option((value >= least && value <= largest) || (is_zero_allowed && value == 0), name,
+                 value,
+                 (is_zero_allowed && least > 0 ? "0 or from " : "from ") + shortest_number(least)
+                   + " to " + shortest_number(largest));
+}
+
+inline void require_lattice_spacing(const double value)
+{
+  require_in_range("lattice_spacing", value, SMALLEST_LATTICE_SPACING, 1, true);
 }
 
 // `last`: the last value of the enumeration, whose first one is 0.

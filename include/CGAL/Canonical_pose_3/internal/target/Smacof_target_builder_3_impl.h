@@ -264,8 +264,8 @@ Smacof_target_builder_3::Smacof_target_builder_3(const double weight_exponent,
                                                  const double robust_scale)
   : m_weight_exponent(weight_exponent), m_robust_scale(robust_scale)
 {
-  internal::require_finite("weight_exponent", weight_exponent);
-  internal::require_nonnegative("robust_scale", robust_scale);
+  internal::require_in_range("weight_exponent", weight_exponent, -5, 5);
+  internal::require_in_range("robust_scale", robust_scale, 1e-3, 1e3, true);
 }
 
 CGAL_CANONICAL_POSE_3_INLINE void Smacof_target_builder_3::build(const Landmark_fields_3& fields,

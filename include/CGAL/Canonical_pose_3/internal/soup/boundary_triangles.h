@@ -7,8 +7,8 @@
 //
 // Author(s) : The Canonical_pose_3 authors
 
-#ifndef CGAL_CANONICAL_POSE_3_INTERNAL_BODY_BOUNDARY_TRIANGLES_H
-#define CGAL_CANONICAL_POSE_3_INTERNAL_BODY_BOUNDARY_TRIANGLES_H
+#ifndef CGAL_CANONICAL_POSE_3_INTERNAL_SOUP_BOUNDARY_TRIANGLES_H
+#define CGAL_CANONICAL_POSE_3_INTERNAL_SOUP_BOUNDARY_TRIANGLES_H
 
 #include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
@@ -71,8 +71,7 @@ public:
     std::vector<std::size_t> result;
     for_each_face([&](const auto begin, const auto end) {
       if(end - begin > 2 && !are_branches_allowed)
-        throw std::invalid_argument("more than two cells, cell " + std::to_string(begin->second / 4)
-                                    + " among them, share a face");
+        refuse_branch(begin, end);
       if(end - begin == 1)
         result.push_back(begin->second);
     });
@@ -96,6 +95,25 @@ public:
   }
 
 private:
+  // The cells of a face are more than two, or one of them occurs twice.
+  template <class Iterator>
+  void refuse_branch(const Iterator begin, const Iterator end) const
+  {
+    const auto vertices = [&](const Iterator occurrence) {
+      std::array<int, 4> cell = m_cells[occurrence->second / 4];
+      std::sort(cell.begin(), cell.end());
+      return cell;
+    };
+    for(auto i = begin; i != end; ++i)
+      for(auto j = i + 1; j != end; ++j)
+        if(vertices(i) == vertices(j))
+          throw std::invalid_argument("cells " + std::to_string(i->second / 4) + " and "
+                                      + std::to_string(j->second / 4)
+                                      + " are the same: they have the same vertices");
+    throw std::invalid_argument("more than two cells, cell " + std::to_string(begin->second / 4)
+                                + " among them, share a face");
+  }
+
   // The corners of a face of a positively oriented cell.
   static const std::array<std::size_t, 3>& outward(const std::size_t f)
   {
@@ -148,4 +166,4 @@ inline void make_boundary_manifold(std::vector<Index_triangle>& triangles,
 } // namespace Canonical_pose_3
 } // namespace CGAL
 
-#endif // CGAL_CANONICAL_POSE_3_INTERNAL_BODY_BOUNDARY_TRIANGLES_H
+#endif // CGAL_CANONICAL_POSE_3_INTERNAL_SOUP_BOUNDARY_TRIANGLES_H
