@@ -83,33 +83,6 @@ inline std::vector<Eigen::Index> front_landmarks(const Intrinsic_triangulation& 
   return landmarks;
 }
 
-// front_landmarks() for landmarks among the first `number` vertices.
-template <class GeodesicDistances, class VertexOutputIterator>
-Landmark_fields_3 fields_of_front(const GeodesicDistances& geodesics, const std::size_t l,
-                                  const typename GeodesicDistances::vertex_descriptor first,
-                                  const std::size_t number, VertexOutputIterator out)
-{
-  const auto vertex_of_row = vertex_descriptors(geodesics.triangle_mesh());
-  const auto& triangulation = landmark_triangulation(geodesics, 0);
-  const auto rows = front_landmarks(
-    triangulation, l, static_cast<Eigen::Index>(geodesics.index(first)),
-    static_cast<Eigen::Index>((std::min)(number, triangulation.number_of_vertices())));
-  Landmark_fields_3 result;
-  std::vector<typename GeodesicDistances::vertex_descriptor> landmarks;
-  for(const Eigen::Index row : rows)
-  {
-    landmarks.push_back(vertex_of_row[row]);
-    result.landmarks.push_back(static_cast<std::size_t>(row));
-    *out++ = landmarks.back();
-  }
-  result.distances = geodesics.distances(landmarks);
-  Eigen::VectorXd nearest = result.distances.col(0);
-  for(Eigen::Index j = 1; j < result.distances.cols(); ++j)
-    nearest = nearest.cwiseMin(result.distances.col(j));
-  result.covering_radius = nearest.maxCoeff();
-  return result;
-}
-
 } // namespace internal
 
 /*!
@@ -153,8 +126,25 @@ Landmark_fields_3 front_landmarks(const GeodesicDistances& geodesics, const std:
                                   VertexOutputIterator out = VertexOutputIterator())
 {
   CGAL_precondition(l >= 1);
-  return internal::fields_of_front(geodesics, l, first,
-                                   (std::numeric_limits<std::size_t>::max)(), out);
+  const auto vertex_of_row = internal::vertex_descriptors(geodesics.triangle_mesh());
+  const auto& triangulation = internal::landmark_triangulation(geodesics, 0);
+  const auto rows
+    = internal::front_landmarks(triangulation, l, static_cast<Eigen::Index>(geodesics.index(first)),
+                                static_cast<Eigen::Index>(triangulation.number_of_vertices()));
+  Landmark_fields_3 result;
+  std::vector<typename GeodesicDistances::vertex_descriptor> landmarks;
+  for(const Eigen::Index row : rows)
+  {
+    landmarks.push_back(vertex_of_row[row]);
+    result.landmarks.push_back(static_cast<std::size_t>(row));
+    *out++ = landmarks.back();
+  }
+  result.distances = geodesics.distances(landmarks);
+  Eigen::VectorXd nearest = result.distances.col(0);
+  for(Eigen::Index j = 1; j < result.distances.cols(); ++j)
+    nearest = nearest.cwiseMin(result.distances.col(j));
+  result.covering_radius = nearest.maxCoeff();
+  return result;
 }
 
 } // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION

@@ -62,15 +62,6 @@ inline double smoothing_time_step_factor(const Surface_component_3& surface)
   return (std::min)((std::max)(ratio * ratio, 1.), 1e6);
 }
 
-// Landmarks are among the first vertices of a surface. They are vertices of the input, if there are
-// enough of them, so that they have a meaning for the caller.
-inline std::size_t number_of_candidates(const Surface_component_3& surface, const Method_options& options)
-{
-  return !surface.added.empty() && surface.origins.size() >= 3 * options.number_of_landmarks
-           ? surface.origins.size()
-           : static_cast<std::size_t>(surface.points.rows());
-}
-
 inline Indexed_mesh::Vertex_index vertex_of_row(const std::size_t row)
 {
   return Indexed_mesh::Vertex_index(static_cast<Indexed_mesh::size_type>(row));
@@ -139,9 +130,7 @@ CGAL_CANONICAL_POSE_3_INLINE Landmark_fields_3 landmark_fields(const Surface_com
   return internal::with_geodesics(
     mesh, options, internal::solver_of_options(options).lane_factor_maker(),
     internal::smoothing_time_step_factor(surface), [&](const auto& geodesics) {
-      return internal::fields_of_front(geodesics, options.number_of_landmarks, first,
-                             internal::number_of_candidates(surface, options),
-                             Emptyset_iterator());
+      return front_landmarks(geodesics, options.number_of_landmarks, first);
     });
 }
 
