@@ -200,6 +200,17 @@ TEST(Coarse_meshes, planar_meshes_keep_their_shape)
   }
 }
 
+// Across a needle, distances do not determine coordinates: rounding errors took the place of its
+// height, and it was shortened to a tenth.
+TEST(Coarse_meshes, needles_keep_their_shape)
+{
+  for(const double height : {1e-4, 1e-5, 1e-6, 1e-8})
+  {
+    const Soup needle{{{0, 0, 0}, {1, 0, 0}, {.3, height, 0}}, {{0, 1, 2}}};
+    EXPECT_LT(difference(pose(needle), shapes::to_matrix(needle.points)), 1e-3) << height;
+  }
+}
+
 // All triangles are pieces of those of the input, and as many vertices as a mesh of some thousand are
 // added, even to a fan of thin triangles.
 TEST(Coarse_meshes, refined_surface)

@@ -126,7 +126,8 @@ public:
   /// of them if there are at most 300 landmarks.
   const Eigen::VectorXd& eigenvalues() const { return m_eigenvalues; }
 
-  /// returns how many of the first \f$ m \f$ eigenvalues are positive (beyond rounding errors).
+  /// returns how many of the first \f$ m \f$ eigenvalues exceed \f$ 10^{-9} \f$ times the first
+  /// one. Smaller ones do not count as positive, because of rounding errors.
   int number_of_positive_eigenvalues() const { return m_number_of_positive_eigenvalues; }
 
   /// returns `false` if the eigenvalue after the last used one exceeds 0.9 times that one: a
@@ -173,7 +174,9 @@ private:
           ? internal::largest_of_all_eigenpairs(gram, gram.rows())
           : internal::leading_eigenpairs(gram, (std::max)(6, m_dimension + 1));
     m_eigenvalues = leading.values;
-    const double smallest_positive = 1e-12 * (std::max)(m_eigenvalues[0], 0.);
+    // rounding errors of the coordinates are 1e-16 times the power -3/2 of this
+    constexpr double smallest = 1e-9;
+    const double smallest_positive = smallest * (std::max)(m_eigenvalues[0], 0.);
     m_number_of_positive_eigenvalues = 0;
     Eigen::MatrixXd projection = Eigen::MatrixXd::Zero(gram.rows(), m_dimension);
     const Eigen::Index available = (std::min)(static_cast<Eigen::Index>(m_dimension), gram.rows());

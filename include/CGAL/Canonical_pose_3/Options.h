@@ -202,8 +202,8 @@ struct Method_options
   /// maximum number of rounds before the final registration. In a round, the body is registered
   /// with half the detail length, and distances are measured again on this pose, where limbs are
   /// straight and distances depend less on the posture; they lead to the `refined_target()`. The
-  /// default is 3; for a given target, with `paper_weights`, with the uncentered kernel, and when
-  /// unfolding, it is 0. Nonnegative.
+  /// default is 3; for a given target or one on a line, with `paper_weights`, with the uncentered
+  /// kernel, and when unfolding, it is 0. Nonnegative.
   std::optional<int> number_of_rounds;
 
   /// whether to choose the mirror image of the target that would be chosen otherwise, see

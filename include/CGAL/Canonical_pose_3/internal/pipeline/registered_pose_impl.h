@@ -33,11 +33,20 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <vector>
 
 namespace CGAL {
 namespace Canonical_pose_3 {
 inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
+
+// Whether the target is on a line, as that of a needle: it cannot become straighter.
+inline bool is_straight(const Target_3& target)
+{
+  constexpr double smallest = 1e-9; // that counts as positive, see Landmark_mds_target_builder_3
+  const std::vector<double>& values = target.summary.eigenvalues;
+  return values.size() > 1 && !(values[1] > smallest * values[0]);
+}
 
 inline int number_of_rounds(const Method_options& options, const Target_3& target)
 {
@@ -48,6 +57,7 @@ inline int number_of_rounds(const Method_options& options, const Target_3& targe
   return options.number_of_rounds.value_or(target.is_given || options.paper_weights || is_uncentered
                                                || options.target_mode
                                                     == Options::Target_mode::UNFOLDING
+                                               || is_straight(target)
                                              ? 0
                                              : rounds);
 }
