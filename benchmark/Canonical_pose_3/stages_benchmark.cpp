@@ -1,11 +1,5 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 // Times of the stages of canonical_pose_3() with its defaults, each called as the one call does: on the
 // articulated figure, sitting, with 2 500, 10 000 and 53 000 vertices, or on the mesh files given.

@@ -1,4 +1,4 @@
-# Debian packages, made by `cpack` (see scripts/package): the tool, the headers with the compiled library, and the
+# Debian packages, made by `cpack` (see scripts/package): the tool, the headers with the library, and the
 # Python module.
 
 if(NOT WITH_packages)
@@ -57,7 +57,7 @@ foreach(library IN ITEMS "CHOLMOD:libsuitesparse-dev" "TBB:libtbb-dev" "TetGen:l
 endforeach()
 add_debian_package(development libcanonical-pose-3-dev libdevel
   "detail-preserving canonical poses of 3D shapes (C++ library)"
-  "${about}\n.\nThis package contains the headers, an extension of CGAL, and a static library\nof what takes long to compile."
+  "${about}\n.\nThis package contains the headers and the library, an extension of CGAL."
   ${libraries})
 if(TARGET canonical-pose)
   add_debian_package(tools canonical-pose math

@@ -1,15 +1,9 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 // A program's own references to functions that the package uses if they exist: see test_symbols.cmake.
 
-#include <CGAL/Canonical_pose_3/internal/support/state_of_the_process.h>
+#include "engine/support/state_of_the_process.h"
 
 extern "C" {
 int openblas_get_num_threads(void);

@@ -1,16 +1,10 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #ifndef CGAL_CANONICAL_POSE_3_TEST_SURFACE_WITH_RAYS_H
 #define CGAL_CANONICAL_POSE_3_TEST_SURFACE_WITH_RAYS_H
 
-#include <CGAL/Canonical_pose_3/internal/lattice/Surface_rays.h>
+#include "engine/lattice/Surface_rays.h"
 
 #include <CGAL/Random.h>
 

@@ -1,15 +1,12 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
+
+#include "engine/intrinsic/cotangent_operators.h"
 #include "Triangle_graph.h"
 #include "geodesic_fixtures.h"
 
 #include <CGAL/Canonical_pose_3/Biharmonic_distances_3.h>
+#include <CGAL/Canonical_pose_3/internal/intrinsic/Delaunay_surface.h>
 #include <CGAL/Canonical_pose_3/Eigen_factor_traits_d.h>
 #include <CGAL/Polyhedron_3.h>
 

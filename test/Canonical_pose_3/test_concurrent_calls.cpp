@@ -1,15 +1,10 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 // Concurrent calls from threads of the user program return the same bytes as sequential calls.
 
-#include <CGAL/Canonical_pose_3/internal/linear_algebra/Sparse_factor.h>
+#include "engine/linear_algebra/Sparse_factor.h"
+
 #include <CGAL/canonical_pose_3.h>
 
 #include <CGAL/Simple_cartesian.h>

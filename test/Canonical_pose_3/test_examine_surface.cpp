@@ -1,14 +1,9 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
+
+#include "engine/soup/examine_surface.h"
 
 #include <CGAL/Canonical_pose_3/diagnose.h>
-#include <CGAL/Canonical_pose_3/internal/soup/examine_surface.h>
 #include <CGAL/Canonical_pose_3/internal/support/Disjoint_sets.h>
 #include <CGAL/Canonical_pose_3/repair_surface.h>
 

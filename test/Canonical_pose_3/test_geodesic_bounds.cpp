@@ -1,11 +1,5 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #include <CGAL/Canonical_pose_3/Coarse_surface_3.h>
 #include <CGAL/Canonical_pose_3/internal/lattice/Geodesic_bounds.h>

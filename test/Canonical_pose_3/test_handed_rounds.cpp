@@ -1,15 +1,10 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 // The targets that the rounds reach are prescribed: an ellipsoid (x, y, z) bent to (x, y, e z + k x y) has the volume
 // ratio e, exactly, and a chirality with the sign of k, about .77 for large k (moments of a ball).
-#include <CGAL/Canonical_pose_3/internal/pipeline/Handed_rounds.h>
+#include "engine/pipeline/Handed_rounds.h"
+
 #include <CGAL/Canonical_pose_3/pose_difference.h>
 #include <CGAL/Canonical_pose_3/pose_steps.h>
 

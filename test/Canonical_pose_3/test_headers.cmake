@@ -1,21 +1,17 @@
-# Each public header compiles alone, and when included twice, without warnings: one test per header with the
-# compiler of the build, except for slow-compiling parts (each of which src/compiled/ includes first), and one test
-# for all of them together, header-only, with the other one of g++ and clang++, if present.
+# Public headers compile twice, in their order and in the reverse one, without warnings and without anything but CGAL and
+# Eigen; in their order with the other one of g++ and clang++, too, if present. With the label single_header: each alone.
 
 set(own_headers ${PROJECT_SOURCE_DIR}/include)
 file(GLOB_RECURSE public_headers CONFIGURE_DEPENDS RELATIVE ${own_headers} "${own_headers}/CGAL/*.h")
 list(FILTER public_headers EXCLUDE REGEX "/internal/")
-if(NOT SPECTRA_INCLUDE_DIRECTORY)
-  list(FILTER public_headers EXCLUDE REGEX "Biharmonic|Heat_kernel|Shape_dna")
-endif()
 
 # add_canonical_pose_header_test(name compiler header...)
 function(add_canonical_pose_header_test name compiler)
-  set(directories "$<TARGET_PROPERTY:canonical_pose_3_program,INTERFACE_INCLUDE_DIRECTORIES>")
+  set(directories "$<TARGET_PROPERTY:Canonical_pose_3,INTERFACE_INCLUDE_DIRECTORIES>;$<TARGET_PROPERTY:Eigen3::Eigen,INTERFACE_INCLUDE_DIRECTORIES>;$<TARGET_PROPERTY:CGAL::CGAL,INTERFACE_INCLUDE_DIRECTORIES>")
   # -isystem /usr/include would break #include_next of the standard library.
   set(directories
     "$<REMOVE_DUPLICATES:$<FILTER:${directories},EXCLUDE,^(/usr/include|${own_headers})$>>")
-  set(definitions "$<TARGET_PROPERTY:canonical_pose_3_program,INTERFACE_COMPILE_DEFINITIONS>")
+  set(definitions "CGAL_EIGEN3_ENABLED;CGAL_CANONICAL_POSE_3_USE_TETGEN")
   set(lines "")
   foreach(header IN LISTS ARGN ARGN)
     string(APPEND lines "#include <${header}>\n")
@@ -26,18 +22,21 @@ function(add_canonical_pose_header_test name compiler)
     COMMAND ${compiler} -std=c++17 -fsyntax-only -Wall -Wextra -Wshadow -Werror -I${own_headers}
       "$<$<BOOL:${directories}>:-isystem$<JOIN:${directories},;-isystem>>"
       "$<$<BOOL:${definitions}>:-D$<JOIN:${definitions},;-D>>"
-      ${compiled} ${source}
+      ${source}
     COMMAND_EXPAND_LISTS)
   set_tests_properties(header.${name} PROPERTIES LABELS header TIMEOUT 300)
 endfunction()
 
 if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
-  set(compiled -DCGAL_CANONICAL_POSE_3_COMPILED)
   foreach(header IN LISTS public_headers)
     get_filename_component(name ${header} NAME)
     add_canonical_pose_header_test(${name} ${CMAKE_CXX_COMPILER} ${header})
+    set_tests_properties(header.${name} PROPERTIES LABELS single_header)
   endforeach()
-  set(compiled "")
+  add_canonical_pose_header_test(all ${CMAKE_CXX_COMPILER} ${public_headers})
+  set(reversed_headers ${public_headers})
+  list(REVERSE reversed_headers)
+  add_canonical_pose_header_test(all_reversed ${CMAKE_CXX_COMPILER} ${reversed_headers})
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     set(other clang++)
   else()

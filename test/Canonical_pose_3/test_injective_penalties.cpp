@@ -1,14 +1,8 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
-#include <CGAL/Canonical_pose_3/internal/injective/Foldover_free_energy.h>
-#include <CGAL/Canonical_pose_3/internal/injective/Inversion_barrier.h>
+#include "engine/injective/Foldover_free_energy.h"
+#include "engine/injective/Inversion_barrier.h"
 
 #include <CGAL/Random.h>
 

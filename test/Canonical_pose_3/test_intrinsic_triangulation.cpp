@@ -1,17 +1,12 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
-#include "geodesic_fixtures.h"
 
-#include <CGAL/Canonical_pose_3/internal/heat/Gradient_field.h>
+#include "geodesic_fixtures.h"
+#include "engine/heat/Gradient_field.h"
+#include "engine/intrinsic/cotangent_operators.h"
+#include "engine/linear_algebra/Sparse_factor.h"
+
 #include <CGAL/Canonical_pose_3/internal/intrinsic/Intrinsic_triangulation.h>
-#include <CGAL/Canonical_pose_3/internal/intrinsic/cotangent_operators.h>
-#include <CGAL/Canonical_pose_3/internal/linear_algebra/Sparse_factor.h>
 
 #include <gtest/gtest.h>
 

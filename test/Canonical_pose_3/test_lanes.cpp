@@ -1,20 +1,18 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
+
 #include "geodesic_fixtures.h"
 #include "sparse_matrices.h"
+#include "engine/heat/Gradient_field.h"
+#include "engine/linear_algebra/Column_substitution.h"
+#include "engine/linear_algebra/Supernodal_routines.h"
 
 #include <CGAL/Canonical_pose_3/Default_factor_traits_d.h>
 #include <CGAL/Canonical_pose_3/Eigen_factor_traits_d.h>
-#include <CGAL/Canonical_pose_3/internal/heat/Gradient_field.h>
-#include <CGAL/Canonical_pose_3/internal/linear_algebra/Column_substitution.h>
+#ifdef CGAL_CANONICAL_POSE_3_USE_CHOLMOD
+#include <CGAL/Canonical_pose_3/Cholmod_factor_traits_d.h>
+#endif
 #include <CGAL/Canonical_pose_3/internal/linear_algebra/Lane_factor.h>
-#include <CGAL/Canonical_pose_3/internal/linear_algebra/Supernodal_routines.h>
 
 #include <gtest/gtest.h>
 

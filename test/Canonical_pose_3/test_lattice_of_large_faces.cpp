@@ -1,16 +1,11 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
+
+#include "engine/lattice/Edge_splitter.h"
+#include "engine/lattice/surface_chords.h"
+#include "engine/soup/signed_volume.h"
 
 #include <CGAL/Canonical_pose_3/Lattice_body_3.h>
-#include <CGAL/Canonical_pose_3/internal/lattice/Edge_splitter.h>
-#include <CGAL/Canonical_pose_3/internal/lattice/surface_chords.h>
-#include <CGAL/Canonical_pose_3/internal/soup/signed_volume.h>
 
 #include <gtest/gtest.h>
 

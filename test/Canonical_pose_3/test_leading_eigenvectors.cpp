@@ -1,15 +1,10 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
+
+#include "engine/linear_algebra/smallest_eigenpairs.h"
 
 #include <CGAL/Canonical_pose_3/Landmark_mds_target_builder_3.h>
 #include <CGAL/Canonical_pose_3/internal/linear_algebra/leading_eigenvectors.h>
-#include <CGAL/Canonical_pose_3/internal/linear_algebra/smallest_eigenpairs.h>
 
 #include <CGAL/Random.h>
 

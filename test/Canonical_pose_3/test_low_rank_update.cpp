@@ -1,14 +1,8 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
-#include <CGAL/Canonical_pose_3/internal/linear_algebra/Updated_factor.h>
-#include <CGAL/Canonical_pose_3/internal/linear_algebra/low_rank_factors.h>
+#include "engine/linear_algebra/Updated_factor.h"
+#include "engine/linear_algebra/low_rank_factors.h"
 
 #include <gtest/gtest.h>
 

@@ -1,14 +1,9 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
+
+#include "engine/target/check_number_of_landmarks.h"
 
 #include <CGAL/canonical_pose_3.h>
-#include <CGAL/Canonical_pose_3/internal/target/check_number_of_landmarks.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

@@ -12,7 +12,7 @@ function(add_canonical_pose_refusal_test macro sentence)
     COMMAND ${CMAKE_CXX_COMPILER} -std=c++17 -fsyntax-only -I${own_headers}
       "$<$<BOOL:${directories}>:-isystem$<JOIN:${directories},;-isystem>>"
       "$<$<BOOL:${definitions}>:-D$<JOIN:${definitions},;-D>>"
-      -DCGAL_CANONICAL_POSE_3_COMPILED -D${macro}
+      -D${macro}
       ${CMAKE_CURRENT_SOURCE_DIR}/refused_complexes.cpp
     COMMAND_EXPAND_LISTS)
   set_tests_properties(refusal.${macro} PROPERTIES

@@ -1,17 +1,12 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
+
+#include "engine/segmentation/Mirror_symmetry.h"
+#include "engine/segmentation/Part_hierarchy.h"
+#include "engine/segmentation/Segmented_surface.h"
+#include "engine/segmentation/sweep_cuts.h"
 
 #include <CGAL/Canonical_pose_3/consensus_segmentation.h>
-#include <CGAL/Canonical_pose_3/internal/segmentation/Mirror_symmetry.h>
-#include <CGAL/Canonical_pose_3/internal/segmentation/Part_hierarchy.h>
-#include <CGAL/Canonical_pose_3/internal/segmentation/Segmented_surface.h>
-#include <CGAL/Canonical_pose_3/internal/segmentation/sweep_cuts.h>
 #include <CGAL/Canonical_pose_3/k_means_segmentation.h>
 #include <CGAL/Canonical_pose_3/segmentation_parts.h>
 #include <CGAL/Canonical_pose_3/sweep_segmentation.h>

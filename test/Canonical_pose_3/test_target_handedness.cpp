@@ -1,16 +1,11 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 // Targets whose volume ratio and chirality are known: by symmetry, by a formula, or from the same
 // function of the target alone. A reflection negates both numbers up to rounding.
 
-#include <CGAL/Canonical_pose_3/internal/target/chirality.h>
+#include "engine/target/chirality.h"
+
 #include <CGAL/Canonical_pose_3/target_handedness.h>
 
 #include <gtest/gtest.h>

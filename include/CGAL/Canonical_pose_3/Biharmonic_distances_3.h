@@ -1,19 +1,12 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #ifndef CGAL_CANONICAL_POSE_3_BIHARMONIC_DISTANCES_3_H
 #define CGAL_CANONICAL_POSE_3_BIHARMONIC_DISTANCES_3_H
 
-#include <CGAL/Canonical_pose_3/internal/intrinsic/Component_spectra.h>
-#include <CGAL/Canonical_pose_3/internal/intrinsic/Delaunay_surface.h>
-#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
-#include <CGAL/Canonical_pose_3/internal/support/for_each_block.h>
+#include <CGAL/Canonical_pose_3/internal/intrinsic/Biharmonic_embedding.h>
+#include <CGAL/Canonical_pose_3/internal/intrinsic/Intrinsic_triangulation.h>
+#include <CGAL/Canonical_pose_3/internal/linear_algebra/Factor_base.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <CGAL/Default.h>
@@ -25,17 +18,12 @@
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <limits>
-#include <stdexcept>
 #include <type_traits>
 #include <vector>
 
 namespace CGAL {
 namespace Canonical_pose_3 {
-inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 /*!
 \ingroup PkgCanonicalPose3Ref
@@ -139,16 +127,11 @@ public:
                          const std::size_t number_of_eigenfunctions = 100,
                          const Geometry& traits = Geometry())
     : m_tmesh(&tmesh), m_rows(internal::number_vertices(tmesh)),
-      m_points(point_matrix(tmesh, vertex_point_map, traits))
-  {
-    if(number_of_eigenfunctions == 0)
-      throw std::invalid_argument("the number of eigenfunctions is 0");
-    const internal::Delaunay_surface surface(internal::face_corners(tmesh, m_rows), m_points);
-    m_exponent = surface.exponent();
-    m_component = surface.components().of_vertices();
-    embed(surface,
-          static_cast<Eigen::Index>((std::min)(number_of_eigenfunctions, m_component.size())));
-  }
+      m_points(point_matrix(tmesh, vertex_point_map, traits)),
+      m_embedding(internal::biharmonic_embedding(internal::face_corners(tmesh, m_rows), m_points,
+                                                 number_of_eigenfunctions,
+                                                 internal::make_factor<FactorTraits>))
+  {}
 
   /// \cond SKIP_IN_MANUAL
   explicit Biharmonic_distances_3(const TriangleMesh&&, std::size_t = 100) = delete;
@@ -197,20 +180,7 @@ public:
   */
   Eigen::VectorXd distances(vertex_descriptor source) const
   {
-    const std::size_t s = index(source);
-    Eigen::VectorXd result(m_embedding.rows());
-    internal::for_each_block(
-      m_component.size(), [&](std::size_t, const std::size_t begin, const std::size_t end) {
-        for(std::size_t i = begin; i < end; ++i)
-          result[static_cast<Eigen::Index>(i)]
-            = m_component[i] != m_component[s]
-                ? (std::numeric_limits<double>::infinity)()
-                : std::ldexp((m_embedding.row(static_cast<Eigen::Index>(i))
-                              - m_embedding.row(static_cast<Eigen::Index>(s)))
-                               .norm(),
-                             m_exponent);
-      });
-    return result;
+    return m_embedding.distances(index(source));
   }
 
   /*!
@@ -229,7 +199,7 @@ public:
   Eigen::MatrixXd distances(const VertexRange& sources) const
   {
     const std::vector<vertex_descriptor> all(sources.begin(), sources.end());
-    Eigen::MatrixXd result(m_embedding.rows(), static_cast<Eigen::Index>(all.size()));
+    Eigen::MatrixXd result(m_points.rows(), static_cast<Eigen::Index>(all.size()));
     for(std::size_t k = 0; k < all.size(); ++k)
       result.col(static_cast<Eigen::Index>(k)) = distances(all[k]);
     return result;
@@ -253,31 +223,12 @@ public:
   /// @}
 
 private:
-  using Embedding = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
-  // Maps vertex i to the vector (phi_k(i) / lambda_k)_k, component by component.
-  void embed(const internal::Delaunay_surface& surface, const Eigen::Index count)
-  {
-    const internal::Component_spectra spectra(surface, count, internal::make_factor<FactorTraits>);
-    const Eigen::Index n = spectra.mass().size();
-    m_embedding = Embedding::Zero(n, (std::min)(count, n));
-    for(const auto& [vertices, spectrum] : spectra.components())
-      for(std::size_t i = 0; i < vertices.size(); ++i)
-        m_embedding.row(vertices[i]).head(spectrum.eigenvalues().size())
-          = spectrum.eigenfunctions()
-              .row(static_cast<Eigen::Index>(i))
-              .cwiseQuotient(spectrum.eigenvalues().transpose());
-  }
-
   const TriangleMesh* m_tmesh;
   Row_map m_rows;
   Point_matrix m_points;
-  int m_exponent = 0;           // distances are multiplied by 2 to this power
-  std::vector<int> m_component; // of each row
-  Embedding m_embedding;
+  internal::Biharmonic_embedding m_embedding;
 };
 
-} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

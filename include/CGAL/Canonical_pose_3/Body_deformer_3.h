@@ -1,11 +1,5 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #ifndef CGAL_CANONICAL_POSE_3_BODY_DEFORMER_3_H
 #define CGAL_CANONICAL_POSE_3_BODY_DEFORMER_3_H
@@ -13,7 +7,6 @@
 #include <CGAL/Canonical_pose_3/internal/body/body_cells.h>
 #include <CGAL/Canonical_pose_3/internal/soup/Triangle_tree.h>
 #include <CGAL/Canonical_pose_3/internal/soup/check_soup.h>
-#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/support/for_each_block.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
@@ -29,7 +22,6 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
-inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 /*!
 \ingroup PkgCanonicalPose3Ref
@@ -201,7 +193,6 @@ private:
   Point_matrix m_points; // of the body, in the unit of the tree
 };
 
-} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

@@ -1,18 +1,11 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #ifndef CGAL_CANONICAL_POSE_3_COARSE_SURFACE_3_H
 #define CGAL_CANONICAL_POSE_3_COARSE_SURFACE_3_H
 
 #include <CGAL/Canonical_pose_3/Surface_component_3.h>
 #include <CGAL/Canonical_pose_3/Vertex_combination_3.h>
-#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/support/values_at.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
@@ -25,7 +18,6 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
-inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 /*!
 \ingroup PkgCanonicalPose3Ref
@@ -118,12 +110,7 @@ vertices, the result is a copy of it.
 Coarse_surface_3 coarse_surface(const Surface_component_3& surface, std::size_t number_of_vertices,
                                 const std::vector<std::size_t>& kept = {});
 
-} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
-
-#ifndef CGAL_CANONICAL_POSE_3_COMPILED
-#include <CGAL/Canonical_pose_3/internal/target/Coarse_surface_3_impl.h>
-#endif
 
 #endif // CGAL_CANONICAL_POSE_3_COARSE_SURFACE_3_H

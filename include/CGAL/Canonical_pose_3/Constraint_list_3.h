@@ -1,18 +1,11 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #ifndef CGAL_CANONICAL_POSE_3_CONSTRAINT_LIST_3_H
 #define CGAL_CANONICAL_POSE_3_CONSTRAINT_LIST_3_H
 
 #include <CGAL/Canonical_pose_3/Registration_options.h>
 #include <CGAL/Canonical_pose_3/internal/registration/Constraint_element_traits.h>
-#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/support/require_option.h>
 
 #include <CGAL/assertions.h>
@@ -25,7 +18,6 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
-inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 /*!
 \ingroup PkgCanonicalPose3Ref
@@ -146,7 +138,6 @@ private:
   std::vector<State> m_states; // of the elements
 };
 
-} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

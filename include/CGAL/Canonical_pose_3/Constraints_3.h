@@ -1,11 +1,5 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #ifndef CGAL_CANONICAL_POSE_3_CONSTRAINTS_3_H
 #define CGAL_CANONICAL_POSE_3_CONSTRAINTS_3_H
@@ -15,7 +9,6 @@
 #include <CGAL/Canonical_pose_3/Registration_constraint_3.h>
 #include <CGAL/Canonical_pose_3/Spring_constraint_adaptor_3.h>
 #include <CGAL/Canonical_pose_3/Symmetry_constraint_adaptor_3.h>
-#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 
 #include <cstddef>
 #include <functional>
@@ -23,7 +16,6 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
-inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 /// \ingroup PkgCanonicalPose3Ref
 /// returns constraints on the vertices of one component. Row \f$ i \f$ of the constraints corresponds to
@@ -62,7 +54,6 @@ struct Constraints_3
   Constraints_function function;
 };
 
-} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

@@ -1,16 +1,8 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #ifndef CGAL_CANONICAL_POSE_3_DESCRIPTOR_INDEX_3_H
 #define CGAL_CANONICAL_POSE_3_DESCRIPTOR_INDEX_3_H
-
-#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 
 #include <CGAL/assertions.h>
 
@@ -28,7 +20,6 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
-inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 /*!
 \ingroup PkgCanonicalPose3Ref
@@ -280,7 +271,6 @@ inline Eigen::MatrixXd manifold_ranking(const Eigen::MatrixXd& distances,
   return result;
 }
 
-} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

@@ -1,18 +1,11 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #ifndef CGAL_CANONICAL_POSE_3_EIGEN_FACTOR_TRAITS_D_H
 #define CGAL_CANONICAL_POSE_3_EIGEN_FACTOR_TRAITS_D_H
 
 #include <CGAL/Canonical_pose_3/internal/linear_algebra/factor_failures.h>
 #include <CGAL/Canonical_pose_3/internal/linear_algebra/is_positive_pivot.h>
-#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 
 #include <CGAL/Eigen_solver_traits.h>
 #include <CGAL/assertions.h>
@@ -28,7 +21,6 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
-inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // Eigen does not notice if there are more entries than its indices can count.
@@ -156,7 +148,6 @@ private:
   bool m_is_factored = false;
 };
 
-} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

@@ -1,18 +1,11 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #ifndef CGAL_CANONICAL_POSE_3_EXACT_GEODESICS_3_H
 #define CGAL_CANONICAL_POSE_3_EXACT_GEODESICS_3_H
 
 #include <CGAL/Canonical_pose_3/internal/intrinsic/Intrinsic_triangulation.h>
 #include <CGAL/Canonical_pose_3/internal/soup/Face_defect.h>
-#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/wavefront/check_unfoldable.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
@@ -45,7 +38,6 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
-inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // Calls f, which calls CGAL's shortest paths. Converts exceptions of their assertions, if enabled.
@@ -389,7 +381,6 @@ private:
   std::vector<Copied_vertex> m_copied; // of each row
 };
 
-} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

@@ -1,11 +1,5 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #ifndef CGAL_CANONICAL_POSE_3_HEAT_GEODESICS_3_H
 #define CGAL_CANONICAL_POSE_3_HEAT_GEODESICS_3_H
@@ -13,7 +7,6 @@
 #include <CGAL/Canonical_pose_3/internal/heat/Heat_solver.h>
 #include <CGAL/Canonical_pose_3/internal/intrinsic/Intrinsic_triangulation.h>
 #include <CGAL/Canonical_pose_3/internal/linear_algebra/Lane_factor.h>
-#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <CGAL/Default.h>
@@ -32,7 +25,6 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
-inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 /*!
 \ingroup PkgCanonicalPose3Ref
@@ -294,7 +286,6 @@ private:
   std::unique_ptr<internal::Heat_solver> m_solver;
 };
 
-} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

@@ -1,31 +1,19 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #ifndef CGAL_CANONICAL_POSE_3_HEAT_KERNEL_QUANTILES_3_H
 #define CGAL_CANONICAL_POSE_3_HEAT_KERNEL_QUANTILES_3_H
 
-#include <CGAL/Canonical_pose_3/internal/descriptors/Shape_spectrum.h>
-#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <Eigen/Core>
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <numeric>
 #include <string>
 #include <vector>
 
 namespace CGAL {
 namespace Canonical_pose_3 {
-inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 /*!
 \ingroup PkgCanonicalPose3Ref
@@ -71,21 +59,7 @@ public:
   <em>Complexity:</em> \f$ O(n \log n) \f$; surfaces of more than 5000 vertices are simplified.
   */
   Eigen::VectorXd operator()(const Point_matrix& points,
-                             const std::vector<std::vector<std::size_t>>& polygons) const
-  {
-    const internal::Shape_spectrum spectrum(points, polygons, EIGENFUNCTIONS - 1);
-    const Eigen::ArrayXd eigenvalues = normalized(spectrum.eigenvalues());
-    const Eigen::MatrixXd squares = spectrum.eigenfunctions().cwiseAbs2();
-    Eigen::VectorXd result(TIMES * QUANTILES);
-    for(Eigen::Index i = 0; i < TIMES; ++i)
-    {
-      const Eigen::VectorXd heat
-        = spectrum.squared_constants() + squares * (-time(i) * eigenvalues).exp().matrix();
-      result.segment(i * QUANTILES, QUANTILES)
-        = quantiles(heat.array().log1p().matrix(), spectrum.mass());
-    }
-    return result;
-  }
+                             const std::vector<std::vector<std::size_t>>& polygons) const;
 
   /// returns the distances of `query` to the columns of `others`: sums of absolute differences.
   static Eigen::VectorXd distances(const Eigen::VectorXd& query,
@@ -95,50 +69,9 @@ public:
   }
 
 private:
-  static constexpr Eigen::Index EIGENFUNCTIONS = 100, TIMES = 16, QUANTILES = 10;
-
-  // Divides by a power of the scale of the first eigenvalues.
-  static Eigen::ArrayXd normalized(const Eigen::VectorXd& eigenvalues)
-  {
-    constexpr double exponent = .75, usual_mean = 5;
-    constexpr Eigen::Index most_used = 15;
-    const Eigen::Index used = (std::min)(most_used, eigenvalues.size());
-    if(used == 0)
-      return eigenvalues;
-    const double mean = eigenvalues.head(used).array().log().mean();
-    return eigenvalues.array() / std::exp(exponent * (mean - usual_mean));
-  }
-
-  static double time(const Eigen::Index i)
-  {
-    const double first = 4 * std::log(10.) / 2000, last = 4 * std::log(10.) / 12;
-    return first * std::pow(last / first, static_cast<double>(i) / (TIMES - 1));
-  }
-
-  // The quantiles .05, .15 ... of values with weights that sum to 1.
-  static Eigen::VectorXd quantiles(const Eigen::VectorXd& values, const Eigen::VectorXd& weights)
-  {
-    std::vector<Eigen::Index> order(static_cast<std::size_t>(values.size()));
-    std::iota(order.begin(), order.end(), Eigen::Index(0));
-    std::sort(order.begin(), order.end(), [&](const Eigen::Index a, const Eigen::Index b) {
-      return values[a] != values[b] ? values[a] < values[b] : a < b;
-    });
-    Eigen::VectorXd result(QUANTILES);
-    double sum = 0;
-    Eigen::Index next = 0;
-    for(const Eigen::Index v : order)
-    {
-      sum += weights[v];
-      while(next < QUANTILES && sum >= (static_cast<double>(next) + .5) / QUANTILES)
-        result[next++] = values[v];
-    }
-    for(; next < QUANTILES; ++next) // rounding errors of the sum
-      result[next] = values[order.back()];
-    return result;
-  }
+  static constexpr Eigen::Index TIMES = 16, QUANTILES = 10;
 };
 
-} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

@@ -1,17 +1,10 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #ifndef CGAL_CANONICAL_POSE_3_LABELED_CELLS_3_H
 #define CGAL_CANONICAL_POSE_3_LABELED_CELLS_3_H
 
 #include <CGAL/Canonical_pose_3/Tetrahedral_complex_traits_3.h>
-#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 
 #include <algorithm>
 #include <array>
@@ -28,7 +21,6 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
-inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // The label type of a complex, and whether its traits provide labels.
@@ -237,7 +229,6 @@ struct Tetrahedral_complex_traits_3<Labeled_cells_3<Complex>>
 
 /// \endcond
 
-} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

@@ -1,16 +1,8 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #ifndef CGAL_CANONICAL_POSE_3_LANDMARK_FIELDS_3_H
 #define CGAL_CANONICAL_POSE_3_LANDMARK_FIELDS_3_H
-
-#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 
 #include <Eigen/Core>
 
@@ -25,7 +17,6 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
-inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 /*!
 \ingroup PkgCanonicalPose3Ref
@@ -99,7 +90,6 @@ inline Landmark_fields_3 landmark_fields(Eigen::MatrixXd distances)
   return fields;
 }
 
-} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

@@ -1,11 +1,5 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #ifndef CGAL_CANONICAL_POSE_3_LANDMARK_MDS_TARGET_BUILDER_3_H
 #define CGAL_CANONICAL_POSE_3_LANDMARK_MDS_TARGET_BUILDER_3_H
@@ -14,7 +8,6 @@
 #include <CGAL/Canonical_pose_3/Squared_distance_kernel.h>
 #include <CGAL/Canonical_pose_3/internal/linear_algebra/dense_products.h>
 #include <CGAL/Canonical_pose_3/internal/linear_algebra/leading_eigenvectors.h>
-#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/support/require_option.h>
 #include <CGAL/Canonical_pose_3/internal/target/check_landmark_fields.h>
 
@@ -31,7 +24,6 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
-inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 /*!
 \ingroup PkgCanonicalPose3Ref
@@ -241,7 +233,6 @@ private:
   int m_number_of_positive_eigenvalues = 0;
 };
 
-} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

@@ -1,11 +1,5 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #ifndef CGAL_CANONICAL_POSE_3_LATTICE_BODY_3_H
 #define CGAL_CANONICAL_POSE_3_LATTICE_BODY_3_H
@@ -13,7 +7,6 @@
 #include <CGAL/Canonical_pose_3/internal/lattice/Geodesic_bounds.h>
 #include <CGAL/Canonical_pose_3/internal/lattice/Lattice_body_data.h>
 #include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
-#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/support/points_of_parameters.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
@@ -26,7 +19,6 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
-inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 /*!
 \ingroup PkgCanonicalPose3Ref
@@ -134,12 +126,7 @@ private:
   internal::Lattice_body_data m_data;
 };
 
-} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
-
-#ifndef CGAL_CANONICAL_POSE_3_COMPILED
-#include <CGAL/Canonical_pose_3/internal/lattice/Lattice_body_3_impl.h>
-#endif
 
 #endif // CGAL_CANONICAL_POSE_3_LATTICE_BODY_3_H

@@ -1,25 +1,17 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #ifndef CGAL_CANONICAL_POSE_3_LINEAR_SOLVER_H
 #define CGAL_CANONICAL_POSE_3_LINEAR_SOLVER_H
 
 #include <CGAL/Canonical_pose_3/internal/linear_algebra/Factor_base.h>
 #include <CGAL/Canonical_pose_3/internal/linear_algebra/Lane_factor.h>
-#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 
 #include <memory>
 #include <type_traits>
 
 namespace CGAL {
 namespace Canonical_pose_3 {
-inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 /*!
 \ingroup PkgCanonicalPose3Ref
@@ -56,7 +48,6 @@ private:
   internal::Lane_factor_maker m_lane_factor_maker = internal::make_default_lane_factor;
 };
 
-} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

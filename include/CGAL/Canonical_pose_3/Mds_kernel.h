@@ -1,16 +1,8 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #ifndef CGAL_CANONICAL_POSE_3_MDS_KERNEL_H
 #define CGAL_CANONICAL_POSE_3_MDS_KERNEL_H
-
-#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 
 #include <functional>
 #include <string>
@@ -19,7 +11,6 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
-inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // Whether T is a model of `MdsKernel`.
@@ -76,7 +67,6 @@ private:
   std::function<double(double)> m_similarity;
 };
 
-} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

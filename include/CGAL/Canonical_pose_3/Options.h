@@ -1,11 +1,5 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #ifndef CGAL_CANONICAL_POSE_3_OPTIONS_H
 #define CGAL_CANONICAL_POSE_3_OPTIONS_H
@@ -18,7 +12,6 @@
 #include <CGAL/Canonical_pose_3/Registration_options.h>
 #include <CGAL/Canonical_pose_3/Registration_progress.h>
 #include <CGAL/Canonical_pose_3/Unfolding.h>
-#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/support/require_option.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
@@ -32,7 +25,6 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
-inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 /*!
 \ingroup PkgCanonicalPose3Ref
@@ -316,7 +308,6 @@ why it is not the same type as `Options`.
 struct Component_options : Method_options, Vertex_options
 {};
 
-} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

@@ -1,11 +1,5 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #ifndef CGAL_CANONICAL_POSE_3_PREPARED_SURFACE_3_H
 #define CGAL_CANONICAL_POSE_3_PREPARED_SURFACE_3_H
@@ -15,7 +9,6 @@
 #include <CGAL/Canonical_pose_3/Registration_summary.h>
 #include <CGAL/Canonical_pose_3/Surface_component_3.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/Vertex_map.h>
-#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <cstddef>
@@ -23,7 +16,6 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
-inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 /*!
 \ingroup PkgCanonicalPose3Ref
@@ -57,7 +49,6 @@ struct Prepared_surface_3
   /// \endcond
 };
 
-} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

@@ -1,22 +1,13 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #ifndef CGAL_CANONICAL_POSE_3_REGISTRATION_PROGRESS_H
 #define CGAL_CANONICAL_POSE_3_REGISTRATION_PROGRESS_H
-
-#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 
 #include <functional>
 
 namespace CGAL {
 namespace Canonical_pose_3 {
-inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 /*!
 \ingroup PkgCanonicalPose3Ref
@@ -46,7 +37,6 @@ struct Registration_progress
 */
 using Registration_visitor = std::function<bool(const Registration_progress&)>;
 
-} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

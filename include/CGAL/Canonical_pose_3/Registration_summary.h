@@ -1,17 +1,10 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #ifndef CGAL_CANONICAL_POSE_3_REGISTRATION_SUMMARY_H
 #define CGAL_CANONICAL_POSE_3_REGISTRATION_SUMMARY_H
 
 #include <CGAL/Canonical_pose_3/Diagnosis_3.h>
-#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -23,7 +16,6 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
-inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 /*!
 \ingroup PkgCanonicalPose3Ref
@@ -196,7 +188,6 @@ inline std::ostream& operator<<(std::ostream& out, const Registration_summary& s
   return out << summary.brief_report();
 }
 
-} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

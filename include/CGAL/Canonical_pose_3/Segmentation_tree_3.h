@@ -1,17 +1,10 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #ifndef CGAL_CANONICAL_POSE_3_SEGMENTATION_TREE_3_H
 #define CGAL_CANONICAL_POSE_3_SEGMENTATION_TREE_3_H
 
 #include <CGAL/Canonical_pose_3/internal/support/Disjoint_sets.h>
-#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 
 #include <algorithm>
 #include <array>
@@ -22,7 +15,6 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
-inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 /*!
 \ingroup PkgCanonicalPose3Ref
@@ -104,7 +96,6 @@ struct Segmentation_tree_3
   std::vector<std::size_t> parts() const { return parts(number_of_parts); }
 };
 
-} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

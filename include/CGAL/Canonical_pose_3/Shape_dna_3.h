@@ -1,20 +1,10 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #ifndef CGAL_CANONICAL_POSE_3_SHAPE_DNA_3_H
 #define CGAL_CANONICAL_POSE_3_SHAPE_DNA_3_H
 
-#include <CGAL/Canonical_pose_3/internal/descriptors/Shape_spectrum.h>
-#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
-
-#include <CGAL/number_utils.h>
 
 #include <Eigen/Core>
 
@@ -24,7 +14,6 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
-inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 /*!
 \ingroup PkgCanonicalPose3Ref
@@ -65,14 +54,7 @@ public:
   <em>Complexity:</em> \f$ O(n \log n) \f$; surfaces of more than 5000 vertices are simplified.
   */
   Eigen::VectorXd operator()(const Point_matrix& points,
-                             const std::vector<std::vector<std::size_t>>& polygons) const
-  {
-    const internal::Shape_spectrum spectrum(points, polygons, EIGENVALUES);
-    Eigen::VectorXd result = Eigen::VectorXd::Zero(EIGENVALUES); // small meshes have fewer
-    for(Eigen::Index k = 0; k < spectrum.eigenvalues().size(); ++k)
-      result[k] = spectrum.eigenvalues()[k] / (4 * CGAL_PI * static_cast<double>(k + 1));
-    return result;
-  }
+                             const std::vector<std::vector<std::size_t>>& polygons) const;
 
   /// returns the distances of `query` to the columns of `others`: Euclidean ones.
   static Eigen::VectorXd distances(const Eigen::VectorXd& query,
@@ -85,7 +67,6 @@ private:
   static constexpr Eigen::Index EIGENVALUES = 30;
 };
 
-} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

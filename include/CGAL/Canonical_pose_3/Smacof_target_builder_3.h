@@ -1,17 +1,10 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #ifndef CGAL_CANONICAL_POSE_3_SMACOF_TARGET_BUILDER_3_H
 #define CGAL_CANONICAL_POSE_3_SMACOF_TARGET_BUILDER_3_H
 
 #include <CGAL/Canonical_pose_3/Landmark_fields_3.h>
-#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <CGAL/assertions.h>
@@ -20,7 +13,6 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
-inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 /*!
 \ingroup PkgCanonicalPose3Ref
@@ -111,12 +103,7 @@ private:
   int m_iterations = 0;
 };
 
-} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
-
-#ifndef CGAL_CANONICAL_POSE_3_COMPILED
-#include <CGAL/Canonical_pose_3/internal/target/Smacof_target_builder_3_impl.h>
-#endif
 
 #endif // CGAL_CANONICAL_POSE_3_SMACOF_TARGET_BUILDER_3_H

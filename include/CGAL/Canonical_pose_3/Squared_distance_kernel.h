@@ -1,20 +1,11 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #ifndef CGAL_CANONICAL_POSE_3_SQUARED_DISTANCE_KERNEL_H
 #define CGAL_CANONICAL_POSE_3_SQUARED_DISTANCE_KERNEL_H
 
-#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
-
 namespace CGAL {
 namespace Canonical_pose_3 {
-inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 /*!
 \ingroup PkgCanonicalPose3Ref
@@ -41,7 +32,6 @@ struct Squared_distance_kernel
   const char* name() const { return "classical"; }
 };
 
-} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

@@ -1,17 +1,10 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #ifndef CGAL_CANONICAL_POSE_3_SURFACE_BODY_3_H
 #define CGAL_CANONICAL_POSE_3_SURFACE_BODY_3_H
 
 #include <CGAL/Canonical_pose_3/Elastic_body_3.h>
-#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 
 #include <Eigen/Core>
 
@@ -21,7 +14,6 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
-inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 /*!
 \ingroup PkgCanonicalPose3Ref
@@ -51,7 +43,6 @@ struct Surface_body_3
   std::vector<std::string> warnings;
 };
 
-} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

@@ -1,11 +1,5 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #ifndef CGAL_CANONICAL_POSE_3_TETRAHEDRAL_ARAP_REGISTRAR_3_H
 #define CGAL_CANONICAL_POSE_3_TETRAHEDRAL_ARAP_REGISTRAR_3_H
@@ -19,7 +13,6 @@
 #include <CGAL/Canonical_pose_3/internal/linear_algebra/Factor_base.h>
 #include <CGAL/Canonical_pose_3/internal/registration/Arap_registration.h>
 #include <CGAL/Canonical_pose_3/internal/registration/Registration_constraint_base.h>
-#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <CGAL/Default.h>
@@ -30,7 +23,6 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
-inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 /*!
 \ingroup PkgCanonicalPose3Ref
@@ -215,7 +207,6 @@ private:
   std::unique_ptr<internal::Arap_registration> m_registration;
 };
 
-} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

@@ -1,17 +1,10 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #ifndef CGAL_CANONICAL_POSE_3_TETRAHEDRAL_COMPLEX_TRAITS_3_H
 #define CGAL_CANONICAL_POSE_3_TETRAHEDRAL_COMPLEX_TRAITS_3_H
 
 #include <CGAL/Canonical_pose_3/Indexed_tetrahedra_3.h>
-#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 
 #include <boost/range/irange.hpp>
 
@@ -24,7 +17,6 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
-inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 template <class...>
@@ -245,7 +237,6 @@ struct Tetrahedral_complex_traits_3<Indexed_tetrahedra_3<Point>>
 
 /// \endcond
 
-} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

@@ -1,23 +1,14 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #ifndef CGAL_CANONICAL_POSE_3_VERTEX_COMBINATION_3_H
 #define CGAL_CANONICAL_POSE_3_VERTEX_COMBINATION_3_H
-
-#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 
 #include <array>
 #include <cstddef>
 
 namespace CGAL {
 namespace Canonical_pose_3 {
-inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 /*!
 \ingroup PkgCanonicalPose3Ref
@@ -33,7 +24,6 @@ struct Vertex_combination_3
   std::array<double, 3> weights;       ///< nonnegative, with sum 1.
 };
 
-} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

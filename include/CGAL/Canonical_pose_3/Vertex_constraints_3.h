@@ -1,11 +1,5 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #ifndef CGAL_CANONICAL_POSE_3_VERTEX_CONSTRAINTS_3_H
 #define CGAL_CANONICAL_POSE_3_VERTEX_CONSTRAINTS_3_H
@@ -13,7 +7,6 @@
 #include <CGAL/Canonical_pose_3/Constraints_3.h>
 #include <CGAL/Canonical_pose_3/Tetrahedral_complex_traits_3.h>
 #include <CGAL/Canonical_pose_3/internal/body/Indexed_complex.h>
-#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <CGAL/Kernel_traits.h>
@@ -30,7 +23,6 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
-inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 namespace internal {
 
@@ -140,7 +132,6 @@ private:
   Constraints_3 m_constraints;
 };
 
-} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

@@ -1,23 +1,15 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #ifndef CGAL_CANONICAL_POSE_3_ALIGN_TARGET_H
 #define CGAL_CANONICAL_POSE_3_ALIGN_TARGET_H
 
-#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <Eigen/Core>
 
 namespace CGAL {
 namespace Canonical_pose_3 {
-inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 /*!
 \ingroup PkgCanonicalPose3Ref
@@ -42,12 +34,7 @@ scaling are arbitrary; `target_handedness()` determines whether to mirror the ta
 Point_matrix align_target(const Point_matrix& target, const Point_matrix& points,
                           const Eigen::VectorXd& weights, bool mirrored = false);
 
-} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
-
-#ifndef CGAL_CANONICAL_POSE_3_COMPILED
-#include <CGAL/Canonical_pose_3/internal/target/align_target_impl.h>
-#endif
 
 #endif // CGAL_CANONICAL_POSE_3_ALIGN_TARGET_H

@@ -1,17 +1,10 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #ifndef CGAL_CANONICAL_POSE_3_CELL_STIFFNESS_H
 #define CGAL_CANONICAL_POSE_3_CELL_STIFFNESS_H
 
 #include <CGAL/Canonical_pose_3/internal/registration/check_registration.h>
-#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 
 #include <CGAL/assertions.h>
 
@@ -25,7 +18,6 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
-inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 /*!
 \ingroup PkgCanonicalPose3Ref
@@ -106,7 +98,6 @@ Eigen::VectorXd cell_stiffness(const ElasticBody& body, const Eigen::VectorXd& a
     .cwiseMin(Registration_options::LARGEST_WEIGHT);
 }
 
-} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

@@ -1,25 +1,17 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #ifndef CGAL_CANONICAL_POSE_3_COMPLEX_BODY_H
 #define CGAL_CANONICAL_POSE_3_COMPLEX_BODY_H
 
 #include <CGAL/Canonical_pose_3/Conforming_body_3.h>
 #include <CGAL/Canonical_pose_3/internal/body/Indexed_complex.h>
-#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 
 #include <cstddef>
 #include <utility>
 
 namespace CGAL {
 namespace Canonical_pose_3 {
-inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 /*!
 \ingroup PkgCanonicalPose3Ref
@@ -47,7 +39,6 @@ Conforming_body_3 complex_body(const Complex& complex, const Traits& traits = Tr
   return Conforming_body_3(std::move(indexed.points), std::move(indexed.cells), n);
 }
 
-} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

@@ -1,11 +1,5 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #ifndef CGAL_CANONICAL_POSE_3_CONSENSUS_SEGMENTATION_H
 #define CGAL_CANONICAL_POSE_3_CONSENSUS_SEGMENTATION_H
@@ -14,7 +8,6 @@
 #include <CGAL/Canonical_pose_3/Segmentation_tree_3.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/options_of_parameters.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/segment_mesh.h>
-#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -24,7 +17,6 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
-inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 /*!
 \ingroup PkgCanonicalPose3Ref
@@ -153,12 +145,7 @@ std::size_t consensus_segmentation(const TriangleMesh& tmesh, SegmentPropertyMap
   return consensus_segmentation(tmesh, segment_ids, Segmentation_options(), np);
 }
 
-} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
-
-#ifndef CGAL_CANONICAL_POSE_3_COMPILED
-#include <CGAL/Canonical_pose_3/internal/segmentation/consensus_segmentation_impl.h>
-#endif
 
 #endif // CGAL_CANONICAL_POSE_3_CONSENSUS_SEGMENTATION_H

@@ -1,21 +1,13 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #ifndef CGAL_CANONICAL_POSE_3_CUT_CONTACTS_H
 #define CGAL_CANONICAL_POSE_3_CUT_CONTACTS_H
 
 #include <CGAL/Canonical_pose_3/Surface_component_3.h>
-#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 
 namespace CGAL {
 namespace Canonical_pose_3 {
-inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 /*!
 \ingroup PkgCanonicalPose3Ref
@@ -45,12 +37,7 @@ There are none, and it takes \f$ O(n) \f$, if the surface has no handle.
 */
 Surface_component_3 cut_contacts(const Surface_component_3& surface);
 
-} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
-
-#ifndef CGAL_CANONICAL_POSE_3_COMPILED
-#include <CGAL/Canonical_pose_3/internal/soup/cut_contacts_impl.h>
-#endif
 
 #endif // CGAL_CANONICAL_POSE_3_CUT_CONTACTS_H

@@ -1,18 +1,11 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #ifndef CGAL_CANONICAL_POSE_3_DIAGNOSE_H
 #define CGAL_CANONICAL_POSE_3_DIAGNOSE_H
 
 #include <CGAL/Canonical_pose_3/Diagnosis_3.h>
 #include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
-#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/support/points_of_parameters.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
@@ -22,7 +15,6 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
-inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 /*!
 \ingroup PkgCanonicalPose3Ref
 
@@ -94,12 +86,7 @@ Diagnosis_3 diagnose(const PolygonMesh& mesh,
   return diagnose(internal::points_of_parameters(mesh, np), internal::index_polygons(mesh));
 }
 
-} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
-
-#ifndef CGAL_CANONICAL_POSE_3_COMPILED
-#include <CGAL/Canonical_pose_3/internal/soup/diagnose_impl.h>
-#endif
 
 #endif // CGAL_CANONICAL_POSE_3_DIAGNOSE_H

@@ -1,18 +1,11 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #ifndef CGAL_CANONICAL_POSE_3_EXTRACT_BOUNDARY_H
 #define CGAL_CANONICAL_POSE_3_EXTRACT_BOUNDARY_H
 
 #include <CGAL/Canonical_pose_3/internal/body/Indexed_complex.h>
 #include <CGAL/Canonical_pose_3/internal/soup/boundary_triangles.h>
-#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/support/points_of_parameters.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>
@@ -24,7 +17,6 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
-inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 /*!
 \ingroup PkgCanonicalPose3Ref
@@ -103,7 +95,6 @@ void extract_boundary(const Complex& complex, TriangleMesh& tmesh, OriginMap ori
                     tmesh);
 }
 
-} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

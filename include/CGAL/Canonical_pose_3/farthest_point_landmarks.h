@@ -1,11 +1,5 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #ifndef CGAL_CANONICAL_POSE_3_FARTHEST_POINT_LANDMARKS_H
 #define CGAL_CANONICAL_POSE_3_FARTHEST_POINT_LANDMARKS_H
@@ -13,7 +7,6 @@
 #include <CGAL/Canonical_pose_3/Landmark_fields_3.h>
 #include <CGAL/Canonical_pose_3/internal/soup/check_soup.h>
 #include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
-#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/support/points_of_parameters.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
@@ -33,7 +26,6 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
-inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 /*!
 \ingroup PkgCanonicalPose3Ref
@@ -162,7 +154,6 @@ farthest_point_landmarks(const GeodesicDistances& geodesics, const std::size_t l
   return result;
 }
 
-} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

@@ -1,11 +1,5 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #ifndef CGAL_CANONICAL_POSE_3_FRONT_LANDMARKS_H
 #define CGAL_CANONICAL_POSE_3_FRONT_LANDMARKS_H
@@ -13,7 +7,6 @@
 #include <CGAL/Canonical_pose_3/Landmark_fields_3.h>
 #include <CGAL/Canonical_pose_3/internal/intrinsic/Delaunay_surface.h>
 #include <CGAL/Canonical_pose_3/internal/intrinsic/Intrinsic_triangulation.h>
-#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/target/Landmark_front.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
@@ -29,7 +22,6 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
-inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 namespace internal {
 
@@ -147,7 +139,6 @@ Landmark_fields_3 front_landmarks(const GeodesicDistances& geodesics, const std:
   return result;
 }
 
-} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

@@ -1,17 +1,10 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #ifndef CGAL_CANONICAL_POSE_3_GEODESIC_DISTANCES_H
 #define CGAL_CANONICAL_POSE_3_GEODESIC_DISTANCES_H
 
 #include <CGAL/Canonical_pose_3/Options.h>
-#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <Eigen/Core>
@@ -23,7 +16,6 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
-inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 /// \ingroup PkgCanonicalPose3Ref
 /// computes distances on an oriented 2-manifold, possibly with boundary and several components. The
@@ -66,12 +58,7 @@ Eigen::MatrixXd geodesic_distances(const Point_matrix& points,
                                    const Options& options = Options(),
                                    const Distances_function& function = Distances_function());
 
-} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
-
-#ifndef CGAL_CANONICAL_POSE_3_COMPILED
-#include <CGAL/Canonical_pose_3/internal/pipeline/geodesic_distances_impl.h>
-#endif
 
 #endif // CGAL_CANONICAL_POSE_3_GEODESIC_DISTANCES_H

@@ -1,11 +1,5 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #ifndef CGAL_CANONICAL_POSE_3_MESH_3_BODY_H
 #define CGAL_CANONICAL_POSE_3_MESH_3_BODY_H
@@ -13,7 +7,6 @@
 #include <CGAL/Canonical_pose_3/Embedded_body_3.h>
 #include <CGAL/Canonical_pose_3/diagnose.h>
 #include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
-#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/support/points_of_parameters.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
@@ -24,7 +17,6 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
-inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 inline constexpr double MESH_3_CELL_SIZE = 1. / 60;
@@ -49,7 +41,7 @@ contains it; if it is outside of all cells, it is an affine combination with sma
 the vertices of a nearby cell. The body is deterministic.
 
 `canonical_pose_3()` provides this body only if the program links the target
-`Canonical_pose_3::mesh_3`, since Mesh_3 takes long to compile without `Canonical_pose_3::compiled`.
+`Canonical_pose_3::mesh_3`.
 
 \param points \f$ n \times 3 \f$, positions.
 \param triangles triples of rows of `points`.
@@ -118,12 +110,7 @@ Embedded_body_3 mesh_3_body(const TriangleMesh& tmesh, const double length_scale
                      length_scale, cell_size);
 }
 
-} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
-
-#ifndef CGAL_CANONICAL_POSE_3_COMPILED
-#include <CGAL/Canonical_pose_3/internal/body/mesh_3_body_impl.h>
-#endif
 
 #endif // CGAL_CANONICAL_POSE_3_MESH_3_BODY_H

@@ -1,11 +1,5 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #ifndef CGAL_CANONICAL_POSE_3_POINT_MATRIX_H
 #define CGAL_CANONICAL_POSE_3_POINT_MATRIX_H
@@ -30,7 +24,6 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
-inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 /*!
 \ingroup PkgCanonicalPose3Ref
@@ -195,7 +188,6 @@ void put_points(const Point_matrix& points, const TriangleMesh& tmesh,
     put(vertex_point_map, v, internal::from_row(traits, points.row(row++)));
 }
 
-} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

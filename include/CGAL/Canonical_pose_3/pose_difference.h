@@ -1,17 +1,10 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #ifndef CGAL_CANONICAL_POSE_3_POSE_DIFFERENCE_H
 #define CGAL_CANONICAL_POSE_3_POSE_DIFFERENCE_H
 
 #include <CGAL/Canonical_pose_3/align_target.h>
-#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <algorithm>
@@ -23,7 +16,6 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
-inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // Scales the points such that the root mean square distance to their centroid is 1.
@@ -124,7 +116,6 @@ inline double mean_pose_difference(const std::vector<Point_matrix>& poses,
   return sum / (static_cast<double>(poses.size()) * static_cast<double>(poses.size() - 1) / 2);
 }
 
-} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

@@ -1,11 +1,5 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #ifndef CGAL_CANONICAL_POSE_3_POSE_STEPS_H
 #define CGAL_CANONICAL_POSE_3_POSE_STEPS_H
@@ -32,7 +26,6 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
-inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 /*!
 \ingroup PkgCanonicalPose3Ref
@@ -343,19 +336,7 @@ pose.
 */
 Result joined_result(const Prepared_surface_3& surface, const std::vector<Result>& results);
 
-} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
-
-#ifndef CGAL_CANONICAL_POSE_3_COMPILED
-#include <CGAL/Canonical_pose_3/internal/pipeline/extrapolated_fields_impl.h>
-#include <CGAL/Canonical_pose_3/internal/pipeline/joined_result_impl.h>
-#include <CGAL/Canonical_pose_3/internal/pipeline/landmark_fields_impl.h>
-#include <CGAL/Canonical_pose_3/internal/pipeline/mds_target_impl.h>
-#include <CGAL/Canonical_pose_3/internal/pipeline/prepare_surface_impl.h>
-#include <CGAL/Canonical_pose_3/internal/pipeline/refined_target_impl.h>
-#include <CGAL/Canonical_pose_3/internal/pipeline/registered_pose_impl.h>
-#include <CGAL/Canonical_pose_3/internal/pipeline/unfolded_target_impl.h>
-#endif
 
 #endif // CGAL_CANONICAL_POSE_3_POSE_STEPS_H

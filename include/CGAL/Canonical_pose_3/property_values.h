@@ -1,16 +1,8 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #ifndef CGAL_CANONICAL_POSE_3_PROPERTY_VALUES_H
 #define CGAL_CANONICAL_POSE_3_PROPERTY_VALUES_H
-
-#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 
 #include <CGAL/number_utils.h>
 
@@ -22,7 +14,6 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
-inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 /*!
 \ingroup PkgCanonicalPose3Ref
@@ -50,7 +41,6 @@ Eigen::VectorXd property_values(const Range& range, PropertyMap map)
   return values;
 }
 
-} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

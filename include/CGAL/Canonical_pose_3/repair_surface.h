@@ -1,17 +1,10 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #ifndef CGAL_CANONICAL_POSE_3_REPAIR_SURFACE_H
 #define CGAL_CANONICAL_POSE_3_REPAIR_SURFACE_H
 
 #include <CGAL/Canonical_pose_3/Repaired_surface_3.h>
-#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <array>
@@ -22,7 +15,6 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
-inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 inline std::vector<std::size_t> first_copies(const Repaired_surface_3& surface)
@@ -129,12 +121,7 @@ inline Repaired_surface_3 component_of_surface(const Repaired_surface_3& surface
   return result;
 }
 
-} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
-
-#ifndef CGAL_CANONICAL_POSE_3_COMPILED
-#include <CGAL/Canonical_pose_3/internal/soup/repair_surface_impl.h>
-#endif
 
 #endif // CGAL_CANONICAL_POSE_3_REPAIR_SURFACE_H

@@ -1,11 +1,5 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #ifndef CGAL_CANONICAL_POSE_3_SEGMENTATION_PARTS_H
 #define CGAL_CANONICAL_POSE_3_SEGMENTATION_PARTS_H
@@ -16,7 +10,6 @@
 #include <CGAL/Canonical_pose_3/internal/soup/check_soup.h>
 #include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
 #include <CGAL/Canonical_pose_3/internal/soup/twice_area.h>
-#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -33,7 +26,6 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
-inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 /*!
 \ingroup PkgCanonicalPose3Ref
@@ -165,7 +157,6 @@ segmentation_parts(const TriangleMesh& tmesh, SegmentPropertyMap segment_ids,
                             internal::index_polygons(tmesh), parts);
 }
 
-} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

@@ -1,18 +1,11 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #ifndef CGAL_CANONICAL_POSE_3_SHAPE_DESCRIPTOR_H
 #define CGAL_CANONICAL_POSE_3_SHAPE_DESCRIPTOR_H
 
 #include <CGAL/Canonical_pose_3/internal/pipeline/options_of_parameters.h>
 #include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
-#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 
 #include <CGAL/Named_function_parameters.h>
 
@@ -20,7 +13,6 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
-inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 /*!
 \ingroup PkgCanonicalPose3Ref
@@ -49,7 +41,6 @@ Eigen::VectorXd shape_descriptor(const ShapeDescriptor& descriptor, const Triang
   return descriptor(internal::points_of_parameters(tmesh, np), internal::index_polygons(tmesh));
 }
 
-} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

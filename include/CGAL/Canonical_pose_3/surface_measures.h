@@ -1,11 +1,5 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #ifndef CGAL_CANONICAL_POSE_3_SURFACE_MEASURES_H
 #define CGAL_CANONICAL_POSE_3_SURFACE_MEASURES_H
@@ -14,7 +8,6 @@
 #include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
 #include <CGAL/Canonical_pose_3/internal/soup/twice_area.h>
 #include <CGAL/Canonical_pose_3/internal/support/Buckets.h>
-#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/support/points_of_parameters.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
@@ -29,7 +22,6 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
-inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 /*!
 \ingroup PkgCanonicalPose3Ref
@@ -218,7 +210,6 @@ inline Point_matrix vertex_normals(const Point_matrix& points,
   return normals;
 }
 
-} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

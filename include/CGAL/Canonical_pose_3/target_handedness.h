@@ -1,17 +1,10 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #ifndef CGAL_CANONICAL_POSE_3_TARGET_HANDEDNESS_H
 #define CGAL_CANONICAL_POSE_3_TARGET_HANDEDNESS_H
 
 #include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
-#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/support/points_of_parameters.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 #include <CGAL/Canonical_pose_3/surface_measures.h>
@@ -25,7 +18,6 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
-inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 /*!
 \ingroup PkgCanonicalPose3Ref
@@ -139,12 +131,7 @@ Target_handedness_3 target_handedness(const Point_matrix& target, const Triangle
   return target_handedness(target, points, triangles, vertex_area_shares(points, triangles));
 }
 
-} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
-
-#ifndef CGAL_CANONICAL_POSE_3_COMPILED
-#include <CGAL/Canonical_pose_3/internal/target/target_handedness_impl.h>
-#endif
 
 #endif // CGAL_CANONICAL_POSE_3_TARGET_HANDEDNESS_H

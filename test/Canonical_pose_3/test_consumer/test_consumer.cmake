@@ -32,18 +32,25 @@ add_canonical_pose_consumer_test(FetchContent FetchContent ${as_here} ${tetgen})
 add_canonical_pose_consumer_test(bare add_subdirectory -DPACKAGE_DIRECTORY=${PROJECT_SOURCE_DIR}
   -DWITH_CHOLMOD=OFF -DWITH_TBB=OFF -DWITH_TETGEN=OFF)
 
-# The program in the installed README. Not optimized: the run takes seconds, optimization a minute.
-if(WITH_compiled)
-  add_test(NAME consumer.readme
-    COMMAND ${CMAKE_CTEST_COMMAND} --build-and-test
-      ${CMAKE_CURRENT_SOURCE_DIR}/test_consumer/readme
-      ${CMAKE_CURRENT_BINARY_DIR}/test_consumer/readme
-      --build-generator ${CMAKE_GENERATOR}
-      --build-options -DCMAKE_PREFIX_PATH=${installation} -DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER}
-        -DCMAKE_CXX_FLAGS=${CMAKE_CXX_FLAGS} -DCGAL_DIR=${CGAL_DIR}
-        -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE=-DNDEBUG
-        -DREADME=${installation}/${CMAKE_INSTALL_DOCDIR}/README.md
-      --test-command ${CMAKE_COMMAND} -P ${CMAKE_CURRENT_SOURCE_DIR}/test_consumer/readme/run.cmake)
-  set_tests_properties(consumer.readme PROPERTIES
-    LABELS consumer TIMEOUT 1200 COST 1000 FIXTURES_REQUIRED installation) # the longest: first
+# The program in the installed README.
+add_test(NAME consumer.readme
+  COMMAND ${CMAKE_CTEST_COMMAND} --build-and-test
+    ${CMAKE_CURRENT_SOURCE_DIR}/test_consumer/readme
+    ${CMAKE_CURRENT_BINARY_DIR}/test_consumer/readme
+    --build-generator ${CMAKE_GENERATOR}
+    --build-options -DCMAKE_PREFIX_PATH=${installation} -DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER}
+      -DCMAKE_CXX_FLAGS=${CMAKE_CXX_FLAGS} -DCGAL_DIR=${CGAL_DIR}
+      -DREADME=${installation}/${CMAKE_INSTALL_DOCDIR}/README.md
+    --test-command ${CMAKE_COMMAND} -P ${CMAKE_CURRENT_SOURCE_DIR}/test_consumer/readme/run.cmake)
+set_tests_properties(consumer.readme PROPERTIES LABELS consumer TIMEOUT 1200 FIXTURES_REQUIRED installation)
+
+# A build without CMake: all sources of the library in one, with CGAL and Eigen only.
+if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
+  set(directories "$<TARGET_PROPERTY:Canonical_pose_3,INTERFACE_INCLUDE_DIRECTORIES>;$<TARGET_PROPERTY:Eigen3::Eigen,INTERFACE_INCLUDE_DIRECTORIES>")
+  set(directories "$<REMOVE_DUPLICATES:$<FILTER:${directories},EXCLUDE,^/usr/include$>>")
+  add_test(NAME consumer.all_sources
+    COMMAND ${CMAKE_CXX_COMPILER} -std=c++17 "-I$<JOIN:${directories},;-I>" -o consumer_of_all_sources
+      ${CMAKE_CURRENT_SOURCE_DIR}/test_consumer/consumer.cpp ${PROJECT_SOURCE_DIR}/src/engine/all.cpp -lgmp -lmpfr
+    COMMAND_EXPAND_LISTS)
+  set_tests_properties(consumer.all_sources PROPERTIES LABELS consumer TIMEOUT 600)
 endif()

@@ -1,17 +1,10 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_BODY_INDEXED_COMPLEX_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_BODY_INDEXED_COMPLEX_H
 
 #include <CGAL/Canonical_pose_3/Tetrahedral_complex_traits_3.h>
-#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <CGAL/Kernel_traits.h>
@@ -26,7 +19,6 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
-inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // A complex in indexed form: row i corresponds to the i-th vertex of the range of the traits.
@@ -91,7 +83,6 @@ auto indexed_complex(const Complex& complex, const Traits& traits)
 }
 
 } // namespace internal
-} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

@@ -1,17 +1,10 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_BODY_BODY_CELLS_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_BODY_BODY_CELLS_H
 
 #include <CGAL/Canonical_pose_3/internal/support/Buckets.h>
-#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 
 #include <Eigen/LU>
 
@@ -21,7 +14,6 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
-inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // Returns the cells around each vertex of a body, in the order of the cells.
@@ -50,7 +42,6 @@ inline Eigen::Vector4d barycentric_coordinates(const std::array<Eigen::Vector3d,
 }
 
 } // namespace internal
-} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

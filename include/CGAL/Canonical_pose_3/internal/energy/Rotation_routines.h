@@ -1,17 +1,10 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_ENERGY_ROTATION_ROUTINES_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_ENERGY_ROTATION_ROUTINES_H
 
 #include <CGAL/Canonical_pose_3/internal/linear_algebra/Lanes.h>
-#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/support/rotation_by_traits.h>
 
 #include <Eigen/Core>
@@ -21,7 +14,6 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
-inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // `m.entries[row][column]`, with a vector of numbers per entry. Aligned, since compilers expect this
@@ -72,7 +64,6 @@ struct Rotation_routines
 };
 
 } // namespace internal
-} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

@@ -1,17 +1,10 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_ENERGY_DEFAULT_ROTATION_ROUTINES_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_ENERGY_DEFAULT_ROTATION_ROUTINES_H
 
 #include <CGAL/Canonical_pose_3/internal/energy/Rotation_routines.h>
-#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 
 #include <CGAL/Default.h>
 
@@ -19,7 +12,6 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
-inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // In closed form.
@@ -36,12 +28,7 @@ Rotation_routines rotation_routines()
 }
 
 } // namespace internal
-} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
-
-#ifndef CGAL_CANONICAL_POSE_3_COMPILED
-#include <CGAL/Canonical_pose_3/internal/energy/default_rotation_routines_impl.h>
-#endif
 
 #endif // CGAL_CANONICAL_POSE_3_INTERNAL_ENERGY_DEFAULT_ROTATION_ROUTINES_H

@@ -1,18 +1,11 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_HEAT_HEAT_SOLVER_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_HEAT_HEAT_SOLVER_H
 
 #include <CGAL/Canonical_pose_3/internal/intrinsic/Intrinsic_triangulation.h>
 #include <CGAL/Canonical_pose_3/internal/linear_algebra/Lane_factor.h>
-#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <Eigen/Core>
@@ -22,7 +15,6 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
-inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // The heat method on an intrinsic Delaunay triangulation: heat diffuses from the source for a short
@@ -48,12 +40,7 @@ std::unique_ptr<Heat_solver> make_heat_solver(const Face_corners& corners,
                                               Lane_factor_maker factor_maker);
 
 } // namespace internal
-} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
-
-#ifndef CGAL_CANONICAL_POSE_3_COMPILED
-#include <CGAL/Canonical_pose_3/internal/heat/make_heat_solver_impl.h>
-#endif
 
 #endif // CGAL_CANONICAL_POSE_3_INTERNAL_HEAT_HEAT_SOLVER_H

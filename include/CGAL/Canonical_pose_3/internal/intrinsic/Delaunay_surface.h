@@ -1,11 +1,5 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_INTRINSIC_DELAUNAY_SURFACE_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_INTRINSIC_DELAUNAY_SURFACE_H
@@ -14,7 +8,6 @@
 #include <CGAL/Canonical_pose_3/internal/intrinsic/Vertex_components.h>
 #include <CGAL/Canonical_pose_3/internal/soup/Face_defect.h>
 #include <CGAL/Canonical_pose_3/internal/soup/has_area.h>
-#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <Eigen/Core>
@@ -28,7 +21,6 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
-inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // Throws if no face has an area.
@@ -84,7 +76,6 @@ private:
 };
 
 } // namespace internal
-} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

@@ -1,11 +1,5 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_INTRINSIC_INTRINSIC_TRIANGULATION_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_INTRINSIC_INTRINSIC_TRIANGULATION_H
@@ -13,7 +7,6 @@
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/assertions.h>
 #include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
-#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -31,7 +24,6 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
-inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // A triangulation defined by its edge lengths. Face `f` has the halfedges 3f, 3f+1, 3f+2 in this
@@ -323,7 +315,6 @@ inline std::vector<double> side_lengths(const Face_corners& corners, const Point
 }
 
 } // namespace internal
-} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

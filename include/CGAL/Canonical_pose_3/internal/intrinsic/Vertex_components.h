@@ -1,18 +1,11 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_INTRINSIC_VERTEX_COMPONENTS_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_INTRINSIC_VERTEX_COMPONENTS_H
 
 #include <CGAL/Canonical_pose_3/internal/intrinsic/Intrinsic_triangulation.h>
 #include <CGAL/Canonical_pose_3/internal/support/Disjoint_sets.h>
-#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 
 #include <Eigen/Core>
 
@@ -21,7 +14,6 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
-inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // The connected components of the vertices, numbered in the order of their first vertices.
@@ -53,7 +45,6 @@ private:
 };
 
 } // namespace internal
-} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

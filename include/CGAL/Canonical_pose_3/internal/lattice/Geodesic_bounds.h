@@ -1,16 +1,8 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_LATTICE_GEODESIC_BOUNDS_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_LATTICE_GEODESIC_BOUNDS_H
-
-#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 
 #include <Eigen/Core>
 
@@ -21,7 +13,6 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
-inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // Lower bounds of the geodesic distance between vertices by the triangle inequality: the largest
@@ -92,7 +83,6 @@ private:
 };
 
 } // namespace internal
-} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

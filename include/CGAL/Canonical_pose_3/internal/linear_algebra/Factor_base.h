@@ -1,16 +1,8 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_LINEAR_ALGEBRA_FACTOR_BASE_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_LINEAR_ALGEBRA_FACTOR_BASE_H
-
-#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 
 #include <CGAL/Default.h>
 
@@ -22,7 +14,6 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
-inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // A solver for sparse symmetric positive definite systems, chosen at run time; see the concept
@@ -97,12 +88,7 @@ std::unique_ptr<Factor_base> make_factor()
 }
 
 } // namespace internal
-} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
-
-#ifndef CGAL_CANONICAL_POSE_3_COMPILED
-#include <CGAL/Canonical_pose_3/internal/linear_algebra/make_default_factor_impl.h>
-#endif
 
 #endif // CGAL_CANONICAL_POSE_3_INTERNAL_LINEAR_ALGEBRA_FACTOR_BASE_H

@@ -1,17 +1,10 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_LINEAR_ALGEBRA_LANE_FACTOR_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_LINEAR_ALGEBRA_LANE_FACTOR_H
 
 #include <CGAL/Canonical_pose_3/internal/linear_algebra/Lanes.h>
-#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 
 #include <CGAL/Default.h>
 
@@ -26,7 +19,6 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
-inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 
 class Cholmod_factor_traits_d;
 
@@ -132,12 +124,7 @@ std::unique_ptr<Lane_factor_base> make_lane_factor()
 }
 
 } // namespace internal
-} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
-
-#ifndef CGAL_CANONICAL_POSE_3_COMPILED
-#include <CGAL/Canonical_pose_3/internal/linear_algebra/make_default_lane_factor_impl.h>
-#endif
 
 #endif // CGAL_CANONICAL_POSE_3_INTERNAL_LINEAR_ALGEBRA_LANE_FACTOR_H

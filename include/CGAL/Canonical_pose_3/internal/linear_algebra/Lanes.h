@@ -1,16 +1,8 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_LINEAR_ALGEBRA_LANES_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_LINEAR_ALGEBRA_LANES_H
-
-#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 
 #include <array>
 #include <cmath>
@@ -41,7 +33,6 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
-inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 inline constexpr std::size_t NUMBER_OF_LANES = 8;
@@ -225,7 +216,6 @@ void run_routine(Arguments... arguments)
 }
 
 } // namespace internal
-} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

@@ -1,22 +1,13 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_LINEAR_ALGEBRA_IS_POSITIVE_PIVOT_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_LINEAR_ALGEBRA_IS_POSITIVE_PIVOT_H
-
-#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 
 #include <cmath>
 
 namespace CGAL {
 namespace Canonical_pose_3 {
-inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // Pivots of a factorization are the remainders of the diagonal of the matrix; for a singular
@@ -30,7 +21,6 @@ inline bool is_positive_pivot(double pivot, double diagonal_entry)
 }
 
 } // namespace internal
-} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

@@ -1,16 +1,8 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_LINEAR_ALGEBRA_LEADING_EIGENVECTORS_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_LINEAR_ALGEBRA_LEADING_EIGENVECTORS_H
-
-#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 
 #include <Eigen/Core>
 
@@ -18,7 +10,6 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
-inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // Eigenvalues of a symmetric matrix, and their eigenvectors.
@@ -39,12 +30,7 @@ Eigenpairs largest_of_all_eigenpairs(const Eigen::MatrixXd& matrix, Eigen::Index
 Eigenpairs leading_eigenpairs(const Eigen::MatrixXd& matrix, Eigen::Index count);
 
 } // namespace internal
-} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
-
-#ifndef CGAL_CANONICAL_POSE_3_COMPILED
-#include <CGAL/Canonical_pose_3/internal/linear_algebra/leading_eigenvectors_impl.h>
-#endif
 
 #endif // CGAL_CANONICAL_POSE_3_INTERNAL_LINEAR_ALGEBRA_LEADING_EIGENVECTORS_H

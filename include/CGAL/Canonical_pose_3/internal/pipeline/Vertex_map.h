@@ -1,18 +1,11 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_VERTEX_MAP_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_VERTEX_MAP_H
 
 #include <CGAL/Canonical_pose_3/Surface_component_3.h>
 #include <CGAL/Canonical_pose_3/internal/support/Indexed_vector.h>
-#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -21,20 +14,14 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
-inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // Vertices of an input; rows of distances and targets, which are the same, except for a complex,
 // where they are vertices of its boundary, of which there may be more, since it is split where it is
 // not manifold; components with a pose.
-enum class Vertex_index : std::size_t
-{};
-enum class Row_index : std::size_t
-{};
-enum class Component_index : std::size_t
-{
-  NONE = std::size_t(-1)
-};
+enum class Vertex_index : std::size_t {};
+enum class Row_index : std::size_t {};
+enum class Component_index : std::size_t { NONE = std::size_t(-1) };
 
 // The vertex of the input of each vertex of a pose of a component.
 inline Vertex_index vertex_of(const Surface_component_3& component, const std::size_t i)
@@ -101,7 +88,6 @@ void sort_and_make_unique(std::vector<Number>& numbers)
 }
 
 } // namespace internal
-} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

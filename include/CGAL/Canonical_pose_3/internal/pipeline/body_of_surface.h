@@ -1,11 +1,5 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_BODY_OF_SURFACE_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_BODY_OF_SURFACE_H
@@ -16,11 +10,9 @@
 #include <CGAL/Canonical_pose_3/Surface_body_3.h>
 #include <CGAL/Canonical_pose_3/Surface_component_3.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/Body_makers.h>
-#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 
 namespace CGAL {
 namespace Canonical_pose_3 {
-inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // See `surface_body()`. Must not run in parallel with the distances: TetGen and METIS, which may be
@@ -30,12 +22,7 @@ Surface_body_3 body_of_surface(const Surface_component_3& surface, const Coarse_
                                const Body_makers& bodies);
 
 } // namespace internal
-} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
-
-#ifndef CGAL_CANONICAL_POSE_3_COMPILED
-#include <CGAL/Canonical_pose_3/internal/pipeline/body_of_surface_impl.h>
-#endif
 
 #endif // CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_BODY_OF_SURFACE_H

@@ -1,11 +1,5 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_LINKED_BODIES_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_LINKED_BODIES_H
@@ -21,7 +15,6 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
-inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 inline namespace CGAL_CANONICAL_POSE_3_BODIES {
 
@@ -44,7 +37,6 @@ inline Body_makers linked_bodies()
 
 } // namespace CGAL_CANONICAL_POSE_3_BODIES
 } // namespace internal
-} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

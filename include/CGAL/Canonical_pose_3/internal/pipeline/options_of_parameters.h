@@ -1,18 +1,11 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_OPTIONS_OF_PARAMETERS_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_OPTIONS_OF_PARAMETERS_H
 
 #include <CGAL/Canonical_pose_3/Linear_solver.h>
 #include <CGAL/Canonical_pose_3/Options.h>
-#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/support/points_of_parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -23,7 +16,6 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
-inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 template <class T, class = void>
@@ -61,7 +53,6 @@ inline const Options& options_of_parameters(const Options& options,
 }
 
 } // namespace internal
-} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

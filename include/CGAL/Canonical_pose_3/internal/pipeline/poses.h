@@ -1,11 +1,5 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_POSES_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_POSES_H
@@ -13,7 +7,6 @@
 #include <CGAL/Canonical_pose_3/Options.h>
 #include <CGAL/Canonical_pose_3/Result.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/Body_makers.h>
-#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <array>
@@ -22,7 +15,6 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
-inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // The part of canonical_pose_3() that works on points and indices, independent of their source.
@@ -35,13 +27,7 @@ Result pose_of_complex(const Point_matrix& points, const std::vector<std::array<
                        const Options& options);
 
 } // namespace internal
-} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
-
-#ifndef CGAL_CANONICAL_POSE_3_COMPILED
-#include <CGAL/Canonical_pose_3/internal/pipeline/pose_of_complex_impl.h>
-#include <CGAL/Canonical_pose_3/internal/pipeline/pose_of_surface_impl.h>
-#endif
 
 #endif // CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_POSES_H

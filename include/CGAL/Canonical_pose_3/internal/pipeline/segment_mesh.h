@@ -1,11 +1,5 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_SEGMENT_MESH_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_SEGMENT_MESH_H
@@ -13,7 +7,6 @@
 #include <CGAL/Canonical_pose_3/Segmentation_options.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/options_of_parameters.h>
 #include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
-#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -26,7 +19,6 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
-inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // Writes the part of each face to a property map, and returns the number of parts.
@@ -62,7 +54,6 @@ using Is_segment_property_map = std::enable_if_t<
   !std::is_same<T, Segmentation_options>::value && !Is_named_parameters<T>::value, int>;
 
 } // namespace internal
-} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

@@ -1,11 +1,5 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_REGISTRATION_ARAP_REGISTRATION_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_REGISTRATION_ARAP_REGISTRATION_H
@@ -18,7 +12,6 @@
 #include <CGAL/Canonical_pose_3/internal/energy/Rotation_routines.h>
 #include <CGAL/Canonical_pose_3/internal/linear_algebra/Factor_base.h>
 #include <CGAL/Canonical_pose_3/internal/registration/Registration_constraint_base.h>
-#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <Eigen/Core>
@@ -28,7 +21,6 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
-inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // The pose of the body with the least energy among all iterates that a visitor has seen. The energy is
@@ -72,12 +64,7 @@ make_arap_registration(const Body_view& body, const Eigen::VectorXd& matching_we
                        Factor_maker factor_maker);
 
 } // namespace internal
-} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
-
-#ifndef CGAL_CANONICAL_POSE_3_COMPILED
-#include <CGAL/Canonical_pose_3/internal/registration/make_arap_registration_impl.h>
-#endif
 
 #endif // CGAL_CANONICAL_POSE_3_INTERNAL_REGISTRATION_ARAP_REGISTRATION_H

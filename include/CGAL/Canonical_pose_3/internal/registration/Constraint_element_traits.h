@@ -1,16 +1,8 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_REGISTRATION_CONSTRAINT_ELEMENT_TRAITS_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_REGISTRATION_CONSTRAINT_ELEMENT_TRAITS_H
-
-#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 
 #include <array>
 #include <cstddef>
@@ -20,7 +12,6 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
-inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // The traits of the elements of a constraint for `Constraint_list_3` and the one call; specialized
@@ -76,7 +67,6 @@ auto vertices_of(Element e)
 }
 
 } // namespace internal
-} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

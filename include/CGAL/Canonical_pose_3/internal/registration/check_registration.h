@@ -1,18 +1,11 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_REGISTRATION_CHECK_REGISTRATION_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_REGISTRATION_CHECK_REGISTRATION_H
 
 #include <CGAL/Canonical_pose_3/Registration_options.h>
 #include <CGAL/Canonical_pose_3/internal/support/Disjoint_sets.h>
-#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/support/require_option.h>
 
 #include <CGAL/assertions.h>
@@ -29,7 +22,6 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
-inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 inline double checked_length_scale(const double length_scale)
@@ -157,7 +149,6 @@ Eigen::VectorXd checked_matching_weights(const ElasticBody& body, const Eigen::V
 }
 
 } // namespace internal
-} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

@@ -1,17 +1,10 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_REGISTRATION_DIFFERENCE_TERMS_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_REGISTRATION_DIFFERENCE_TERMS_H
 
 #include <CGAL/Canonical_pose_3/internal/registration/Constraint_element_traits.h>
-#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <Eigen/SparseCore>
@@ -21,7 +14,6 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
-inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // The terms of constraints with the energy sum_s kappa_s/2 |b_s^t x - d_s|^2, where b_s^t x is x_p - x_q
@@ -90,7 +82,6 @@ double difference_energy(const std::vector<Element>& elements, const Prescribed&
 }
 
 } // namespace internal
-} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

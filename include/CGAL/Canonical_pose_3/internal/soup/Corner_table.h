@@ -1,17 +1,10 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_SOUP_CORNER_TABLE_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_SOUP_CORNER_TABLE_H
 
 #include <CGAL/Canonical_pose_3/internal/support/Buckets.h>
-#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 
 #include <boost/range/iterator_range.hpp>
 
@@ -22,7 +15,6 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
-inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // The corners of polygons, numbered face by face, and their edges. Side c runs from the vertex of
@@ -106,7 +98,6 @@ private:
 };
 
 } // namespace internal
-} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

@@ -1,16 +1,8 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_SOUP_FACE_DEFECT_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_SOUP_FACE_DEFECT_H
-
-#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 
 #include <cstddef>
 #include <stdexcept>
@@ -19,7 +11,6 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
-inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // Describes what is wrong with a face: "is degenerate".
@@ -63,7 +54,6 @@ auto with_faces_of_input(const std::vector<std::size_t>& face_of_triangle, const
 }
 
 } // namespace internal
-} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

@@ -1,17 +1,10 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_SOUP_INDEXED_MESH_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_SOUP_INDEXED_MESH_H
 
 #include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
-#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -24,7 +17,6 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
-inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // The mesh type for all internal computations, independent of the user's: vertex i is row i.
@@ -35,7 +27,7 @@ using Indexed_mesh = Surface_mesh<Indexed_mesh_kernel::Point_3>;
 inline Indexed_mesh indexed_mesh(const Point_matrix& points,
                                  const std::vector<Index_triangle>& triangles)
 {
-  using Vertex_index = Indexed_mesh::Vertex_index;
+  using Vertex = Indexed_mesh::Vertex_index;
   Indexed_mesh mesh;
   mesh.reserve(Indexed_mesh::size_type(points.rows()),
                Indexed_mesh::size_type(3 * triangles.size() / 2 + 1),
@@ -45,9 +37,8 @@ inline Indexed_mesh indexed_mesh(const Point_matrix& points,
   for(std::size_t f = 0; f < triangles.size(); ++f)
   {
     const Index_triangle& t = triangles[f];
-    if(mesh.add_face(Vertex_index(Indexed_mesh::size_type(t[0])),
-                     Vertex_index(Indexed_mesh::size_type(t[1])),
-                     Vertex_index(Indexed_mesh::size_type(t[2])))
+    if(mesh.add_face(Vertex(Indexed_mesh::size_type(t[0])), Vertex(Indexed_mesh::size_type(t[1])),
+                     Vertex(Indexed_mesh::size_type(t[2])))
        == Indexed_mesh::null_face())
       throw std::invalid_argument(
         "face " + std::to_string(f)
@@ -57,7 +48,6 @@ inline Indexed_mesh indexed_mesh(const Point_matrix& points,
 }
 
 } // namespace internal
-} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

@@ -1,11 +1,5 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_SOUP_TRIANGLE_SOUP_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_SOUP_TRIANGLE_SOUP_H
@@ -14,7 +8,6 @@
 #include <CGAL/Canonical_pose_3/internal/soup/Indexed_mesh.h>
 #include <CGAL/Canonical_pose_3/internal/soup/Loop_triangulation.h>
 #include <CGAL/Canonical_pose_3/internal/support/Buckets.h>
-#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <algorithm>
@@ -27,7 +20,6 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
-inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // Triangles, and the polygon to which each belongs.
@@ -148,7 +140,6 @@ inline std::vector<std::size_t> places_of_boundary(const Point_matrix& points,
 }
 
 } // namespace internal
-} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

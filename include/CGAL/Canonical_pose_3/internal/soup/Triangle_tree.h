@@ -1,18 +1,11 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_SOUP_TRIANGLE_TREE_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_SOUP_TRIANGLE_TREE_H
 
 #include <CGAL/Canonical_pose_3/internal/soup/has_area.h>
 #include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
-#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <CGAL/AABB_tree.h>
@@ -37,7 +30,6 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
-inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // Finds the nearest triangle. Flat ones are ignored: a point near one of them is as near to its
@@ -164,7 +156,6 @@ private:
 };
 
 } // namespace internal
-} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

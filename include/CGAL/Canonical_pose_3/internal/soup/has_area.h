@@ -1,17 +1,10 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_SOUP_HAS_AREA_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_SOUP_HAS_AREA_H
 
 #include <CGAL/Canonical_pose_3/internal/soup/twice_area.h>
-#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 
 #include <algorithm>
 #include <array>
@@ -20,7 +13,6 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
-inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // Whether a triangle has an area: its height is above rounding errors, relative to its longest edge.
@@ -47,7 +39,6 @@ bool has_area(const Points& points, const std::vector<std::array<std::size_t, 3>
 }
 
 } // namespace internal
-} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

@@ -1,16 +1,8 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_SOUP_TWICE_AREA_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_SOUP_TWICE_AREA_H
-
-#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -21,7 +13,6 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
-inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // Twice the area of a triangle.
@@ -44,7 +35,6 @@ double area(const Points& points, const std::vector<std::array<std::size_t, 3>>&
 }
 
 } // namespace internal
-} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

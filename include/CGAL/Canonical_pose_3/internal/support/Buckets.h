@@ -1,16 +1,8 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_SUPPORT_BUCKETS_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_SUPPORT_BUCKETS_H
-
-#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 
 #include <CGAL/Iterator_range.h>
 
@@ -20,7 +12,6 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
-inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // Values sorted into buckets in contiguous memory; each bucket keeps the order of insertion.
@@ -65,7 +56,6 @@ private:
 };
 
 } // namespace internal
-} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

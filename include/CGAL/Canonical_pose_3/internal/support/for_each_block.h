@@ -1,16 +1,9 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_SUPPORT_FOR_EACH_BLOCK_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_SUPPORT_FOR_EACH_BLOCK_H
 
-#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/internal/support/for_each_index.h>
 
 #include <algorithm>
@@ -18,7 +11,6 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
-inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // Divides [0, n) into blocks of fixed size and calls f(block, begin, end) for each, in parallel if
@@ -39,7 +31,6 @@ void for_each_block(const std::size_t n, const Function& f, const std::size_t si
 }
 
 } // namespace internal
-} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

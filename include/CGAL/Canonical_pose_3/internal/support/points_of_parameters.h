@@ -1,16 +1,9 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_SUPPORT_POINTS_OF_PARAMETERS_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_SUPPORT_POINTS_OF_PARAMETERS_H
 
-#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <CGAL/Kernel_traits.h>
@@ -21,7 +14,6 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
-inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // The given traits, or those of the points.
@@ -67,7 +59,6 @@ Point_matrix points_of_parameters(const TriangleMesh& tmesh, VertexPointMap vert
 }
 
 } // namespace internal
-} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

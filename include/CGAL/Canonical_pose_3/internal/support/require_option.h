@@ -1,16 +1,8 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_SUPPORT_REQUIRE_OPTION_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_SUPPORT_REQUIRE_OPTION_H
-
-#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 
 #include <cmath>
 #include <cstdlib>
@@ -22,7 +14,6 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
-inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // With as few digits as possible for the same number to be read.
@@ -100,7 +91,6 @@ void require_enumerator(const std::string& name, const Enumeration value, const 
 }
 
 } // namespace internal
-} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

@@ -1,22 +1,13 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_SUPPORT_ROTATION_BY_TRAITS_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_SUPPORT_ROTATION_BY_TRAITS_H
-
-#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 
 #include <Eigen/Core>
 
 namespace CGAL {
 namespace Canonical_pose_3 {
-inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // The rotation closest to m, computed by a model of CGAL's `DeformationClosestRotationTraits_3`;
@@ -42,7 +33,6 @@ Eigen::Matrix3d rotation_by_traits(const Eigen::Matrix3d& m)
 }
 
 } // namespace internal
-} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

@@ -1,16 +1,9 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_SUPPORT_VALUES_AT_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_SUPPORT_VALUES_AT_H
 
-#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <Eigen/Core>
@@ -20,7 +13,6 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
-inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // The values at some indices.
@@ -42,7 +34,6 @@ inline Point_matrix rows_at(const Point_matrix& points, const std::vector<std::s
 }
 
 } // namespace internal
-} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

@@ -1,21 +1,13 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_SUPPORT_WEIGHTED_PRODUCT_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_SUPPORT_WEIGHTED_PRODUCT_H
 
-#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 namespace CGAL {
 namespace Canonical_pose_3 {
-inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // The weighted sum of the products of each row of `a`, transposed, and the same row of `b`.
@@ -26,7 +18,6 @@ inline Eigen::Matrix3d weighted_product(const Point_matrix& a, const Eigen::Vect
 }
 
 } // namespace internal
-} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

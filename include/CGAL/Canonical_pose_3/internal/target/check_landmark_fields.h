@@ -1,17 +1,10 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_TARGET_CHECK_LANDMARK_FIELDS_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_TARGET_CHECK_LANDMARK_FIELDS_H
 
 #include <CGAL/Canonical_pose_3/Landmark_fields_3.h>
-#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 
 #include <cmath>
 #include <cstddef>
@@ -20,7 +13,6 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
-inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // Throws `std::invalid_argument` if there are no landmarks, or one is not one of `n` vertices. `what`: what
@@ -87,7 +79,6 @@ inline void check_landmark_fields(const Landmark_fields_3& fields, const std::si
 }
 
 } // namespace internal
-} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

@@ -1,103 +1,40 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_WAVEFRONT_WAVEFRONT_SOLVER_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_WAVEFRONT_WAVEFRONT_SOLVER_H
 
-#include <CGAL/Canonical_pose_3/internal/intrinsic/Delaunay_surface.h>
 #include <CGAL/Canonical_pose_3/internal/intrinsic/Intrinsic_triangulation.h>
-#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
-#include <CGAL/Canonical_pose_3/internal/support/for_each_index.h>
-#include <CGAL/Canonical_pose_3/internal/wavefront/Unfolded_sides.h>
-#include <CGAL/Canonical_pose_3/internal/wavefront/Wavefront.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <Eigen/Core>
 
-#ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/enumerable_thread_specific.h>
-#endif
-
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <utility>
+#include <memory>
 #include <vector>
 
 namespace CGAL {
 namespace Canonical_pose_3 {
-inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // Distances by wavefronts on the intrinsic Delaunay triangulation of a surface.
 class Wavefront_solver
 {
 public:
-  Wavefront_solver(const Face_corners& corners, const Point_matrix& points)
-    : Wavefront_solver(Delaunay_surface(corners, points))
-  {}
+  Wavefront_solver(const Face_corners& corners, const Point_matrix& points);
 
   // One column per source (a row of the points): n distances in the unit of the input.
-  Eigen::MatrixXd distances(const std::vector<int>& sources) const
-  {
-    Eigen::MatrixXd result = Eigen::MatrixXd::Constant(
-      size(), static_cast<Eigen::Index>(sources.size()), std::numeric_limits<double>::infinity());
-    const auto fill = [&](Wavefront& wave, std::size_t k) {
-      Eigen::VectorXd column = unreached();
-      wave.lower(sources[k], column);
-      result.col(static_cast<Eigen::Index>(k)) = scaled(column, m_exponent);
-    };
-#ifdef CGAL_LINKED_WITH_TBB
-    // waves keep no state: results do not depend on which thread runs which wave
-    tbb::enumerable_thread_specific<Wavefront> waves([this] { return wavefront(); });
-    for_each_index(sources.size(), [&](std::size_t k) { fill(waves.local(), k); });
-#else
-    Wavefront wave = wavefront();
-    for(std::size_t k = 0; k < sources.size(); ++k)
-      fill(wave, k);
-#endif
-    return result;
-  }
+  Eigen::MatrixXd distances(const std::vector<int>& sources) const;
 
   // Distances to the nearest of the sources, in the unit of the input.
-  Eigen::VectorXd distance_to_nearest(const std::vector<int>& sources) const
-  {
-    Eigen::VectorXd nearest = unreached();
-    wavefront().lower(sources, nearest);
-    return scaled(nearest, m_exponent);
-  }
+  Eigen::VectorXd distance_to_nearest(const std::vector<int>& sources) const;
 
 private:
-  explicit Wavefront_solver(const Delaunay_surface& surface)
-    : m_exponent(surface.exponent()), m_sides(surface.triangulation())
-  {}
+  class Waves;
 
-  Wavefront wavefront() const { return Wavefront(m_sides); }
-
-  Eigen::VectorXd unreached() const
-  {
-    return Eigen::VectorXd::Constant(size(), std::numeric_limits<double>::infinity());
-  }
-
-  Eigen::Index size() const { return static_cast<Eigen::Index>(m_sides.number_of_vertices()); }
-
-  static Eigen::VectorXd scaled(const Eigen::VectorXd& values, int exponent)
-  {
-    return values.unaryExpr([exponent](double d) { return std::ldexp(d, exponent); });
-  }
-
-  int m_exponent; // distances are multiplied by 2 to this power
-  Unfolded_sides m_sides;
+  std::shared_ptr<const Waves> m_waves;
 };
 
 } // namespace internal
-} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

@@ -1,11 +1,5 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
-//
-// This file belongs to Canonical_pose_3, an extension package for CGAL, not part of the CGAL
-// distribution.
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s) : The Canonical_pose_3 authors
 
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_WAVEFRONT_CHECK_UNFOLDABLE_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_WAVEFRONT_CHECK_UNFOLDABLE_H
@@ -13,7 +7,6 @@
 #include <CGAL/Canonical_pose_3/internal/intrinsic/Intrinsic_triangulation.h>
 #include <CGAL/Canonical_pose_3/internal/soup/Face_defect.h>
 #include <CGAL/Canonical_pose_3/internal/support/Disjoint_sets.h>
-#include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <Eigen/Dense>
@@ -25,7 +18,6 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
-inline namespace CGAL_CANONICAL_POSE_3_CONFIGURATION {
 namespace internal {
 
 // The size of the connected component of each vertex: the longest side of its bounding box.
@@ -83,7 +75,6 @@ inline void check_unfoldable(const Face_corners& corners, const Point_matrix& po
 }
 
 } // namespace internal
-} // namespace CGAL_CANONICAL_POSE_3_CONFIGURATION
 } // namespace Canonical_pose_3
 } // namespace CGAL
 

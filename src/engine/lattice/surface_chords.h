@@ -1,0 +1,279 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CANONICAL_POSE_3_ENGINE_LATTICE_SURFACE_CHORDS_H
+#define CANONICAL_POSE_3_ENGINE_LATTICE_SURFACE_CHORDS_H
+
+#include "Surface_rays.h"
+
+#include <CGAL/Canonical_pose_3/internal/lattice/Geodesic_bounds.h>
+#include <CGAL/Canonical_pose_3/internal/support/for_each_block.h>
+
+#include <boost/functional/hash.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <stdexcept>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+namespace internal {
+
+// A surface sample, and the segment from there through the solid, against the normal, to the exit.
+struct Chord
+{
+  std::size_t face;
+  Eigen::Vector3d start, end;
+  double length;
+  std::optional<std::size_t> exit_vertex; // of the face that is hit; none for a cap
+};
+
+// A point on a face.
+struct Surface_sample
+{
+  std::size_t face;
+  Eigen::Vector3d point;
+};
+
+// Samples a face by rows and columns of points at most `step` apart.
+template <class Function>
+void for_each_sample(const Row_points& points, const Index_triangle& t, const double step,
+                     const Function& f)
+{
+  std::array<Eigen::Vector3d, 3> corner;
+  std::array<double, 3> length;
+  for(std::size_t k = 0; k < 3; ++k)
+    corner[k] = points.row(static_cast<Eigen::Index>(t[k]));
+  for(std::size_t k = 0; k < 3; ++k)
+    length[k] = (corner[(k + 1) % 3] - corner[k]).norm();
+  const std::size_t base
+    = static_cast<std::size_t>(std::max_element(length.begin(), length.end()) - length.begin());
+  if(!(length[base] > step))
+  {
+    f(Eigen::Vector3d((corner[0] + corner[1] + corner[2]) / 3));
+    return;
+  }
+  const Eigen::Vector3d &a = corner[base], &b = corner[(base + 1) % 3], &c = corner[(base + 2) % 3];
+  const double height = (b - a).cross(c - a).norm() / length[base];
+  const int rows = static_cast<int>(height / step) + 1;
+  for(int i = 0; i < rows; ++i)
+  {
+    const double s = (i + 0.5) / rows;
+    const int columns = static_cast<int>((1 - s) * length[base] / step) + 1;
+    for(int j = 0; j < columns; ++j)
+    {
+      const double r = (j + 0.5) / columns;
+      f(Eigen::Vector3d(s * c + (1 - s) * ((1 - r) * a + r * b)));
+    }
+  }
+}
+
+// A bound on the number of samples of all faces in addition to one per face.
+inline double number_of_samples(const Row_points& points,
+                                const std::vector<Index_triangle>& triangles, const double step)
+{
+  double sum = 0;
+  for(const Index_triangle& t : triangles)
+  {
+    const auto point
+      = [&](const std::size_t k) { return points.row(static_cast<Eigen::Index>(t[k])); };
+    const Eigen::Vector3d a = point(1) - point(0), b = point(2) - point(0);
+    const double longest = (std::max)({a.norm(), b.norm(), (b - a).norm()});
+    sum += a.cross(b).norm() / (step * step) + 3 * longest / step;
+  }
+  return sum;
+}
+
+// Chooses surface samples, about one per cube of the given edge length and per direction of the
+// normal (one of six): the one nearest to the center of the cube, so that the choice does not
+// depend on the order of the faces.
+inline std::vector<Surface_sample> sample_surface(const Row_points& points,
+                                                  const std::vector<Index_triangle>& triangles,
+                                                  const double side)
+{
+  using Cube = std::array<int, 4>;                         // and direction
+  using Ranked_sample = std::pair<double, Surface_sample>; // by the distance to the center
+  std::unordered_map<Cube, Ranked_sample, boost::hash<Cube>> nearest;
+  for(std::size_t f = 0; f < triangles.size(); ++f)
+  {
+    const Index_triangle& t = triangles[f];
+    const auto point
+      = [&](const std::size_t k) { return points.row(static_cast<Eigen::Index>(t[k])); };
+    const Eigen::Vector3d normal = (point(1) - point(0)).cross(point(2) - point(0));
+    int axis;
+    if(!(normal.cwiseAbs().maxCoeff(&axis) > 0))
+      continue;
+    for_each_sample(points, t, 0.6 * side, [&](const Eigen::Vector3d& p) {
+      const Eigen::Vector3d in_cubes = p / side;
+      const Eigen::Vector3d cube = in_cubes.array().floor();
+      const double distance = (in_cubes - cube - Eigen::Vector3d::Constant(0.5)).squaredNorm();
+      const auto [found, is_new] = nearest.try_emplace(
+        Cube{static_cast<int>(cube[0]), static_cast<int>(cube[1]), static_cast<int>(cube[2]),
+             2 * axis + (normal[axis] > 0 ? 1 : 0)},
+        distance, Surface_sample{f, p});
+      if(!is_new && distance < found->second.first)
+        found->second = {distance, {f, p}};
+    });
+  }
+  const std::map<Cube, Ranked_sample> sorted(nearest.begin(), nearest.end());
+  std::vector<Surface_sample> chosen;
+  for(const auto& [cube, sample] : sorted)
+    chosen.push_back(sample.second);
+  return chosen;
+}
+
+// Finds where the ray from a sample against the normal leaves the part of the solid bounded by the
+// sample. Usually this is the first exit. Where parts of the solid overlap, exits of other parts
+// may come first: then it is the first exit whose face is not much farther by geodesics than along
+// the ray.
+class Exit_search
+{
+public:
+  using Hit = Surface_rays::Hit;
+
+  Exit_search(const Surface_rays& rays, const Geodesic_bounds& bounds,
+              const std::vector<Index_triangle>& triangles)
+    : m_rays(rays), m_bounds(bounds), m_triangles(triangles)
+  {}
+
+  std::optional<Hit> operator()(const Surface_sample& sample, const Eigen::Vector3d& inward) const
+  {
+    std::optional<Hit> exit;
+    int depth = 1;
+    m_rays.trace(sample.point, inward, sample.face, [&](const Hit& hit) {
+      depth += hit.is_exit ? -1 : 1;
+      if(hit.is_exit)
+        exit = hit;
+      return depth > 0 && !(exit && is_plausible(sample, *exit));
+    });
+    if(!exit || is_plausible(sample, *exit))
+      return exit;
+
+    // the sample may be inside other parts of the solid, which the ray must exit, too
+    depth = 1;
+    m_rays.trace(sample.point, -inward, sample.face, [&](const Hit& hit) {
+      depth += hit.is_exit ? 1 : -1;
+      return true;
+    });
+    exit.reset();
+    m_rays.trace(sample.point, inward, sample.face, [&](const Hit& hit) {
+      depth += hit.is_exit ? -1 : 1;
+      if(hit.is_exit && (!exit || distance(sample, hit) < distance(sample, *exit)))
+        exit = hit;
+      return depth > 0 && !(exit && is_plausible(sample, *exit));
+    });
+    if(exit && is_impossible(sample, *exit))
+      exit.reset();
+    return exit;
+  }
+
+private:
+  bool is_plausible(const Surface_sample& sample, const Hit& hit) const
+  {
+    return distance(sample, hit) <= 1.6 * hit.distance + 0.01;
+  }
+
+  // Whether the exit is certainly on another part, as at a contact that was cut, where parts have
+  // coincident borders.
+  bool is_impossible(const Surface_sample& sample, const Hit& hit) const
+  {
+    return distance(sample, hit) > 1.6 * hit.distance + 0.3;
+  }
+
+  // a lower bound of the geodesic distance; 0 to a cap
+  double distance(const Surface_sample& sample, const Hit& hit) const
+  {
+    return hit.face < m_triangles.size()
+             ? m_bounds(m_triangles[sample.face][0], m_triangles[hit.face][0])
+             : 0;
+  }
+
+  const Surface_rays& m_rays;
+  const Geodesic_bounds& m_bounds;
+  const std::vector<Index_triangle>& m_triangles;
+};
+
+// Computes the chords of samples. Unit of length: the largest geodesic distance.
+class Chord_finder
+{
+public:
+  Chord_finder(const Row_points& points, const std::vector<Index_triangle>& triangles,
+               const std::vector<Index_triangle>& caps, const Geodesic_bounds& bounds)
+    : m_points(points), m_triangles(triangles), m_closed(closed(triangles, caps)),
+      m_rays(points, m_closed), m_search(m_rays, bounds, triangles)
+  {}
+  Chord_finder(const Chord_finder&) = delete;
+  Chord_finder& operator=(const Chord_finder&) = delete;
+
+  // Samples without exit (near a hole without cap) have no chord.
+  std::vector<Chord> operator()(const std::vector<Surface_sample>& samples) const
+  {
+    std::vector<std::vector<Chord>> blocks(number_of_blocks(samples.size()));
+    for_each_block(samples.size(),
+                   [&](const std::size_t block, const std::size_t begin, const std::size_t end) {
+                     for(std::size_t i = begin; i < end; ++i)
+                       find(samples[i], blocks[block]);
+                   });
+    std::vector<Chord> chords;
+    for(const std::vector<Chord>& block : blocks)
+      chords.insert(chords.end(), block.begin(), block.end());
+    return chords;
+  }
+
+private:
+  static std::vector<Index_triangle> closed(std::vector<Index_triangle> triangles,
+                                            const std::vector<Index_triangle>& caps)
+  {
+    triangles.insert(triangles.end(), caps.begin(), caps.end());
+    return triangles;
+  }
+
+  void find(const Surface_sample& sample, std::vector<Chord>& chords) const
+  {
+    const Index_triangle& t = m_triangles[sample.face];
+    const auto point
+      = [&](const std::size_t k) { return m_points.row(static_cast<Eigen::Index>(t[k])); };
+    const Eigen::Vector3d inward
+      = -(point(1) - point(0)).cross(point(2) - point(0)).stableNormalized();
+    const std::optional<Surface_rays::Hit> exit = m_search(sample, inward);
+    if(!exit)
+      return;
+    Chord chord{sample.face, sample.point, sample.point + exit->distance * inward, exit->distance,
+                std::nullopt};
+    if(exit->face < m_triangles.size())
+      chord.exit_vertex = m_triangles[exit->face][0];
+    chords.push_back(chord);
+  }
+
+  const Row_points& m_points;
+  const std::vector<Index_triangle>& m_triangles;
+  const std::vector<Index_triangle> m_closed;
+  const Surface_rays m_rays;
+  const Exit_search m_search;
+};
+
+// Returns every k-th chord, with k such that their total length is bounded.
+inline std::vector<Chord> thinned(std::vector<Chord> chords, const double total_length)
+{
+  double sum = 0;
+  for(const Chord& chord : chords)
+    sum += chord.length;
+  const std::size_t stride = static_cast<std::size_t>(sum / total_length) + 1;
+  std::vector<Chord> result;
+  for(std::size_t i = 0; i < chords.size(); i += stride)
+    result.push_back(chords[i]);
+  return result;
+}
+
+} // namespace internal
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CANONICAL_POSE_3_ENGINE_LATTICE_SURFACE_CHORDS_H

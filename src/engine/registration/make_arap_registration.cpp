@@ -1,0 +1,537 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "Quasi_newton_direction.h"
+#include "Taubin_fairing.h"
+#include "../energy/Arap_energy.h"
+#include "../injective/Injective_repair.h"
+#include "../linear_algebra/Updated_factor.h"
+#include "../linear_algebra/low_rank_factors.h"
+#include "../linear_algebra/transposed_product.h"
+#include "../support/precondition.h"
+
+#include <CGAL/Canonical_pose_3/internal/registration/Arap_registration.h>
+#include <CGAL/Canonical_pose_3/internal/registration/check_registration.h>
+
+#include <CGAL/Real_timer.h>
+
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+namespace internal {
+
+// Energies, matrix and factor; local and global steps.
+class Body_registration final : public Arap_registration
+{
+public:
+  Body_registration(const Body_view& body, const Eigen::VectorXd& matching_weights,
+                    const double length_scale, const Registration_options& options,
+                    const Eigen::VectorXd& stiffness, const Rotation_routines& rotations,
+                    const Factor_maker factor_maker)
+    : m_body(body), m_length_scale(checked_length_scale(length_scale)), m_options(options),
+      m_weights(checked_matching_weights(body, matching_weights)),
+      m_embedding_transposed(body.embedding().transpose()),
+      m_arap(body.points() / length_scale, body.cells(), body.cell_weights(),
+             checked_stiffness(stiffness, body.cells().size()), rotations),
+      m_factor_maker(factor_maker), m_factor(factor_maker)
+  {
+    m_options.check();
+    if(m_options.fairing_passes > 0)
+      m_fairing.emplace(body.points(), body.cells());
+  }
+
+  const Registration_options& options() const override { return m_options; }
+
+  void set_options(const Registration_options& options) override
+  {
+    options.check();
+    CANONICAL_POSE_3_PRECONDITION(m_fairing || options.fairing_passes == 0);
+    const bool changes_matrix
+      = options.detail_length != m_options.detail_length || options.tikhonov != m_options.tikhonov;
+    m_options = options;
+    if(changes_matrix)
+      forget_matrix();
+  }
+
+  void set_number_of_iterations(const int number_of_iterations) override
+  {
+    CANONICAL_POSE_3_PRECONDITION(number_of_iterations >= 0);
+    m_options.number_of_iterations = number_of_iterations;
+  }
+
+  void set_detail_length(const double detail_length) override
+  {
+    Registration_options options = m_options;
+    options.detail_length = detail_length;
+    set_options(options);
+  }
+
+  void add_constraint(std::unique_ptr<Registration_constraint_base> constraint) override
+  {
+    m_constraints.push_back(std::move(constraint));
+    m_factored_revisions.reset();
+  }
+
+  void remove_constraint(const void* const constraint) override
+  {
+    const auto position = std::find_if(m_constraints.begin(), m_constraints.end(),
+                                       [&](const auto& c) { return c->is_model_of(constraint); });
+    CANONICAL_POSE_3_PRECONDITION(position != m_constraints.end());
+    m_constraints.erase(position);
+    m_factored_revisions.reset();
+  }
+
+  void set_target(const Point_matrix& target) override
+  {
+    CANONICAL_POSE_3_PRECONDITION(target.rows() == m_weights.size());
+    check_finite(target);
+    if(m_unfolding)
+      forget_matrix();
+    m_unfolding.reset();
+    m_target = target / m_length_scale;
+    transposed_product(m_body.embedding(), m_weights.asDiagonal() * m_target, m_target_term);
+  }
+
+  void set_unfolding(const Unfolding& unfolding) override
+  {
+    unfolding.check();
+    check_that_body_is_connected(m_body);
+    if(!m_unfolding)
+      forget_matrix();
+    m_unfolding = unfolding;
+  }
+
+  void factor() override
+  {
+    std::vector<std::size_t> revisions;
+    for(const auto& constraint : m_constraints)
+      revisions.push_back(constraint->matrix_revision());
+    if(m_factored_revisions == revisions)
+      return;
+    m_factored_revisions.reset();
+    if(m_matrix.size() == 0)
+      m_matrix = assemble_matrix();
+    m_constraint_matrix = assemble_constraint_matrix();
+    if(!m_factor.is_factored() || !update_factor())
+    {
+      m_factor.factor(m_constraints.empty() ? m_matrix : constrained_matrix(),
+                      "the matrix of the registration");
+      m_factored_constraint_matrix = m_constraint_matrix;
+    }
+    m_factored_revisions = revisions;
+  }
+
+  Registration_summary register_to_target(Point_matrix& body_points,
+                                          const Registration_visitor& visitor,
+                                          Best_pose* const best) override
+  {
+    CANONICAL_POSE_3_PRECONDITION(m_unfolding || m_target.rows() == m_weights.size());
+    CANONICAL_POSE_3_PRECONDITION(body_points.rows() == 0
+                                  || body_points.rows() == m_body.points().rows());
+    Registration_summary summary;
+    summary.solver = m_factor.name();
+    for(const char* stage : {"factorization", "local_steps", "global_steps"})
+      summary.add_seconds(stage, 0);
+    summary.body.vertices = static_cast<std::size_t>(m_body.points().rows());
+    summary.body.tetrahedra = m_body.cells().size();
+    timed(summary, "factorization", [&] { factor(); });
+
+    Point_matrix v;
+    timed(summary, "global_steps", [&] {
+      v = body_points.rows() == 0 ? start() : Point_matrix(body_points / m_length_scale);
+    });
+    timed(summary, "local_steps", [&] { evaluate(v, summary); });
+    summary.energy_history.push_back(summary.energy);
+    Best_pose own{m_options.detail_length};
+    iterate(v, body_points.rows() > 0, visitor, best != nullptr ? *best : own, summary);
+    if(summary.termination == Registration_summary::CANCELED && own.energy < summary.energy)
+    {
+      v = own.points / m_length_scale;
+      timed(summary, "local_steps", [&] { evaluate(v, summary); });
+    }
+    if(m_options.is_injective() && summary.is_usable() && summary.inverted > 0)
+      repair(v, summary);
+    if(summary.is_usable())
+      body_points = v * m_length_scale;
+    return summary;
+  }
+
+  void untangle(Point_matrix& body_points, Registration_summary& summary) override
+  {
+    if(summary.inverted == 0)
+      return;
+    Point_matrix v = body_points / m_length_scale;
+    timed(summary, "local_steps", [&] { evaluate(v, summary); });
+    repair(v, summary);
+    if(summary.is_usable())
+      body_points = v * m_length_scale;
+  }
+
+  Point_matrix surface_points(const Point_matrix& body_points) const override
+  {
+    CANONICAL_POSE_3_PRECONDITION(body_points.rows() == m_body.points().rows());
+    return m_body.embedding() * body_points;
+  }
+
+private:
+  // Beyond this rank, a factorization is cheaper than the solves for an update and the products
+  // with it in all iterations of a registration (measured on the armadillo in a body of TetGen).
+  static constexpr std::size_t MOST_RANK_OF_AN_UPDATE = 32;
+
+  template <class Function>
+  static void timed(Registration_summary& summary, const char* stage, const Function& f)
+  {
+    Real_timer timer;
+    timer.start();
+    f();
+    summary.add_seconds(stage, timer.time());
+  }
+
+  void forget_matrix()
+  {
+    m_matrix.resize(0, 0);
+    m_factor = Updated_factor(m_factor_maker);
+    m_factored_revisions.reset();
+  }
+
+  // The weight of the term that holds an iterate near the previous one. Without a target, it makes
+  // the matrix positive definite: the other terms do not depend on translations, so it holds the
+  // centroid. It is small compared to the smallest other eigenvalues of the matrix, which are at
+  // least about pi^2 l^2 (those of a bar), and hardly slows down the convergence.
+  double proximal_weight() const
+  {
+    constexpr double fraction = 0.05;
+    return m_options.tikhonov
+           + (m_unfolding ? fraction * m_options.detail_length * m_options.detail_length : 0);
+  }
+
+  // The matrix without constraints.
+  Eigen::SparseMatrix<double> assemble_matrix() const
+  {
+    std::vector<Eigen::Triplet<double>> entries;
+    for(Eigen::Index i = 0; i < m_weights.size(); ++i)
+      entries.emplace_back(static_cast<int>(i), static_cast<int>(i),
+                           ((m_unfolding ? 0 : 1) + proximal_weight()) * m_weights[i]);
+    return m_arap.matrix(m_options.detail_length * m_options.detail_length)
+           + brought_to_body(surface_matrix(entries));
+  }
+
+  Eigen::SparseMatrix<double> assemble_constraint_matrix() const
+  {
+    std::vector<Eigen::Triplet<double>> entries;
+    for(const auto& constraint : m_constraints)
+      constraint->add_to_matrix(entries);
+    for(const Eigen::Triplet<double>& entry : entries)
+      for(const Eigen::Index row : {entry.row(), entry.col()})
+        if(row < 0 || row >= m_weights.size())
+          throw std::invalid_argument("a constraint names surface vertex " + std::to_string(row)
+                                      + ", but there are " + std::to_string(m_weights.size()));
+    return surface_matrix(entries);
+  }
+
+  Eigen::SparseMatrix<double> constrained_matrix() const
+  {
+    return m_matrix + brought_to_body(m_constraint_matrix);
+  }
+
+  Eigen::SparseMatrix<double>
+  surface_matrix(const std::vector<Eigen::Triplet<double>>& entries) const
+  {
+    Eigen::SparseMatrix<double> result(m_weights.size(), m_weights.size());
+    result.setFromTriplets(entries.begin(), entries.end());
+    return result;
+  }
+
+  Eigen::SparseMatrix<double> brought_to_body(const Eigen::SparseMatrix<double>& surface) const
+  {
+    const Eigen::SparseMatrix<double> surface_embedded = surface * m_body.embedding();
+    return m_embedding_transposed * surface_embedded;
+  }
+
+  // Updates the factor by the difference between the constraints at its factorization and the
+  // current ones. Returns false if a new factorization is cheaper or more accurate.
+  bool update_factor()
+  {
+    const Eigen::SparseMatrix<double> change = m_constraint_matrix - m_factored_constraint_matrix;
+    Eigen::SparseMatrix<double> v;
+    Eigen::VectorXd d;
+    const std::size_t most = MOST_RANK_OF_AN_UPDATE;
+    return low_rank_factors(change, 2 * most, v, d) // a spring has two rows
+           && d.size() <= static_cast<Eigen::Index>(most)
+           && m_factor.update(m_embedding_transposed * v, d);
+  }
+
+  // Where the iteration starts if no positions are given.
+  Point_matrix start() const
+  {
+    if(m_unfolding)
+      return m_body.points() / m_length_scale;
+    Eigen::MatrixXd solution;
+    m_factor.solve((1 + m_options.tikhonov) * m_target_term, solution);
+    Point_matrix v = solution;
+    for(Eigen::Index i = 0; i < m_weights.size(); ++i)
+      if(m_weights[i] > 0)
+      {
+        Eigen::SparseMatrix<double>::InnerIterator entry(m_embedding_transposed, i);
+        const Eigen::Index vertex = entry.row();
+        if(entry.value() == 1 && !++entry)
+          v.row(vertex) = m_target.row(i);
+      }
+    return v;
+  }
+
+  // Local step: computes surface, rotations and energies at v.
+  void evaluate(const Point_matrix& v, Registration_summary& summary)
+  {
+    transposed_product(m_embedding_transposed, v, m_surface);
+    const auto arap = m_arap.fit_rotations(v);
+    summary.energy_match
+      = m_unfolding ? -m_unfolding->weight
+                        * m_weights.dot((m_surface.rowwise() - centroid()).rowwise().norm())
+                    : ((m_surface - m_target).array().square().colwise() * m_weights.array()).sum();
+    summary.energy_arap = m_options.detail_length * m_options.detail_length * arap.energy;
+    summary.energy_constraints = 0;
+    if(!m_constraints.empty())
+    {
+      const Point_matrix points = m_surface * m_length_scale;
+      for(const auto& constraint : m_constraints)
+        summary.energy_constraints
+          += constraint->energy(points) / (m_length_scale * m_length_scale);
+    }
+    summary.energy = summary.energy_match + summary.energy_arap + summary.energy_constraints;
+    summary.inverted = arap.inverted;
+    summary.volume_ratio = arap.volume_ratio;
+  }
+
+  // Returns the right-hand side for the surface and rotations of the last local step, minus the
+  // left-hand side terms of the constraints.
+  const Point_matrix& right_hand_side()
+  {
+    find_surface_terms();
+    m_arap.add_to_right_hand_side(m_options.detail_length * m_options.detail_length,
+                                  m_right_hand_side);
+    return m_right_hand_side;
+  }
+
+  // Of the surface of the last local step.
+  Eigen::RowVector3d centroid() const { return m_weights.transpose() * m_surface; }
+
+  // Half the negative gradient of the unfolding term with respect to the surface. The term is
+  // concave, so its linearization is an upper bound.
+  Point_matrix half_growth() const
+  {
+    Point_matrix directions = m_surface.rowwise() - centroid();
+    for(Eigen::Index i = 0; i < directions.rows(); ++i)
+    {
+      const double norm = directions.row(i).norm();
+      if(norm > 0)
+        directions.row(i) /= norm;
+    }
+    const Eigen::RowVector3d mean = m_weights.transpose() * directions;
+    return m_unfolding->weight / 2 * (m_weights.asDiagonal() * (directions.rowwise() - mean));
+  }
+
+  // Computes the terms that do not depend on rotations.
+  void find_surface_terms()
+  {
+    if(m_unfolding)
+      transposed_product(m_body.embedding(), half_growth(), m_right_hand_side);
+    else
+      m_right_hand_side = m_target_term;
+    if(proximal_weight() > 0 || !m_constraints.empty())
+    {
+      const Point_matrix points = m_surface * m_length_scale;
+      Point_matrix sum = Point_matrix::Zero(points.rows(), 3), term;
+      for(const auto& constraint : m_constraints)
+        constraint->add_to_right_hand_side(points, sum);
+      sum -= m_constraint_matrix * points;
+      transposed_product(
+        m_body.embedding(),
+        proximal_weight() * (m_weights.asDiagonal() * m_surface) + sum / m_length_scale, term);
+      m_right_hand_side += term;
+    }
+  }
+
+  // Computes half the gradient of the energy at v, the position of the last local step.
+  void half_gradient(const Point_matrix& v, Point_matrix& result)
+  {
+    transposed_product(m_matrix, v, result); // the matrix is symmetric
+    result -= right_hand_side();
+  }
+
+  // Untangles inverted cells, starting from the last local step.
+  void repair(Point_matrix& v, Registration_summary& summary)
+  {
+    timed(summary, "global_steps", [&] {
+      find_surface_terms();
+      Eigen::SparseMatrix<double> matrix = m_matrix;
+      if(!m_constraints.empty()) // they are part of the left-hand side
+      {
+        const Eigen::SparseMatrix<double> constraints = brought_to_body(m_constraint_matrix);
+        matrix += constraints;
+        m_right_hand_side += constraints * v;
+      }
+      const Injective_repair repair(m_arap, m_options.detail_length * m_options.detail_length,
+                                    matrix, m_factor_maker);
+      const auto outcome = repair(m_right_hand_side, m_body.points() / m_length_scale, v);
+      if(!outcome.is_minimal && summary.converged())
+        summary.termination = Registration_summary::ITERATION_LIMIT;
+      if(outcome.vertices_from_rest > 0)
+        summary.warnings.push_back("inverted cells resisted repair: "
+                                   + std::to_string(outcome.vertices_from_rest)
+                                   + " vertices of the body started anew from the rest pose");
+    });
+    timed(summary, "local_steps", [&] { evaluate(v, summary); });
+    summary.energy_history.push_back(summary.energy);
+    if(summary.inverted > 0)
+      summary.warnings.push_back(std::to_string(summary.inverted)
+                                 + " cells are inverted although none should be");
+  }
+
+  // Returns the largest displacement of a surface vertex if the body moves by `step`.
+  double largest_move(const Eigen::MatrixXd& step) const
+  {
+    Point_matrix moves;
+    transposed_product(m_embedding_transposed, step, moves);
+    return std::sqrt(moves.rowwise().squaredNorm().maxCoeff());
+  }
+
+  // Returns whether to continue after an iteration that moved the body by `step`.
+  bool visit(const Registration_visitor& visitor, const Registration_summary& summary,
+             const Eigen::MatrixXd& step) const
+  {
+    return !visitor
+           || visitor({summary.iterations, summary.energy, summary.energy_match,
+                       summary.energy_arap, summary.energy_constraints, largest_move(step)});
+  }
+
+  // Keeps v, the position of the last local step, if it is better.
+  void keep(const Point_matrix& v, const Registration_summary& summary, Best_pose& best) const
+  {
+    const double factor = best.detail_length / m_options.detail_length;
+    const double energy
+      = summary.energy_match + factor * factor * summary.energy_arap + summary.energy_constraints;
+    if(!(energy < best.energy))
+      return;
+    best.energy = energy;
+    best.points = v * m_length_scale;
+  }
+
+  void iterate(Point_matrix& v, const bool is_warm_start, const Registration_visitor& visitor,
+               Best_pose& best, Registration_summary& summary)
+  {
+    if(visitor)
+      keep(v, summary, best);
+    const bool is_accelerated = !m_fairing && m_options.tikhonov == 0;
+    Quasi_newton_direction direction(is_accelerated ? m_options.acceleration_window : 0);
+    Eigen::MatrixXd step, solution;
+    Point_matrix next, gradient, previous_gradient;
+    const auto solve = [&](Eigen::MatrixXd& x) {
+      m_factor.solve(x, solution);
+      x.swap(solution);
+    };
+    const auto plain_move = [&] { // in the last iteration
+      if(!direction.has_memory())
+        return largest_move(step);
+      Eigen::MatrixXd plain_step = gradient;
+      timed(summary, "global_steps", [&] { solve(plain_step); });
+      return largest_move(plain_step);
+    };
+    bool is_small = false; // the last change of the energy
+    summary.termination = Registration_summary::ITERATION_LIMIT;
+    while(summary.iterations < m_options.number_of_iterations && std::isfinite(summary.energy))
+    {
+      if(m_fairing && (is_warm_start || summary.iterations > 0))
+        timed(summary, "local_steps", [&] {
+          m_arap.fit_rotations((*m_fairing)(v, m_options.fairing_passes, m_options.fairing_lambda,
+                                            m_options.fairing_mu));
+        });
+      timed(summary, "global_steps", [&] {
+        half_gradient(v, gradient);
+        if(summary.iterations > 0)
+          direction.remember(-step, gradient - previous_gradient);
+        step = gradient;
+        direction.apply(step, solve);
+        next = v - step;
+      });
+      const double previous = summary.energy;
+      timed(summary, "local_steps", [&] { evaluate(next, summary); });
+      if(direction.has_memory()
+         && !(summary.energy <= previous - 0.2 * gradient.cwiseProduct(step).sum()))
+      {
+        direction.forget();
+        timed(summary, "global_steps", [&] {
+          step = gradient;
+          solve(step);
+          next = v - step;
+        });
+        timed(summary, "local_steps", [&] { evaluate(next, summary); });
+      }
+      v.swap(next);
+      ++summary.iterations;
+      summary.energy_history.push_back(summary.energy);
+      if(visitor)
+        keep(v, summary, best);
+      const bool goes_on = !std::isfinite(summary.energy) || visit(visitor, summary, step);
+      const bool was_small = is_small;
+      is_small = std::abs(previous - summary.energy)
+                 <= m_options.energy_tolerance * (std::max)(std::abs(previous), 1e-15);
+      if(is_small && (was_small || !direction.has_memory())
+         && plain_move() <= m_options.move_tolerance)
+      {
+        summary.termination = Registration_summary::CONVERGED;
+        return;
+      }
+      if(!goes_on)
+      {
+        summary.termination = Registration_summary::CANCELED;
+        return;
+      }
+      gradient.swap(previous_gradient);
+    }
+    if(!std::isfinite(summary.energy))
+      summary.termination = Registration_summary::NOT_FINITE;
+  }
+
+  Body_view m_body;
+  double m_length_scale;
+  Registration_options m_options;
+  Eigen::VectorXd m_weights;
+  Eigen::SparseMatrix<double> m_embedding_transposed;
+  Arap_energy m_arap;
+  std::optional<Taubin_fairing> m_fairing;
+  std::vector<std::unique_ptr<Registration_constraint_base>> m_constraints;
+  std::optional<std::vector<std::size_t>> m_factored_revisions; // none: list of constraints changed
+  Eigen::SparseMatrix<double> m_matrix;                         // without constraints
+  // on the surface: current ones, and those in the factor without its update
+  Eigen::SparseMatrix<double> m_constraint_matrix, m_factored_constraint_matrix;
+  Factor_maker m_factor_maker;
+  Updated_factor m_factor;
+  Point_matrix m_target, m_target_term; // the target, and its term of the right-hand side
+  std::optional<Unfolding> m_unfolding; // instead of the target
+  Point_matrix m_surface, m_right_hand_side;
+};
+
+std::unique_ptr<Arap_registration>
+make_arap_registration(const Body_view& body, const Eigen::VectorXd& matching_weights,
+                       const double length_scale, const Registration_options& options,
+                       const Eigen::VectorXd& stiffness, const Rotation_routines& rotations,
+                       const Factor_maker factor_maker)
+{
+  return std::make_unique<Body_registration>(body, matching_weights, length_scale, options,
+                                             stiffness, rotations, factor_maker);
+}
+
+} // namespace internal
+} // namespace Canonical_pose_3
+} // namespace CGAL

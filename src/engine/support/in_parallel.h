@@ -1,0 +1,43 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CANONICAL_POSE_3_ENGINE_SUPPORT_IN_PARALLEL_H
+#define CANONICAL_POSE_3_ENGINE_SUPPORT_IN_PARALLEL_H
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/parallel_invoke.h>
+#include <tbb/task_arena.h>
+#endif
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+namespace internal {
+
+// Calls both functions, in parallel if TBB is available.
+template <class First, class Second>
+void in_parallel(const First& first, const Second& second)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  tbb::parallel_invoke(first, second);
+#else
+  first();
+  second();
+#endif
+}
+
+// Calls a function whose parallel loops, while they wait, do nothing else: no other call of this kind.
+template <class Function>
+void isolated(const Function& function)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  tbb::this_task_arena::isolate(function);
+#else
+  function();
+#endif
+}
+
+} // namespace internal
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CANONICAL_POSE_3_ENGINE_SUPPORT_IN_PARALLEL_H

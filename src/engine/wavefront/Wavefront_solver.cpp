@@ -1,0 +1,106 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "Unfolded_sides.h"
+#include "Wavefront.h"
+
+#include <CGAL/Canonical_pose_3/internal/intrinsic/Delaunay_surface.h>
+#include <CGAL/Canonical_pose_3/internal/intrinsic/Intrinsic_triangulation.h>
+#include <CGAL/Canonical_pose_3/internal/support/for_each_index.h>
+#include <CGAL/Canonical_pose_3/internal/wavefront/Wavefront_solver.h>
+#include <CGAL/Canonical_pose_3/point_matrix.h>
+
+#include <Eigen/Core>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/enumerable_thread_specific.h>
+#endif
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+namespace internal {
+
+class Wavefront_solver::Waves
+{
+public:
+  Waves(const Face_corners& corners, const Point_matrix& points)
+    : Waves(Delaunay_surface(corners, points))
+  {}
+
+  // One column per source (a row of the points): n distances in the unit of the input.
+  Eigen::MatrixXd distances(const std::vector<int>& sources) const
+  {
+    Eigen::MatrixXd result = Eigen::MatrixXd::Constant(
+      size(), static_cast<Eigen::Index>(sources.size()), std::numeric_limits<double>::infinity());
+    const auto fill = [&](Wavefront& wave, std::size_t k) {
+      Eigen::VectorXd column = unreached();
+      wave.lower(sources[k], column);
+      result.col(static_cast<Eigen::Index>(k)) = scaled(column, m_exponent);
+    };
+#ifdef CGAL_LINKED_WITH_TBB
+    // waves keep no state: results do not depend on which thread runs which wave
+    tbb::enumerable_thread_specific<Wavefront> waves([this] { return wavefront(); });
+    for_each_index(sources.size(), [&](std::size_t k) { fill(waves.local(), k); });
+#else
+    Wavefront wave = wavefront();
+    for(std::size_t k = 0; k < sources.size(); ++k)
+      fill(wave, k);
+#endif
+    return result;
+  }
+
+  // Distances to the nearest of the sources, in the unit of the input.
+  Eigen::VectorXd distance_to_nearest(const std::vector<int>& sources) const
+  {
+    Eigen::VectorXd nearest = unreached();
+    wavefront().lower(sources, nearest);
+    return scaled(nearest, m_exponent);
+  }
+
+private:
+  explicit Waves(const Delaunay_surface& surface)
+    : m_exponent(surface.exponent()), m_sides(surface.triangulation())
+  {}
+
+  Wavefront wavefront() const { return Wavefront(m_sides); }
+
+  Eigen::VectorXd unreached() const
+  {
+    return Eigen::VectorXd::Constant(size(), std::numeric_limits<double>::infinity());
+  }
+
+  Eigen::Index size() const { return static_cast<Eigen::Index>(m_sides.number_of_vertices()); }
+
+  static Eigen::VectorXd scaled(const Eigen::VectorXd& values, int exponent)
+  {
+    return values.unaryExpr([exponent](double d) { return std::ldexp(d, exponent); });
+  }
+
+  int m_exponent; // distances are multiplied by 2 to this power
+  Unfolded_sides m_sides;
+};
+
+Wavefront_solver::Wavefront_solver(const Face_corners& corners, const Point_matrix& points)
+  : m_waves(std::make_shared<const Waves>(corners, points))
+{}
+
+Eigen::MatrixXd Wavefront_solver::distances(const std::vector<int>& sources) const
+{
+  return m_waves->distances(sources);
+}
+
+Eigen::VectorXd Wavefront_solver::distance_to_nearest(const std::vector<int>& sources) const
+{
+  return m_waves->distance_to_nearest(sources);
+}
+
+} // namespace internal
+} // namespace Canonical_pose_3
+} // namespace CGAL
