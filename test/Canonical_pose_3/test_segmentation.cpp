@@ -703,6 +703,25 @@ TEST(Segmentation_of_meshes, two_models_of_face_graphs)
 }
 
 // Balls of the same size at equal distances: their centers are the best ones.
+// CGAL's graph cut ends the process if a node has more than 1023 arcs.
+TEST(Consensus_segmentation, many_faces_of_an_edge)
+{
+  constexpr std::size_t n = 1500;
+  CP::Point_matrix points(n + 2, 3);
+  points.row(0) << 0, 0, 0;
+  points.row(1) << 0, 0, 1;
+  std::vector<std::vector<std::size_t>> faces;
+  for(std::size_t i = 0; i < n; ++i)
+  {
+    const double a = 2 * CGAL_PI * double(i) / double(n);
+    points.row(Eigen::Index(i) + 2) << std::cos(a), std::sin(a), .5;
+    faces.push_back({0, 1, i + 2});
+  }
+  CP::Segmentation_options options;
+  options.number_of_parts = 2;
+  EXPECT_EQ(CP::consensus_segmentation(points, faces, points, options).face_parts.size(), n);
+}
+
 TEST(K_means_segmentation, finds_balls)
 {
   const Polygon_soup soup = row_of_balls();

@@ -130,12 +130,14 @@ inline Face_graph face_graph(const Point_matrix& points,
       v = vertices[v];
   const Corner_table corners(*std::max_element(vertices.begin(), vertices.end()) + 1, faces);
   corners.for_each_edge([&](const Corner_table::Edge& sides) {
+    // A chain, not a star: the number of neighbors of a face is bounded, as the graph cuts require.
     for(std::size_t k = 1; k < sides.size(); ++k)
     {
-      const std::size_t a = corners.face(sides[0]), b = corners.face(sides[k]);
+      const std::size_t side = sides[k - 1];
+      const std::size_t a = corners.face(side), b = corners.face(sides[k]);
       if(a != b)
         graph.edges.push_back(
-          measured_edge(graph, a, b, triangles[a][sides[0] % 3], triangles[a][(sides[0] + 1) % 3]));
+          measured_edge(graph, a, b, triangles[a][side % 3], triangles[a][(side + 1) % 3]));
     }
   });
   graph.neighbors = Buckets<Face_graph::Neighbor>(graph.number_of_faces(), [&](const auto& put) {
