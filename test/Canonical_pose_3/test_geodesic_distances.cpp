@@ -34,8 +34,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 Eigen::MatrixXd exact(const Point_matrix& points, const Triangles& triangles,
                       const std::vector<std::size_t>& sources)
 {
-  using Mesh
-    = CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3>;
+  using Mesh = CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3>;
   const Mesh mesh = CP::make_triangle_mesh<Mesh>(points, triangles);
   std::vector<Mesh::Vertex_index> vertices;
   for(const std::size_t source : sources)
@@ -83,10 +82,10 @@ TEST(Geodesic_distances, edge_of_three_faces)
 // by less than 1e-3.
 TEST(Geodesic_distances, path_over_an_edge_of_three_faces)
 {
-  expect_distances({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, -1, 0}, {1, -1, 0}, {0, 0, 1},
-                    {1, 0, 1}},
-                   {{0, 1, 3, 2}, {0, 1, 5, 4}, {0, 1, 7, 6}}, 2,
-                   {1, std::sqrt(2.), 0, 1, 2, std::sqrt(5.), 2, std::sqrt(5.)}, 1e-3);
+  expect_distances(
+    {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, -1, 0}, {1, -1, 0}, {0, 0, 1}, {1, 0, 1}},
+    {{0, 1, 3, 2}, {0, 1, 5, 4}, {0, 1, 7, 6}}, 2,
+    {1, std::sqrt(2.), 0, 1, 2, std::sqrt(5.), 2, std::sqrt(5.)}, 1e-3);
 }
 
 // Two triangles with a vertex in common, then one more: along a line.
@@ -120,14 +119,24 @@ TEST(Geodesic_distances, faces_without_area)
 
 // The heat method is not accurate on a cube of twelve triangles; the corner opposite to the source is
 // at the diagonal of two of its faces, unfolded.
+// Across a face without area that shares an edge with a box, distances are those along the edge.
+TEST(Geodesic_distances, face_without_area_beside_a_box)
+{
+  const std::vector<std::array<double, 3>> points
+    = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, 0, 1},
+       {1, 0, 1}, {0, 1, 1}, {1, 1, 1}, {.5, 0, 0}};
+  expect_distances(
+    points,
+    {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}, {0, 8, 1}},
+    0, {0, 1, 1, std::sqrt(2.), 1, std::sqrt(2.), std::sqrt(2.), std::sqrt(5.), .5});
+}
+
 TEST(Geodesic_distances, cube)
 {
-  expect_distances({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, 0, 1}, {1, 0, 1}, {0, 1, 1},
-                    {1, 1, 1}},
-                   {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2},
-                    {1, 3, 7, 5}},
-                   0,
-                   {0, 1, 1, std::sqrt(2.), 1, std::sqrt(2.), std::sqrt(2.), std::sqrt(5.)});
+  expect_distances(
+    {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}},
+    {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}, 0,
+    {0, 1, 1, std::sqrt(2.), 1, std::sqrt(2.), std::sqrt(2.), std::sqrt(5.)});
 }
 
 // A fin of fine triangles on a sheet has more vertices in common with it than paths may cross at: all

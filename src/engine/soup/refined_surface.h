@@ -45,13 +45,13 @@ public:
     ++m_number;
   }
 
-  // Whether distances cannot be measured well at the vertices alone. Surfaces of some thousand
-  // vertices may have long edges in places.
+  // Whether distances cannot be measured well at the vertices alone, as without area. Surfaces of
+  // some thousand vertices may have long edges in places.
   bool is_coarse() const
   {
     constexpr double length = 0.05, larger = 0.13;
     constexpr std::size_t few = 2000;
-    return m_sum > (m_number < few ? length : larger) * m_area * std::sqrt(m_area);
+    return m_area == 0 || m_sum > (m_number < few ? length : larger) * m_area * std::sqrt(m_area);
   }
 
 private:
