@@ -283,6 +283,35 @@ TEST(Components_that_follow, a_figure_on_the_ground_is_a_shape)
   }
 }
 
+// In a room, on a plinth: the figure has most of the detail.
+TEST(Components_that_follow, a_figure_beside_something_simple_is_a_shape)
+{
+  const Triangle_soup figure = upright_bar();
+  std::array<double, 3> low = figure.points[0], high = low;
+  for(const auto& p : figure.points)
+    for(std::size_t k = 0; k < 3; ++k)
+    {
+      low[k] = (std::min)(low[k], p[k]);
+      high[k] = (std::max)(high[k], p[k]);
+    }
+  const auto expect_apart
+    = [&](const std::array<double, 3>& from, const std::array<double, 3>& to) {
+        Triangle_soup scene = shapes::boundary(
+          shapes::tetrahedral_box(1, 1, 1, {{to[0] - from[0], to[1] - from[1], to[2] - from[2]}}));
+        for(auto& p : scene.points)
+          for(std::size_t k = 0; k < 3; ++k)
+            p[k] += from[k];
+        append(scene, figure);
+        expect_refused(scene, "the surface has 2 connected components");
+      };
+  for(const double gap : {.05, .5, 2., 8.})
+    expect_apart({{low[0] - gap, low[1] - gap, low[2] - gap}},
+                 {{high[0] + gap, high[1] + gap, high[2] + gap}});
+  for(const double gap : {2., 4., 8.})
+    expect_apart({{low[0] - gap, low[1] - gap, low[2] - .4}},
+                 {{high[0] + gap, high[1] + gap, low[2] - .01}});
+}
+
 // Eyes that are half outside or below the skin, an organ, marbles, a ring, a pin, a hat.
 TEST(Components_that_follow, what_belongs_to_a_body)
 {

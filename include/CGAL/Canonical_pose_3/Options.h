@@ -118,10 +118,12 @@ struct Method_options
   /// With `AUTOMATIC`, a component follows the largest one (open ones count half) if its area is at
   /// most 5 % of that (small), or 25 % if it touches what moves with it; if a third of its area is in
   /// contact with the largest, within 5 % of its diameter; if half of it lies inside; or if it wraps a third
-  /// of the largest, like a dress. But a figure under the dome of a sky, or on the ground, does not
-  /// follow these: a component with more than 5 % of the diameter of the largest one, or a tenth of its
+  /// of the largest, like a dress. But a figure under the dome of a sky, in a room, or on the ground, does
+  /// not follow these: a component with more than 5 % of the diameter of the largest one, or a tenth of its
   /// triangles (and at least 200), is a shape of its own if
   /// - the largest one lies in a plane, and it does not, or
+  /// - it has more than 5 % of the diameter and four times the triangles of the largest one, and less than a third
+  ///   of its area is in contact, or
   /// - it is inside, half of its area is farther from the surface than 30 % of its diameter, unlike that
   ///   of an eye, and it has more than 5 % of the area, or more than 5 % of the diameter and no fewer
   ///   triangles, or floats, nowhere nearer to the surface than 15 % of the diameter of the largest one.

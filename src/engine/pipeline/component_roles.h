@@ -159,7 +159,8 @@ private:
 // is small against it; if it is not large, and touches it; if it is in contact with it over a fair
 // share of its surface; if it lies inside it; or if it wraps it, like a dress. What is on a plane, or lies
 // inside, but apart from the surface, is a shape of its own, like a figure under the dome of a sky, unless
-// it is tiny.
+// it is tiny; so is what has much more detail than the largest, and is not in contact with it over a fair
+// share of its surface, like a figure in a room.
 class Component_roles
 {
 public:
@@ -200,6 +201,7 @@ private:
   static constexpr double GAP_OF_FLOATING = .15;      // of the diameter of the largest
   static constexpr double TINY_SIZE = .05;            // of the diameter of the largest
   static constexpr double TRIANGLES_OF_A_SHAPE = 200; // at least
+  static constexpr double MORE_DETAIL = 4;            // times the triangles of the largest
   static constexpr double WRAPPED_SHARE = .33;        // of the area of the largest
   static constexpr double REACH = .25;                // of the diameter of the largest
   static constexpr double GAP = .02;                  // of the diameter, between parts of one thing
@@ -413,6 +415,9 @@ private:
       return false;
     if(m_is_largest_flat)
       return !is_flat(c);
+    if(!is_of_tiny_size(c) && has_detail(c, MORE_DETAIL)
+       && candidate.share_in_touch() < SHARE_IN_TOUCH)
+      return true;
     return candidate.share_inside() >= SHARE_INSIDE
            && candidate.median_distance() > APARTNESS * candidate.diameter()
            && (m_areas[c] > SMALL_AREA * m_areas[m_largest]
