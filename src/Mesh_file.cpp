@@ -99,6 +99,16 @@ Mesh_file read_mesh_file(const std::string& path)
   return mesh;
 }
 
+Mesh_file read_other_mesh_file(const std::string& path)
+try
+{
+  return read_mesh_file(path);
+}
+catch(const std::invalid_argument& error)
+{
+  throw std::invalid_argument("'" + path + "': " + error.what());
+}
+
 std::vector<double> read_numbers(const std::string& path)
 try
 {

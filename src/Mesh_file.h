@@ -33,6 +33,9 @@ Format format_of(const std::string& path);
 // used: they only report failure.
 Mesh_file read_mesh_file(const std::string& path);
 
+// The same, for a file other than the main input of a command: the message also names the file.
+Mesh_file read_other_mesh_file(const std::string& path);
+
 // Throws std::invalid_argument unless it is a surface.
 inline void check_is_surface(const Mesh_file& mesh)
 {

@@ -60,7 +60,7 @@ void run_compare(const Arguments& arguments)
 {
   std::vector<Point_matrix> poses;
   for(const std::string& path : arguments.poses)
-    poses.push_back(matrix_of(points_of(read_mesh_file(path))));
+    poses.push_back(matrix_of(points_of(read_other_mesh_file(path))));
   write_differences(std::cout, arguments.poses, poses);
 }
 

@@ -25,7 +25,7 @@ void take_pose(const Mesh_file& input, const Arguments& arguments, Shape_descrip
 {
   if(!arguments.pose.empty())
   {
-    shape.pose = matrix_of(points_of(read_mesh_file(arguments.pose)));
+    shape.pose = matrix_of(points_of(read_other_mesh_file(arguments.pose)));
     if(shape.pose.rows() != shape.points.rows())
       throw std::invalid_argument("the pose has " + std::to_string(shape.pose.rows())
                                   + " vertices, but the surface has "

@@ -38,14 +38,7 @@ std::string scene_of(const std::string& path)
 {
   if(format_of(path) != Format::GLB)
     throw std::invalid_argument("'" + path + "' is not a .glb file");
-  try
-  {
-    read_mesh_file(path);
-  }
-  catch(const std::invalid_argument& error)
-  {
-    throw std::invalid_argument("'" + path + "': " + error.what());
-  }
+  read_other_mesh_file(path);
   return contents_of(path);
 }
 

@@ -50,7 +50,7 @@ std::size_t number_of_rows(const Mesh_file& input)
 
 Point_matrix given_target(const std::string& path, const Mesh_file& input)
 {
-  const Mesh_file target = read_mesh_file(path);
+  const Mesh_file target = read_other_mesh_file(path);
   const std::size_t n = number_of_rows(input);
   if(target.points.size() != n)
     throw std::invalid_argument("'" + path + "' has " + std::to_string(target.points.size())

@@ -30,7 +30,7 @@ std::vector<std::size_t> parts_of(const Mesh_file& input, const Arguments& argum
   Segmentation_input segmentation{input, arguments.method, std::nullopt, arguments.options,
                                   arguments.number_of_parts};
   if(!arguments.pose.empty())
-    segmentation.pose = matrix_of(points_of(read_mesh_file(arguments.pose)));
+    segmentation.pose = matrix_of(points_of(read_other_mesh_file(arguments.pose)));
   if(arguments.geodesics == "exact")
     segmentation.options.landmark_fields_function = exact_landmark_fields();
   return compute_parts(segmentation, report, clock);

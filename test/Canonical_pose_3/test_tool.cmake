@@ -248,6 +248,8 @@ expect_match("${stdout}" "\n0.000000  0.000000   mean of 1 pair\n$")
 expect_exit(0 compare ball.off hole.off ball.stl)
 expect_match("${stdout}" "mean of 3 pairs\n$")
 expect_exit(2 compare ball.off)
+expect_refusal("'missing.off': it cannot be opened" compare ball.off missing.off)
+expect_refusal("'missing.off': it cannot be opened" pose ball.off -o out/a.off --given-target missing.off)
 expect_refusal("ball.off, two_balls.off: poses of 12 and 24 points" compare ball.off two_balls.off)
 
 # ---- geodesics ---------------------------------------------------------------------------------------------
