@@ -168,8 +168,8 @@ TEST(Lattice_body, does_not_depend_on_the_number_of_threads)
 TEST(Lattice_body, names_bad_input)
 {
   Prepared torus(shapes::torus_soup(30, 15, 1., 0.4));
-  EXPECT_THROW_WITH(torus.body(-0.1), std::invalid_argument, "negative");
-  EXPECT_THROW_WITH(torus.body(1e-7), std::invalid_argument, "too small");
+  EXPECT_THROW_WITH(torus.body(-0.1), std::invalid_argument, "lattice_spacing is -0.1");
+  EXPECT_THROW_WITH(torus.body(1e-6), std::invalid_argument, "too small");
   Prepared isolated = torus;
   isolated.surface.points.conservativeResize(451, 3);
   isolated.surface.points.row(450).setZero();

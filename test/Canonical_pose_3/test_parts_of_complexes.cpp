@@ -54,9 +54,9 @@ CP::Result pose_of(const Tetrahedral_soup& soup, const CP::Options& options = CP
 std::vector<std::size_t> vertices_of_rows(const Tetrahedral_soup& soup)
 {
   CGAL::Surface_mesh<Point_3> boundary;
-  auto origins = boundary.add_property_map<CGAL::Surface_mesh<Point_3>::Vertex_index, std::size_t>(
-                           "v:origin")
-                   .first;
+  auto origins
+    = boundary.add_property_map<CGAL::Surface_mesh<Point_3>::Vertex_index, std::size_t>("v:origin")
+        .first;
   CP::extract_boundary(complex_of(soup), boundary, origins);
   std::vector<std::size_t> result;
   for(const auto v : boundary.vertices())
@@ -141,8 +141,8 @@ struct Is_indexed_by : std::false_type
 
 template <class Container, class Index>
 struct Is_indexed_by<
-  Container, Index,
-  std::void_t<decltype(std::declval<Container&>()[std::declval<const Index&>()])>> : std::true_type
+  Container, Index, std::void_t<decltype(std::declval<Container&>()[std::declval<const Index&>()])>>
+  : std::true_type
 {};
 
 } // namespace
@@ -175,7 +175,8 @@ TEST(Parts_of_complexes, more_rows_than_vertices)
   const std::size_t n = long_bar().points.size();
   ASSERT_EQ(vertices.size(), soup.points.size() + 1);
   CP::Options options;
-  options.number_of_landmarks = 12; // less than a third of the vertices: all landmarks are among these
+  options.number_of_landmarks
+    = 12; // less than a third of the vertices: all landmarks are among these
   options.return_landmark_fields = true;
   const CP::Result alone = pose_of(long_bar(), options), both = pose_of(soup, options);
   ASSERT_EQ(both.target->rows(), Eigen::Index(vertices.size()));
@@ -207,7 +208,8 @@ TEST(Parts_of_complexes, more_rows_than_vertices)
                 (rest.row(v) - rest.row(Eigen::Index(n) - 1)).norm(), 0.01);
 
   options.given.landmark_fields = both.landmark_fields;
-  EXPECT_EQ(pose_of(soup, options).pose, both.pose);
+  // the landmarks that were used are on the refined surface
+  EXPECT_LT(shapes::relative_rms(pose_of(soup, options).pose, both.pose), 3e-2);
   options.given = both;
   const CP::Result again = pose_of(soup, options);
   EXPECT_EQ(*again.target, *both.target);
@@ -402,9 +404,9 @@ TEST(Parts_of_complexes, closed_part)
   {
     const CP::Result result = pose_of(soup, with(mode));
     EXPECT_EQ(result.pose.topRows(small_size), pose_of(small_bar()).pose);
-    EXPECT_LT(shapes::relative_rms(shapes::to_matrix(soup.points).bottomRows(4),
-                                   result.pose.bottomRows(4)),
-              1e-12);
+    EXPECT_LT(
+      shapes::relative_rms(shapes::to_matrix(soup.points).bottomRows(4), result.pose.bottomRows(4)),
+      1e-12);
     ASSERT_EQ(result.summary.followers.size(), 1u);
     EXPECT_TRUE(result.summary.followers[0].is_rigid);
   }

@@ -138,7 +138,8 @@ TEST(Pipeline, number_of_threads_does_not_matter)
 
 // Kernels, distances and solvers are variants of the same method. Three squares across the bar are
 // few for the heat method, whose distances are 5 % too long: it differs from the other two by 0.075
-// radii of gyration, while these differ from each other by 0.005 (the input differs by 0.28).
+// radii of gyration, while these differ from each other by 0.017, as they break ties of landmarks on the
+// refined surface differently (the input differs by 0.28).
 // Solvers differ by rounding. In a single registration, since rounding is amplified by ties of
 // landmarks in rounds, and by untangling cells.
 TEST(Pipeline, distances_and_solvers_are_choices)
@@ -158,7 +159,7 @@ TEST(Pipeline, distances_and_solvers_are_choices)
   const Point_matrix wavefront = canonical_pose(mesh, options).pose;
   options.landmark_fields_function = CP::landmark_fields_function<CP::Exact_geodesics_3<Mesh>>();
   const Point_matrix exact = canonical_pose(mesh, options).pose;
-  EXPECT_LT(Canonical_pose_test::relative_rms(wavefront, exact), 0.01);
+  EXPECT_LT(Canonical_pose_test::relative_rms(wavefront, exact), 0.03);
   EXPECT_LT(Canonical_pose_test::relative_rms(exact, reference.pose), 0.12);
 }
 

@@ -7,6 +7,7 @@
 #include <CGAL/Canonical_pose_3/Constraint_list_3.h>
 #include <CGAL/Canonical_pose_3/internal/registration/difference_terms.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
+#include <CGAL/Canonical_pose_3/internal/support/require_option.h>
 
 #include <Eigen/SparseCore>
 
@@ -40,8 +41,9 @@ struct Constraint_element_traits<Directed_pair_3> : Vertex_pair_traits
 
   static std::string defect(const Directed_pair_3& pair)
   {
-    return pair.vector.allFinite() ? coincidence_of_vertices(pair)
-                                   : "has a vector that is not finite";
+    return pair.vector.allFinite() && pair.vector.cwiseAbs().maxCoeff() <= LARGEST_LENGTH
+             ? coincidence_of_vertices(pair)
+             : "has a vector that is not finite or too large";
   }
 };
 

@@ -7,6 +7,7 @@
 #include <CGAL/Canonical_pose_3/Constraint_list_3.h>
 #include <CGAL/Canonical_pose_3/internal/registration/difference_terms.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
+#include <CGAL/Canonical_pose_3/internal/support/require_option.h>
 
 #include <Eigen/SparseCore>
 
@@ -45,7 +46,9 @@ struct Constraint_element_traits<Handle_3>
 
   static std::string defect(const Handle_3& handle)
   {
-    return handle.position.allFinite() ? "" : "has a position that is not finite";
+    return handle.position.cwiseAbs().maxCoeff() <= LARGEST_LENGTH && handle.position.allFinite()
+             ? ""
+             : "has a position that is not finite or too large";
   }
 };
 

@@ -7,6 +7,7 @@
 #include <CGAL/Canonical_pose_3/Constraint_list_3.h>
 #include <CGAL/Canonical_pose_3/internal/registration/difference_terms.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
+#include <CGAL/Canonical_pose_3/internal/support/require_option.h>
 
 #include <Eigen/SparseCore>
 
@@ -45,9 +46,9 @@ struct Constraint_element_traits<Spring_3> : Vertex_pair_traits
 
   static std::string defect(const Spring_3& spring)
   {
-    return spring.rest_length >= 0 && std::isfinite(spring.rest_length)
+    return spring.rest_length >= 0 && spring.rest_length <= LARGEST_LENGTH
              ? coincidence_of_vertices(spring)
-             : "has a rest length that is negative or not finite";
+             : "has a rest length that is negative, not finite or too large";
   }
 };
 

@@ -4,6 +4,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_SOUP_CHECK_SOUP_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_SOUP_CHECK_SOUP_H
 
+#include <CGAL/Canonical_pose_3/internal/support/require_option.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <cstddef>
@@ -31,7 +32,7 @@ void check_elements(const Elements& elements, const std::size_t n,
 // Throws `std::invalid_argument` if powers of lengths could overflow or underflow.
 inline void check_unit(const Point_matrix& points)
 {
-  constexpr double smallest = 1e-90, largest = 1e90;
+  constexpr double smallest = 1 / LARGEST_LENGTH, largest = LARGEST_LENGTH;
   const double size = points.size() > 0 ? points.cwiseAbs().maxCoeff() : 0;
   if(size > largest || (size > 0 && size < smallest))
   {

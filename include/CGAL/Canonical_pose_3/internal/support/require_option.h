@@ -16,6 +16,9 @@ namespace CGAL {
 namespace Canonical_pose_3 {
 namespace internal {
 
+// Of coordinates and lengths: their powers do not overflow.
+inline constexpr double LARGEST_LENGTH = 1e90;
+
 // With as few digits as possible for the same number to be read.
 inline std::string shortest_number(const double value)
 {
