@@ -175,8 +175,6 @@ TEST(Parts_of_complexes, more_rows_than_vertices)
   const std::size_t n = long_bar().points.size();
   ASSERT_EQ(vertices.size(), soup.points.size() + 1);
   CP::Options options;
-  options.number_of_landmarks
-    = 12; // less than a third of the vertices: all landmarks are among these
   options.return_landmark_fields = true;
   const CP::Result alone = pose_of(long_bar(), options), both = pose_of(soup, options);
   ASSERT_EQ(both.target->rows(), Eigen::Index(vertices.size()));

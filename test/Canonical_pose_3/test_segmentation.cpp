@@ -702,7 +702,6 @@ TEST(Segmentation_of_meshes, two_models_of_face_graphs)
     number_of(parts_of_mesh(Canonical_pose_test::to_mesh<CGAL::Polyhedron_3<Kernel>>(soup))), 3u);
 }
 
-// Balls of the same size at equal distances: their centers are the best ones.
 // CGAL's graph cut ends the process if a node has more than 1023 arcs.
 TEST(Consensus_segmentation, many_faces_of_an_edge)
 {
@@ -717,11 +716,11 @@ TEST(Consensus_segmentation, many_faces_of_an_edge)
     points.row(Eigen::Index(i) + 2) << std::cos(a), std::sin(a), .5;
     faces.push_back({0, 1, i + 2});
   }
-  CP::Segmentation_options options;
-  options.number_of_parts = 2;
-  EXPECT_EQ(CP::consensus_segmentation(points, faces, points, options).face_parts.size(), n);
+  EXPECT_EQ(CP::consensus_segmentation_tree(points, faces, no_pose(), with_parts(2)).parts().size(),
+            n);
 }
 
+// Balls of the same size at equal distances: their centers are the best ones.
 TEST(K_means_segmentation, finds_balls)
 {
   const Polygon_soup soup = row_of_balls();
