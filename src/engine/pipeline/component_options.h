@@ -17,6 +17,7 @@
 #include <CGAL/Canonical_pose_3/internal/registration/Constraint_element_traits.h>
 #include <CGAL/Canonical_pose_3/internal/registration/check_registration.h>
 #include <CGAL/Canonical_pose_3/internal/soup/check_soup.h>
+#include <CGAL/Canonical_pose_3/internal/support/require_option.h>
 #include <CGAL/Canonical_pose_3/internal/support/Indexed_vector.h>
 #include <CGAL/Canonical_pose_3/internal/support/values_at.h>
 #include <CGAL/Canonical_pose_3/internal/target/check_landmark_fields.h>
@@ -167,6 +168,10 @@ inline Landmark_fields_3 component_fields(const Landmark_fields_3& fields, const
       const auto row = static_cast<Eigen::Index>(surface.origins[static_cast<std::size_t>(i)]);
       check_distance(fields, row, j, "the given distances", map.row_name);
       result.distances(i, j) = fields.distances(row, j);
+      if(result.distances(i, j) > LARGEST_LENGTH)
+        throw std::invalid_argument("the given distances: that of "
+                                    + map.name_of_row(Row_index(static_cast<std::size_t>(row)))
+                                    + " is too large");
     }
   check_covering_radius(fields, "the given distances");
   return result;

@@ -17,7 +17,7 @@ function(add_canonical_pose_consumer_test name way)
       --build-options -DWAY=${way} -DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER}
         -DCMAKE_CXX_FLAGS=${CMAKE_CXX_FLAGS} -DCGAL_DIR=${CGAL_DIR} ${ARGN}
       --test-command consumer)
-  set_tests_properties(consumer.${name} PROPERTIES LABELS consumer TIMEOUT 600)
+  set_tests_properties(consumer.${name} PROPERTIES LABELS consumer TIMEOUT 1200)
 endfunction()
 
 set(tetgen -DEXPECT_TETGEN=$<TARGET_EXISTS:Canonical_pose_3::tetgen>)
@@ -52,5 +52,5 @@ if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
     COMMAND ${CMAKE_CXX_COMPILER} -std=c++17 "-I$<JOIN:${directories},;-I>" -o consumer_of_all_sources
       ${CMAKE_CURRENT_SOURCE_DIR}/test_consumer/consumer.cpp ${PROJECT_SOURCE_DIR}/src/engine/all.cpp -lgmp -lmpfr
     COMMAND_EXPAND_LISTS)
-  set_tests_properties(consumer.all_sources PROPERTIES LABELS consumer TIMEOUT 600)
+  set_tests_properties(consumer.all_sources PROPERTIES LABELS consumer TIMEOUT 1200)
 endif()

@@ -5,7 +5,6 @@
 #define CGAL_CANONICAL_POSE_3_INTERNAL_TARGET_CHECK_LANDMARK_FIELDS_H
 
 #include <CGAL/Canonical_pose_3/Landmark_fields_3.h>
-#include <CGAL/Canonical_pose_3/internal/support/require_option.h>
 
 #include <cmath>
 #include <cstddef>
@@ -49,19 +48,17 @@ inline void check_shape(const Landmark_fields_3& fields, const std::size_t n,
   check_landmarks(fields.landmarks, n, what);
 }
 
-// Throws `std::invalid_argument` if entry (i, j) is negative, not finite, or larger than coordinates may be. `vertex`: what messages call vertex i.
+// Throws `std::invalid_argument` if entry (i, j) is negative or not finite. `vertex`: what messages call vertex i.
 inline void check_distance(const Landmark_fields_3& fields, const Eigen::Index i,
                            const Eigen::Index j, const std::string& what,
                            const char* const vertex = "vertex")
 {
   const double distance = fields.distances(i, j);
-  if(!(distance >= 0 && distance <= LARGEST_LENGTH))
-    throw std::invalid_argument(
-      what + ": the distance of " + vertex + ' ' + std::to_string(i) + " to landmark "
-      + std::to_string(fields.landmarks[static_cast<std::size_t>(j)]) + " is "
-      + (distance < 0              ? "negative"
-         : std::isfinite(distance) ? "too large"
-                                   : "not finite"));
+  if(!(distance >= 0) || !std::isfinite(distance))
+    throw std::invalid_argument(what + ": the distance of " + vertex + ' ' + std::to_string(i)
+                                + " to landmark "
+                                + std::to_string(fields.landmarks[static_cast<std::size_t>(j)])
+                                + " is " + (distance < 0 ? "negative" : "not finite"));
 }
 
 inline void check_covering_radius(const Landmark_fields_3& fields, const std::string& what)
