@@ -1,6 +1,8 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#ifdef CGAL_CANONICAL_POSE_3_USE_CHOLMOD
+
 #include "Cholmod_factor.h"
 #include "Cholmod_workspace.h"
 #include "Supernodal_column_solver.h"
@@ -86,3 +88,5 @@ bool Cholmod_factor_traits_d::linear_solver(
 
 } // namespace Canonical_pose_3
 } // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_USE_CHOLMOD

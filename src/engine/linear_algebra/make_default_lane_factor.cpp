@@ -1,10 +1,9 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "Supernodal_factor.h"
-
 #include <CGAL/Canonical_pose_3/internal/linear_algebra/Lane_factor.h>
 #ifdef CGAL_CANONICAL_POSE_3_USE_CHOLMOD
+#include "Supernodal_factor.h"
 #else
 #include <CGAL/Canonical_pose_3/Eigen_factor_traits_d.h>
 #endif
