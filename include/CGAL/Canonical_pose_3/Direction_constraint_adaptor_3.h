@@ -41,7 +41,7 @@ struct Constraint_element_traits<Directed_pair_3> : Vertex_pair_traits
 
   static std::string defect(const Directed_pair_3& pair)
   {
-    return pair.vector.allFinite() && pair.vector.cwiseAbs().maxCoeff() <= LARGEST_LENGTH
+    return (pair.vector.cwiseAbs().array() <= LARGEST_LENGTH).all()
              ? coincidence_of_vertices(pair)
              : "has a vector that is not finite or too large";
   }

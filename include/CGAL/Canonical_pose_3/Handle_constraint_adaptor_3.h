@@ -46,7 +46,7 @@ struct Constraint_element_traits<Handle_3>
 
   static std::string defect(const Handle_3& handle)
   {
-    return handle.position.cwiseAbs().maxCoeff() <= LARGEST_LENGTH && handle.position.allFinite()
+    return (handle.position.cwiseAbs().array() <= LARGEST_LENGTH).all()
              ? ""
              : "has a position that is not finite or too large";
   }

@@ -11,7 +11,6 @@
 
 #include <Eigen/SparseCore>
 
-#include <cmath>
 #include <cstddef>
 #include <string>
 #include <vector>

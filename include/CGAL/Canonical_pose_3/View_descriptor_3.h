@@ -40,7 +40,7 @@ public:
   static int version() { return 1; }
 
   /// returns the number of values.
-  static std::size_t size() { return 26 * 64; }
+  static std::size_t size() { return NUMBER_OF_VIEWS * NUMBER_OF_MOMENTS; }
 
   /*!
   describes a shape.
@@ -60,6 +60,9 @@ public:
   /// least one over the 48 positions.
   static Eigen::VectorXd distances(const Eigen::VectorXd& query,
                                    const Eigen::Ref<const Eigen::MatrixXd>& others);
+
+private:
+  static constexpr Eigen::Index NUMBER_OF_VIEWS = 26, NUMBER_OF_MOMENTS = 64; // of each view
 };
 
 } // namespace Canonical_pose_3

@@ -15,7 +15,6 @@
 
 #include <Eigen/Core>
 
-#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <vector>

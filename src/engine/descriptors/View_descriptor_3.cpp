@@ -24,8 +24,6 @@ namespace CGAL {
 namespace Canonical_pose_3 {
 namespace internal {
 
-inline constexpr Eigen::Index NUMBER_OF_VIEWS = 26;
-
 inline std::vector<Eigen::Vector3i> sides_of_cube()
 {
   std::vector<Eigen::Vector3i> result;
@@ -38,15 +36,15 @@ inline std::vector<Eigen::Vector3i> sides_of_cube()
 }
 
 // For each symmetry of the cube, the side to which each side is moved.
-inline std::vector<std::array<Eigen::Index, NUMBER_OF_VIEWS>> positions_of_cube()
+inline std::vector<std::vector<Eigen::Index>> positions_of_cube()
 {
   const std::vector<Eigen::Vector3i> all = sides_of_cube();
-  std::vector<std::array<Eigen::Index, NUMBER_OF_VIEWS>> result;
+  std::vector<std::vector<Eigen::Index>> result;
   std::array<int, 3> axes = {0, 1, 2};
   do
     for(int signs = 0; signs < 8; ++signs)
     {
-      result.emplace_back();
+      result.emplace_back(all.size());
       for(std::size_t i = 0; i < all.size(); ++i)
       {
         Eigen::Vector3i moved;
@@ -75,10 +73,11 @@ View_descriptor_3::operator()(const Point_matrix& points,
                               const std::vector<std::vector<std::size_t>>& polygons) const
 {
   constexpr Eigen::Index width = 64;
+  static_assert(NUMBER_OF_MOMENTS == internal::Zernike_basis::SIZE, "");
   static const internal::Zernike_basis basis(width);
   const Repaired_surface_3 surface = internal::described_surface(points, polygons);
   const Point_matrix framed = internal::in_frame(surface.points, surface.triangles);
-  Eigen::MatrixXd images(width * width, internal::NUMBER_OF_VIEWS);
+  Eigen::MatrixXd images(width * width, NUMBER_OF_VIEWS);
   const std::vector<Eigen::Vector3i> sides = internal::sides_of_cube();
   internal::for_each_index(sides.size(), [&](const std::size_t i) {
     images.col(static_cast<Eigen::Index>(i)) = internal::depth_image(
@@ -90,12 +89,11 @@ View_descriptor_3::operator()(const Point_matrix& points,
 Eigen::VectorXd View_descriptor_3::distances(const Eigen::VectorXd& query,
                                              const Eigen::Ref<const Eigen::MatrixXd>& others)
 {
-  constexpr Eigen::Index size = internal::Zernike_basis::SIZE;
-  const std::vector<std::array<Eigen::Index, internal::NUMBER_OF_VIEWS>> positions
-    = internal::positions_of_cube();
+  constexpr Eigen::Index size = NUMBER_OF_MOMENTS;
+  const std::vector<std::vector<Eigen::Index>> positions = internal::positions_of_cube();
   Eigen::MatrixXd turned(query.size(), static_cast<Eigen::Index>(positions.size()));
   for(std::size_t i = 0; i < positions.size(); ++i)
-    for(Eigen::Index view = 0; view < internal::NUMBER_OF_VIEWS; ++view)
+    for(Eigen::Index view = 0; view < NUMBER_OF_VIEWS; ++view)
       turned.col(static_cast<Eigen::Index>(i)).segment(view * size, size)
         = query.segment(positions[i][static_cast<std::size_t>(view)] * size, size);
   Eigen::VectorXd result(others.cols());

@@ -66,7 +66,7 @@ inline void require_nonnegative(const std::string& name, const double value)
 
 // Of the largest distance: the least spacing of a lattice but 0. A cube of spacing 1 is as large as the
 // surface.
-constexpr double SMALLEST_LATTICE_SPACING = 1e-6;
+inline constexpr double SMALLEST_LATTICE_SPACING = 1e-6;
 
 // Squares and sums of what is in range, and products with other values that are, do not overflow, and
 // matrices remain positive definite. 0 is not in range, unless it is `least`.
