@@ -48,7 +48,8 @@ is that of the intrinsic Delaunay triangulation, see `Heat_geodesics_3`.
 
 <em>Units and determinism.</em> As for `Heat_geodesics_3`.
 
-This class requires the library Spectra, version 1.0 or later.
+If the library was built without Spectra, components of more than 300 vertices, and of more than four
+per eigenfunction, lead to `std::runtime_error`.
 
 \tparam TriangleMesh a model of `FaceListGraph`, oriented and 2-manifold, with or without boundary,
         with any number of connected components and isolated vertices

@@ -27,11 +27,12 @@ class Cholmod_solver;
 \brief The class `Cholmod_factor_traits_d` solves sparse symmetric positive definite systems with
 CHOLMOD of SuiteSparse, simplicial or supernodal, whichever is faster for the matrix.
 
-It exists if the library was built with CHOLMOD; otherwise, programs that use it do not link. It prints nothing. Copies share one factorization.
+It exists if the library was built with CHOLMOD; otherwise, programs that use it do not link. It
+prints nothing. Copies share one factorization.
 
 Its results do not depend on the number of threads: inside its functions, OpenBLAS and OpenMP are
 temporarily limited to one thread, and the columns of a block are solved independently, three at a
-time (in parallel, if `CGAL_LINKED_WITH_TBB` is defined). It may be used from several threads at once.
+time (in parallel, if the library was built with TBB). It may be used from several threads at once.
 
 \cgalModels `SparseLinearAlgebraWithBlockFactorTraits_d`
 

@@ -210,7 +210,7 @@ public:
 
   /*!
   returns the distances from each of `sources` to all vertices, independently of the other sources;
-  in parallel if `CGAL_LINKED_WITH_TBB` is defined.
+  in parallel if the library was built with TBB.
 
   \tparam VertexRange a range of vertex descriptors
   \param sources the sources, which may repeat

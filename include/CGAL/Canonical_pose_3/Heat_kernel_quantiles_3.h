@@ -29,7 +29,7 @@ shape only by its lengths, so all poses of a shape have nearly the same values, 
 The eigenvalues are divided by \f$ \exp(\frac34(m - 5)) \f$, where \f$ m \f$ is the mean of the logarithms of the first
 15 of them, which makes up for differences in area between similar shapes.
 
-It requires the library Spectra.
+If the library was built without Spectra, components of more than 396 vertices lead to `std::runtime_error`.
 
 \cgalModels `ShapeDescriptor_3`
 

@@ -41,7 +41,8 @@ struct Intermediate_results
 {
   /// landmarks and distances to them; returned if `Options::return_landmark_fields` is set. If a
   /// vertex is split because the surface is not manifold there, the smallest distance of its copies
-  /// counts.
+  /// counts. On a refined surface (`Surface_component_3::added`), the landmarks that were used are in
+  /// general not vertices of the input: these distances are measured from others.
   std::optional<Landmark_fields_3> landmark_fields;
 
   /// \f$ n \times 3 \f$, the target in its final position in the frame of the input, also for

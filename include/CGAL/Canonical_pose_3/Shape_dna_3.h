@@ -24,7 +24,7 @@ It contains the first 30 positive eigenvalues \f$ \lambda_k \f$ at unit area, di
 they tend for large \f$ k \f$ (M. Reuter et al., "Laplace-Beltrami spectra as 'Shape-DNA' of surfaces and solids",
 2006). It is intrinsic, as `Heat_kernel_quantiles_3`, and a simple reference for it.
 
-It requires the library Spectra.
+If the library was built without Spectra, components of more than 300 vertices lead to `std::runtime_error`.
 
 \cgalModels `ShapeDescriptor_3`
 

@@ -185,7 +185,7 @@ public:
 
   /*!
   returns the distances from each of `sources` to all vertices; in parallel, if
-  `CGAL_LINKED_WITH_TBB` is defined.
+  the library was built with TBB.
 
   \tparam VertexRange a range of vertex descriptors
   \param sources the sources, possibly with repetitions

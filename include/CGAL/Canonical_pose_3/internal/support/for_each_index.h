@@ -31,6 +31,7 @@ private:
 
 void for_each_index(std::size_t n, Index_function f);
 
+// Calls f(i) for all i < n, in parallel if the library was built with TBB.
 template <class Function>
 void for_each_index(const std::size_t n, const Function& f)
 {
