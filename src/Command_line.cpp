@@ -394,10 +394,16 @@ void add_database(CLI::App& command, Arguments& arguments)
 
 void add_weighted_descriptors(CLI::App& command, Arguments& arguments)
 {
+  const auto weight
+    = number(Registration_options::SMALLEST_WEIGHT, Registration_options::LARGEST_WEIGHT);
   command
     .add_option("--descriptor", arguments.descriptors,
                 "NAME[:WEIGHT], as in describe; may be repeated; default: all of the collection")
-    ->allow_extra_args(false);
+    ->allow_extra_args(false)
+    ->check([=](const std::string& text) {
+      const std::size_t colon = text.rfind(':');
+      return colon == std::string::npos ? std::string() : weight(text.substr(colon + 1));
+    });
 }
 
 void add_collection(CLI::App& command, Arguments& arguments, Raw_arguments& raw)

@@ -14,20 +14,13 @@ namespace Canonical_pose_tool {
 
 namespace {
 
-using CGAL::Canonical_pose_3::Registration_options;
-
 // Removes the weight of "NAME:WEIGHT".
 std::optional<double> take_weight(std::string& name)
 {
   const std::size_t colon = name.rfind(':');
   if(colon == std::string::npos)
     return std::nullopt;
-  const std::string text = name.substr(colon + 1);
-  const std::optional<double> weight = real_of(text);
-  if(!weight || *weight < Registration_options::SMALLEST_WEIGHT
-     || *weight > Registration_options::LARGEST_WEIGHT)
-    throw std::invalid_argument("'" + text + "' is not a positive weight of "
-                                + name.substr(0, colon) + ", from 1e-09 to 1e+09");
+  const std::optional<double> weight = real_of(name.substr(colon + 1));
   name.erase(colon);
   return weight;
 }

@@ -227,10 +227,10 @@ Result joined_result(const Prepared_surface_3& surface, const std::vector<Result
     for(const std::size_t vertex : component.surface.contacts)
       summary->warnings.push_back("a false contact was cut at vertex " + std::to_string(vertex));
   if(!map.shared.empty())
-    summary->warnings.push_back(std::to_string(map.shared.size())
-                                + " vertices belong to several components, vertex "
+    summary->warnings.push_back("vertices that belong to several components go with the largest: "
+                                + std::to_string(map.shared.size()) + ", vertex "
                                 + std::to_string(static_cast<std::size_t>(map.shared.front()))
-                                + " among them: they go with the largest");
+                                + " among them");
   summary->input = surface.diagnosis;
   summary->followers = surface.followers;
   joined.summary = std::move(*summary);

@@ -387,15 +387,15 @@ private:
       if(!outcome.is_minimal && summary.converged())
         summary.termination = Registration_summary::ITERATION_LIMIT;
       if(outcome.vertices_from_rest > 0)
-        summary.warnings.push_back("inverted cells resisted repair: "
-                                   + std::to_string(outcome.vertices_from_rest)
-                                   + " vertices of the body started anew from the rest pose");
+        summary.warnings.push_back("inverted cells resisted repair; vertices of the body that "
+                                   "started anew from the rest pose: "
+                                   + std::to_string(outcome.vertices_from_rest));
     });
     timed(summary, "local_steps", [&] { evaluate(v, summary); });
     summary.energy_history.push_back(summary.energy);
     if(summary.inverted > 0)
-      summary.warnings.push_back(std::to_string(summary.inverted)
-                                 + " cells are inverted although none should be");
+      summary.warnings.push_back("inverted cells that remain, although there should be none: "
+                                 + std::to_string(summary.inverted));
   }
 
   // Returns the largest displacement of a surface vertex if the body moves by `step`.

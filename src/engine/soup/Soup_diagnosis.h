@@ -235,7 +235,8 @@ private:
     if(found.count > 0)
       add_defect("self_intersections", "faces", found,
                  "the surface intersects itself: " + std::to_string(found.count)
-                   + " pairs of faces, among them " + found.first() + " and " + found.first(1));
+                   + (found.count == 1 ? " pair of faces, " : " pairs of faces, among them ")
+                   + found.first() + " and " + found.first(1));
   }
 
   void find_holes()
