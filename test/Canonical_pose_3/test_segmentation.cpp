@@ -315,6 +315,8 @@ TEST_P(Segmentation, what_has_no_parts_is_one)
   const auto number = [&](const Canonical_pose_test::Triangle_soup& soup) {
     return number_of_polygons(polygon_soup(soup));
   };
+  EXPECT_EQ(number(tube_soup(2, 8, 5, .5)), 1u);
+  EXPECT_EQ(number(tube_soup(4, 6, 10, .5)), 1u);
   EXPECT_EQ(number(tube_soup(25, 16, 5, .5)), 1u);
   EXPECT_EQ(number(tube_soup(80, 12, 20, .5)), 1u);
   EXPECT_EQ(number(tube_soup(200, 12, 50, .5)), 1u);
