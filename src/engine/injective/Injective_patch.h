@@ -72,7 +72,8 @@ public:
   }
 
   // Decreases the energy as far as the barrier allows, in at most `steps` steps, unless a cell is
-  // inverted or flat. Returns whether it has converged, that is, the last step was tiny.
+  // inverted or flat. Returns whether it has converged, that is, the last step decreased it by little,
+  // although it was not cut short.
   bool descend_to_the_barrier(const int steps)
   {
     if(!(least_determinant() > 0))
@@ -82,6 +83,8 @@ public:
       const std::optional<double> decrease = descend(Inversion_barrier());
       if(!decrease || !(*decrease > TOLERANCE * m_total_weight))
         return decrease.has_value();
+      if(m_length < SHORTEST)
+        return false;
     }
     return false;
   }
@@ -117,6 +120,7 @@ public:
 
 private:
   static constexpr double POSITIVE = 1e-3, EPSILON_DECAY = 0.4, TOLERANCE = 1e-4;
+  static constexpr double SHORTEST = 1e-4; // step that is worth its time, by a full one
 
   int free() const { return static_cast<int>(m_gradient.rows()); }
 

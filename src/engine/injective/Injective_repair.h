@@ -104,9 +104,9 @@ private:
   static constexpr int STEPS_OF_REMOVAL = 20, STEPS_OF_A_PATCH = 50, STEPS_FROM_REST = 500;
 
   // The limits of the work of all patches, without and with the final decrease of the energy, in
-  // steps of the entire body. Such a step costs some ten iterations of a registration, which has
-  // about 100.
-  static constexpr std::size_t WORK_OF_REMOVAL = 25, WORK_OF_REPAIR = 40;
+  // steps of the entire body. Such a step costs as much as some 20 iterations of a registration, which
+  // has about 100.
+  static constexpr std::size_t WORK_OF_REMOVAL = 10, WORK_OF_REPAIR = 16;
 
   // The work of a step of all patches of free vertices: the number of cells and of nonzeros.
   std::size_t size(const std::vector<bool>& is_free) const

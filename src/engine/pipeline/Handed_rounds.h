@@ -67,6 +67,11 @@ private:
     target.summary.is_handedness_certain = handedness.is_certain();
     if(!is_questionable(handedness))
       return choice;
+    if(m_registration.is_exhausted(choice.registered))
+    {
+      target.summary.is_handedness_certain = false;
+      return choice;
+    }
     Registered_body other
       = m_rounds(choice.registered.summary, m_registration.mirrored(first), true);
     Registration_summary& summary = choice.registered.summary;

@@ -52,7 +52,8 @@ public:
   {
     bool has_collapsed = false;
     Registered_body result = refined(before, first, ends_inside_out, STIFF, has_collapsed);
-    if(!has_collapsed || !Surface_registration::is_complete(result))
+    if(!has_collapsed || !Surface_registration::is_complete(result)
+       || m_registration.is_exhausted(result))
       return result;
     Registered_body other = refined(result.summary, first, ends_inside_out, SOFTER, has_collapsed);
     if(Surface_registration::is_complete(other) && has_lower_stress(other.summary, result.summary))
@@ -132,7 +133,8 @@ private:
                                         m_registration.median_strain(pose), timer.time()});
       current.target.points = std::move(refined.target.points);
       current.target.summary = first.summary;
-      if(ends_inside_out && m_registration.handedness(current.target).volume_ratio < 0)
+      if(m_registration.is_exhausted(current)
+         || (ends_inside_out && m_registration.handedness(current.target).volume_ratio < 0))
         break;
     }
     return current;

@@ -264,6 +264,13 @@ public:
     return registered.summary.is_usable() && !is_canceled(registered);
   }
 
+  // Whether so many iterations were made that the registrations do not converge: nothing else is tried.
+  bool is_exhausted(const Registered_body& registered) const
+  {
+    return registered.summary.iterations >= (std::max)(m_registration_options.number_of_iterations,
+                                                       Registration_options().number_of_iterations);
+  }
+
   // `pose`: of the surface vertices of the body.
   double median_strain(const Point_matrix& pose) const
   {
