@@ -15,13 +15,13 @@
 
 #include <cstddef>
 
+namespace test_acceleration {
+
 namespace CP = CGAL::Canonical_pose_3;
 using Canonical_pose_test::Registrar;
 using Canonical_pose_test::uniform_weights;
 using CP::Point_matrix;
 using CP::Registration_summary;
-
-namespace {
 
 // A long bar with several blocks of cells.
 CP::Conforming_body_3 bar() { return Canonical_pose_test::bar_body(40, 3, 3); }
@@ -50,8 +50,6 @@ Registration_summary run(const CP::Conforming_body_3& body, const Point_matrix& 
   pose.resize(0, 3);
   return registrar.register_to_target(pose);
 }
-
-} // namespace
 
 // The same minimum in less than half the iterations (2.4 to 2.8 times fewer), for a stiff body: the
 // final energy exceeds that of many uncorrected iterations by no more than the stopping tolerance
@@ -142,3 +140,5 @@ TEST(Acceleration, negative_window_is_refused)
   options.acceleration_window = -1;
   EXPECT_THROW_WITH(options.check(), std::invalid_argument, "acceleration_window");
 }
+
+} // namespace test_acceleration

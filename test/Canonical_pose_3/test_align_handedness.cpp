@@ -25,12 +25,12 @@
 #include <stdexcept>
 #include <vector>
 
+namespace test_align_handedness {
+
 namespace CP = CGAL::Canonical_pose_3;
 using Canonical_pose_test::corner;
 using Canonical_pose_test::mirrored;
 using CP::Point_matrix;
-
-namespace {
 
 // Moved, turned and scaled, differently for each i.
 Point_matrix moved(const Point_matrix& points, const int i)
@@ -47,8 +47,6 @@ Point_matrix random_points(const Eigen::Index n, CGAL::Random& random)
     result.data()[k] = random.get_double(-1, 1);
   return result;
 }
-
-} // namespace
 
 // All subsets of up to five poses are mirror images: the smaller part is found, regardless of position,
 // orientation and scale. If both are of the same size, it is the part without the first pose.
@@ -137,3 +135,5 @@ TEST(Align_handedness, bad_input_is_named)
   bad(2, 1) = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW_WITH(CP::align_handedness({corner(), bad}), std::invalid_argument, "point 2");
 }
+
+} // namespace test_align_handedness

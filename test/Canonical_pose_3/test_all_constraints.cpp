@@ -20,12 +20,12 @@
 #include <cstddef>
 #include <vector>
 
+namespace test_all_constraints {
+
 namespace CP = CGAL::Canonical_pose_3;
 using Canonical_pose_test::Registrar;
 using Canonical_pose_test::uniform_weights;
 using CP::Point_matrix;
-
-namespace {
 
 // One constraint of each kind on the bar; `motion` is applied to everything that depends on the
 // frame.
@@ -56,8 +56,6 @@ struct All_kinds
   CP::Handle_constraint_adaptor_3 handles{117};
   CP::Symmetry_constraint_adaptor_3 symmetric{117};
 };
-
-} // namespace
 
 // The final energy is stationary: its central differences vanish in every direction. They would not
 // if matrix, right-hand side and energy were inconsistent.
@@ -112,3 +110,5 @@ TEST(All_constraints, follows_rigid_motions)
   }
   EXPECT_LT(((motion * poses[0].transpose()).transpose() - poses[1]).norm(), 1e-5);
 }
+
+} // namespace test_all_constraints

@@ -18,12 +18,12 @@
 #include <limits>
 #include <utility>
 
+namespace test_arap {
+
 namespace CP = CGAL::Canonical_pose_3;
 using Canonical_pose_test::uniform_weights;
 using CP::Point_matrix;
 using CP::Registration_summary;
-
-namespace {
 
 using Registrar = Canonical_pose_test::Svd_registrar;
 
@@ -33,8 +33,6 @@ Point_matrix bent_bar_points(const double angle)
 {
   return Canonical_pose_test::bar_points(12, 2, 2, angle);
 }
-
-} // namespace
 
 // A moved registrar keeps factor and target.
 TEST(Arap, registrars_can_be_moved)
@@ -220,3 +218,5 @@ TEST(Arap, vertices_without_target_follow)
   EXPECT_TRUE(registrar.register_to_target(pose).converged());
   EXPECT_LT((pose - body.points() * rotation.transpose()).norm(), 1e-5);
 }
+
+} // namespace test_arap

@@ -15,10 +15,10 @@
 #include "matchers.h"
 #include "shapes.h"
 
+namespace test_arap_energy {
+
 namespace CP = CGAL::Canonical_pose_3;
 namespace shapes = Canonical_pose_test;
-
-namespace {
 
 std::atomic<std::size_t> allocated_bytes{0};
 
@@ -63,11 +63,11 @@ shapes::Tetrahedral_soup star(const unsigned int subdivisions)
   return result;
 }
 
-} // namespace
+} // namespace test_arap_energy
 
 [[gnu::noinline]] void* operator new(const std::size_t size)
 {
-  allocated_bytes += size;
+  test_arap_energy::allocated_bytes += size;
   if(void* const memory = std::malloc(size > 0 ? size : 1))
     return memory;
   throw std::bad_alloc();
@@ -77,6 +77,8 @@ shapes::Tetrahedral_soup star(const unsigned int subdivisions)
 {
   std::free(memory);
 }
+
+namespace test_arap_energy {
 
 // The matrix is defined by its sum over the cells. In the star, every cell contains the center,
 // whose column is full; the box has more columns than a block.
@@ -130,3 +132,5 @@ TEST(Arap_energy, memory_of_the_matrix_is_linear_in_the_cells)
     EXPECT_LE(double(allocated_bytes - before) / double(e.number_of_cells()), 1200);
   }
 }
+
+} // namespace test_arap_energy

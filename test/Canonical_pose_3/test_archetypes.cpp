@@ -37,12 +37,12 @@
 #include <utility>
 #include <vector>
 
+namespace test_archetypes {
+
 namespace CP = CGAL::Canonical_pose_3;
 using Canonical_pose_test::to_mesh;
 using Canonical_pose_test::uniform_weights;
 using CP::Point_matrix;
-
-namespace {
 
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 
@@ -260,8 +260,6 @@ CP::Registration_options to_the_end()
   options.move_tolerance = 1e-10;
   return options;
 }
-
-} // namespace
 
 // Rows of B sum to 1, so a rigid motion of the body also moves the surface: a rigid target is
 // reached with energy 0 although no body vertex has its own target.
@@ -481,3 +479,5 @@ TEST(Archetypes, only_models_convert)
   static_assert(!std::is_constructible<CP::Registration_constraint_3, Shifted_kernel>::value);
   static_assert(!std::is_convertible<int (*)(), CP::Body_function>::value);
 }
+
+} // namespace test_archetypes

@@ -38,11 +38,11 @@
 #include <string>
 #include <vector>
 
+namespace test_bad_indices {
+
 namespace CP = CGAL::Canonical_pose_3;
 using CP::Point_matrix;
 using Mesh = CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3>;
-
-namespace {
 
 using Triangles = std::vector<std::array<std::size_t, 3>>;
 
@@ -68,8 +68,6 @@ Eigen::MatrixXd distances_on_a_line(const Eigen::Index n)
   const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(n, 0, static_cast<double>(n - 1));
   return (x.replicate(1, n) - x.transpose().replicate(n, 1)).cwiseAbs();
 }
-
-} // namespace
 
 TEST(Bad_indices, of_triangles)
 {
@@ -273,3 +271,5 @@ TEST(Bad_weights, of_the_canonical_frame)
                       "weight 2 is");
   }
 }
+
+} // namespace test_bad_indices

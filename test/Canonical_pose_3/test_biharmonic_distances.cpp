@@ -23,11 +23,11 @@
 #include <string>
 #include <vector>
 
+namespace test_biharmonic_distances {
+
 using namespace Canonical_pose_test;
 namespace CP = CGAL::Canonical_pose_3;
 using Biharmonic = CP::Biharmonic_distances_3<Mesh>;
-
-namespace {
 
 const double INF = std::numeric_limits<double>::infinity();
 
@@ -48,8 +48,6 @@ Eigen::VectorXd distances_by_green(const Mesh& mesh)
     = g.diagonal() + Eigen::VectorXd::Constant(n, g(0, 0)) - 2 * g.col(0);
   return std::ldexp(1., surface.exponent()) * squares.cwiseMax(0).cwiseSqrt();
 }
-
-} // namespace
 
 // With all eigenfunctions, the sum equals the definition by Green's functions, which requires no
 // eigenvalues. There are fewer eigenfunctions than requested.
@@ -196,3 +194,5 @@ TEST(Biharmonic_distances, landmarks_by_fronts_on_own_points)
   expect_fronts_on_own_points<Biharmonic_distances_3<Mesh>,
                               Biharmonic_distances_3<Mesh, Mesh_with_points::Point_map>>();
 }
+
+} // namespace test_biharmonic_distances

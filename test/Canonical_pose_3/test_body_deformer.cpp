@@ -15,10 +15,10 @@
 
 #include "bar_body.h"
 
+namespace test_body_deformer {
+
 namespace CP = CGAL::Canonical_pose_3;
 namespace shapes = Canonical_pose_test;
-
-namespace {
 
 using Deformer = CP::Body_deformer_3<CP::Conforming_body_3>;
 
@@ -50,8 +50,6 @@ CP::Point_matrix random_points(CGAL::Random& random, const Eigen::Index n)
       result(i, k) = random.get_double(-1., 1.);
   return result;
 }
-
-} // namespace
 
 // Barycentric coordinates reproduce affine functions, inside a cell, on its boundary and outside:
 // only rounding errors remain, proportional to the distance.
@@ -148,3 +146,5 @@ TEST(Body_deformer, names_bad_input)
                     std::invalid_argument, "not finite");
   EXPECT_EQ(deformer.embedding(CP::Point_matrix(0, 3)).rows(), 0);
 }
+
+} // namespace test_body_deformer

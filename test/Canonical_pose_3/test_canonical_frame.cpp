@@ -21,12 +21,12 @@
 #include <stdexcept>
 #include <vector>
 
+namespace test_canonical_frame {
+
 namespace CP = CGAL::Canonical_pose_3;
 namespace shapes = Canonical_pose_test;
 using Canonical_pose_examples::Articulated_figure;
 using CP::Point_matrix;
-
-namespace {
 
 const Eigen::Isometry3d motion = Eigen::Translation3d(30, -10, 20)
                                  * Eigen::AngleAxisd(2.2, Eigen::Vector3d(1, 3, -2).normalized());
@@ -47,8 +47,6 @@ CP::Options in_canonical_frame()
   options.frame = CP::Options::Frame::CANONICAL;
   return options;
 }
-
-} // namespace
 
 // The frame of a random point set is unique, so it follows any rigid motion up to rounding.
 TEST(Canonical_frame, of_points)
@@ -170,3 +168,5 @@ TEST(Canonical_frame, makes_alignment_unnecessary)
     EXPECT_LT((std::min)(difference(poses[i]), difference(turned)), aligned + .1) << i;
   }
 }
+
+} // namespace test_canonical_frame

@@ -16,6 +16,8 @@
 #include <stdexcept>
 #include <vector>
 
+namespace test_cell_stiffness {
+
 namespace CP = CGAL::Canonical_pose_3;
 using Canonical_pose_test::conforming_bar;
 using CP::Point_matrix;
@@ -103,3 +105,5 @@ TEST(Cell_stiffness, bad_numbers_are_named)
                     "the stiffness of vertex 5 is ");
   EXPECT_THROW(CP::cell_stiffness(body, VectorXd::Ones(3), shares), CGAL::Precondition_exception);
 }
+
+} // namespace test_cell_stiffness

@@ -15,11 +15,11 @@
 #include <cstddef>
 #include <stdexcept>
 
+namespace test_changes_of_constraints {
+
 namespace CP = CGAL::Canonical_pose_3;
 using Canonical_pose_test::uniform_weights;
 using CP::Point_matrix;
-
-namespace {
 
 int factorizations = 0;
 
@@ -51,8 +51,6 @@ struct Push
   double entry = -1e6;
   std::size_t revision = 0;
 };
-
-} // namespace
 
 // Adding, modifying and removing a few constraints: one factorization for all, and the same poses
 // as those of new registrars.
@@ -189,3 +187,5 @@ TEST(Changes_of_constraints, indefinite_constraints_are_refused)
     EXPECT_LT((pose - body.points()).norm(), 1e-6);
   }
 }
+
+} // namespace test_changes_of_constraints

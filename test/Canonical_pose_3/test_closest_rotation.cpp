@@ -12,11 +12,11 @@
 #include <random>
 #include <vector>
 
+namespace test_closest_rotation {
+
 namespace CPI = CGAL::Canonical_pose_3::internal;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
-
-namespace {
 
 // By a singular value decomposition in extended precision.
 Matrix3d reference(const Matrix3d& m)
@@ -64,8 +64,6 @@ bool is_rotation(const Matrix3d& r)
 {
   return (r.transpose() * r - Matrix3d::Identity()).norm() < 1e-12 && r.determinant() > 0;
 }
-
-} // namespace
 
 // If the closest rotation is clearly unique, that is, the sum of the two smaller singular values
 // (with sign) is not small, the closed form is accurate to twelve digits: near rotations,
@@ -170,3 +168,5 @@ TEST(Closest_rotation, by_traits)
     EXPECT_LT((CPI::rotation_by_traits<Traits>(m) - reference(m)).norm(), 1e-10);
   }
 }
+
+} // namespace test_closest_rotation

@@ -24,12 +24,12 @@
 #include <utility>
 #include <vector>
 
+namespace test_coarse_meshes {
+
 namespace CP = CGAL::Canonical_pose_3;
 namespace shapes = Canonical_pose_test;
 using CP::Point_matrix;
 using Soup = shapes::Triangle_soup;
-
-namespace {
 
 // The prism over a polygon that is triangulated by triples of its corners.
 Soup prism(const std::vector<std::array<double, 2>>& corners,
@@ -152,8 +152,6 @@ CP::Result pose_of(const shapes::Tetrahedral_soup& soup)
   std::vector<CGAL::Simple_cartesian<double>::Point_3> pose(soup.points.size());
   return CGAL::canonical_pose_3(complex, CGAL::make_property_map(pose));
 }
-
-} // namespace
 
 // Poses do not depend on the triangles of a shape: subdivided until there are 2000 vertices, with which
 // distances were always measured well, it has the same pose. The differences were up to 0.40.
@@ -304,3 +302,5 @@ TEST(Coarse_meshes, complex)
   EXPECT_EQ(result.pose.rows(), Eigen::Index(coarse.points.size()));
   EXPECT_NEAR(result.summary.target.max_geodesic / of_fine.summary.target.max_geodesic, 1, .03);
 }
+
+} // namespace test_coarse_meshes

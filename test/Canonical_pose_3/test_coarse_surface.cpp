@@ -26,6 +26,8 @@
 #include <utility>
 #include <vector>
 
+namespace test_coarse_surface {
+
 namespace CP = CGAL::Canonical_pose_3;
 namespace shapes = Canonical_pose_test;
 using CP::Coarse_surface_3;
@@ -33,8 +35,6 @@ using CP::Point_matrix;
 using CP::Surface_component_3;
 using shapes::Triangle_soup;
 using Indices = std::vector<std::size_t>;
-
-namespace {
 
 // Faces and vertices of the input differ from those of the component.
 Surface_component_3 component(const Triangle_soup& soup)
@@ -241,8 +241,6 @@ std::vector<Triangle_soup> degenerate_shapes()
   result[4] = irregular(grid, 0.25);
   return result;
 }
-
-} // namespace
 
 TEST(Coarse_surface, of_few_vertices_is_a_copy)
 {
@@ -510,7 +508,9 @@ TEST(Coarse_surface, of_degenerate_faces)
       EXPECT_TRUE(topology(coarse.surface) == expected);
       EXPECT_TRUE(coarse.interpolated(coarse.surface.points).allFinite());
       if(area(surface) == 0.)
+      {
         EXPECT_TRUE(coarse.combinations.empty());
+      }
     }
   }
 }
@@ -532,3 +532,5 @@ TEST(Coarse_surface, follows_a_pose)
   EXPECT_EQ(coarse.posed(surface.points).points, coarse.surface.points);
   EXPECT_THROW(coarse.posed(coarse.surface.points), CGAL::Precondition_exception);
 }
+
+} // namespace test_coarse_surface

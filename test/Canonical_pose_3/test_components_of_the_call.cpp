@@ -17,6 +17,8 @@
 #include <utility>
 #include <vector>
 
+namespace test_components_of_the_call {
+
 namespace CP = CGAL::Canonical_pose_3;
 namespace shapes = Canonical_pose_test;
 using CP::Point_matrix;
@@ -25,8 +27,6 @@ using shapes::Polygon_soup;
 using shapes::pose_of;
 using shapes::Result;
 using shapes::small_bar;
-
-namespace {
 
 const Eigen::Index small_size = Eigen::Index(small_bar().points.size());
 
@@ -62,8 +62,6 @@ Point_matrix pose_of_followers(const Polygon_soup& soup, const CP::Options& opti
   pose = result.pose;
   return result.pose_of_followers;
 }
-
-} // namespace
 
 // The poses of the components are bitwise equal to those of separate calls.
 TEST(Components, each_is_posed_as_if_alone)
@@ -199,3 +197,5 @@ TEST(Components, weights_of_a_component_must_not_all_be_zero)
   EXPECT_THROW_WITH(pose_of(two_bars(), options), std::invalid_argument,
                     "all matching weights are 0 in the part around vertex");
 }
+
+} // namespace test_components_of_the_call

@@ -17,6 +17,8 @@
 #include <utility>
 #include <vector>
 
+namespace test_components_that_follow {
+
 namespace CP = CGAL::Canonical_pose_3;
 namespace shapes = Canonical_pose_test;
 using CP::Point_matrix;
@@ -24,8 +26,6 @@ using shapes::pose_of;
 using shapes::Result;
 using shapes::Triangle_soup;
 using Followers = std::vector<CP::Registration_summary::Follower>;
-
-namespace {
 
 // The bar is 8 long and 1 thick.
 const std::size_t bar_size = shapes::bent_bar().points.size();
@@ -157,8 +157,6 @@ Triangle_soup tetrahedra_in_a_row(const std::size_t number)
     append(soup, tetrahedron({{2. * double(i), 0, 0}}, 1));
   return soup;
 }
-
-} // namespace
 
 TEST(Components_that_follow, small_ones)
 {
@@ -496,3 +494,5 @@ TEST(Components_that_follow, pieces_without_area)
                         "the surface has no area: all its faces are degenerate");
     }
 }
+
+} // namespace test_components_that_follow

@@ -36,11 +36,11 @@
 #include <unordered_map>
 #include <vector>
 
+namespace test_concepts {
+
 namespace CP = CGAL::Canonical_pose_3;
 using Canonical_pose_test::Points;
 using CP::Point_matrix;
-
-namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
@@ -107,23 +107,23 @@ struct My_complex
   std::vector<std::array<std::size_t, 4>> cells;
 };
 
-} // namespace
+} // namespace test_concepts
 
 template <>
-struct CGAL::Canonical_pose_3::Tetrahedral_complex_traits_3<My_complex>
+struct CGAL::Canonical_pose_3::Tetrahedral_complex_traits_3<test_concepts::My_complex>
 {
   using Vertex_descriptor = char32_t;
-  using Point_3 = My_point;
+  using Point_3 = test_concepts::My_point;
   using Cell = std::array<char32_t, 4>;
 
-  static std::vector<char32_t> vertices(const My_complex& complex)
+  static std::vector<char32_t> vertices(const test_concepts::My_complex& complex)
   {
     std::vector<char32_t> result;
     for(std::size_t i = 0; i < complex.points.size(); ++i)
       result.push_back(static_cast<char32_t>(U'a' + i));
     return result;
   }
-  static std::vector<Cell> cells(const My_complex& complex)
+  static std::vector<Cell> cells(const test_concepts::My_complex& complex)
   {
     std::vector<Cell> result;
     for(const auto& c : complex.cells)
@@ -131,11 +131,14 @@ struct CGAL::Canonical_pose_3::Tetrahedral_complex_traits_3<My_complex>
                         char32_t(U'a' + c[3])});
     return result;
   }
-  static const My_point& point(const My_complex& complex, const char32_t v)
+  static const test_concepts::My_point& point(const test_concepts::My_complex& complex,
+                                              const char32_t v)
   {
     return complex.points[v - U'a'];
   }
 };
+
+namespace test_concepts {
 
 // Everything runs on the same arrays for any mesh type: two data structures with equal vertices and
 // faces yield the same bytes. So do kernels with the same coordinates.
@@ -208,8 +211,6 @@ TEST(Concepts, own_complex_and_own_traits)
   EXPECT_LT(Canonical_pose_test::relative_rms(a, b), 1e-2);
 }
 
-namespace {
-
 using My_mesh = CGAL::Surface_mesh<My_point>;
 using Double_mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 
@@ -252,8 +253,6 @@ std::vector<std::size_t> parts_of(const Any_mesh& mesh, const Function& f)
   f(mesh, CGAL::make_property_map(parts));
   return parts;
 }
-
-} // namespace
 
 // Points without a kernel, on the boundary of a complex and in a map of the user.
 TEST(Concepts, boundary_with_own_points)
@@ -377,3 +376,5 @@ TEST(Concepts, own_points_in_every_function_of_meshes)
   EXPECT_EQ(parts_of(mine, with_pose(np)), parts_of(twin, with_pose(twin_np)));
   EXPECT_EQ(parts_of(mine, with_pose(np, options)), parts_of(twin, with_pose(twin_np, options)));
 }
+
+} // namespace test_concepts

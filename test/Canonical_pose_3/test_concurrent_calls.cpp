@@ -29,10 +29,10 @@
 #include <thread>
 #include <vector>
 
+namespace test_concurrent_calls {
+
 namespace CP = CGAL::Canonical_pose_3;
 namespace shapes = Canonical_pose_test;
-
-namespace {
 
 // Runs the jobs, each of which returns a matrix, sequentially and then repeatedly at once.
 void expect_same_bytes(const std::vector<std::function<Eigen::MatrixXd()>>& jobs, const int times)
@@ -75,8 +75,6 @@ Eigen::SparseMatrix<double> volume_matrix(const int n)
   result.setFromTriplets(entries.begin(), entries.end());
   return result;
 }
-
-} // namespace
 
 // Matrices of volumes are large enough for CHOLMOD to call METIS, which seeds and uses the random
 // generator of the process.
@@ -165,3 +163,5 @@ TEST(Concurrent_calls, limit_of_threads_concerns_the_call_only)
   });
 }
 #endif
+
+} // namespace test_concurrent_calls

@@ -17,13 +17,13 @@
 #include <limits>
 #include <vector>
 
+namespace test_constrained_registration {
+
 namespace CP = CGAL::Canonical_pose_3;
 using Canonical_pose_test::Registrar;
 using Canonical_pose_test::uniform_weights;
 using CP::Point_matrix;
 using Eigen::RowVector3d;
-
-namespace {
 
 // Two separate tetrahedra, each of which follows the target of its first vertex rigidly.
 struct Pair
@@ -62,8 +62,6 @@ CP::Symmetry_constraint_adaptor_3 symmetry_of_bar(const double stiffness)
       result.insert({13 * row + i, 13 * row + 12 - i, stiffness});
   return result;
 }
-
-} // namespace
 
 // For targets P, Q of weight m each and a prescribed difference d, stationarity gives p - q = (m (P
 // - Q) + kappa d) / (m + kappa), and the midpoint does not move.
@@ -152,3 +150,5 @@ TEST(Constrained_registration, symmetry_grows_with_stiffness)
     previous = energy;
   }
 }
+
+} // namespace test_constrained_registration

@@ -10,13 +10,11 @@
 #include <cstddef>
 #include <limits>
 
+namespace test_constraint_lists {
+
 using namespace Canonical_pose_test;
 
-namespace {
-
 constexpr int n = number_of_points;
-
-} // namespace
 
 // A modified list is equal to one constructed with the same elements.
 TEST(Constraints, changes_and_removals)
@@ -114,3 +112,5 @@ TEST(Constraints, bad_elements_are_named)
   EXPECT_EQ(matrix_of(d), matrix_of(directions())); // unchanged
   EXPECT_EQ(matrix_of(h), matrix_of(handles()));
 }
+
+} // namespace test_constraint_lists

@@ -14,9 +14,9 @@
 #include <cstddef>
 #include <limits>
 
-using namespace Canonical_pose_test;
+namespace test_constraints {
 
-namespace {
+using namespace Canonical_pose_test;
 
 constexpr int n = number_of_points;
 
@@ -70,8 +70,6 @@ void expect_same_energy_when_moved(const Constraint& constraint, const Moved& mo
   EXPECT_GT(energy, 0.01);
   EXPECT_NEAR(moved.energy((x * rotation).rowwise() + translation), energy, 1e-12 * energy);
 }
-
-} // namespace
 
 TEST(Constraints, energies_are_majorised_and_have_their_gradient)
 {
@@ -149,3 +147,5 @@ TEST(Constraints, symmetric_points_have_energy_zero)
   const Point_matrix one_place = RowVector3d(1, 2, 3).replicate(n, 1);
   EXPECT_LT(symmetry().energy(one_place), 1e-28);
 }
+
+} // namespace test_constraints

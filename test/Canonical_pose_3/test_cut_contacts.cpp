@@ -23,13 +23,13 @@
 #include <utility>
 #include <vector>
 
+namespace test_cut_contacts {
+
 namespace CP = CGAL::Canonical_pose_3;
 namespace shapes = Canonical_pose_test;
 using Canonical_pose_examples::Articulated_figure;
 using CP::Point_matrix;
 using CP::Surface_component_3;
-
-namespace {
 
 template <class Points, class Triangles>
 Surface_component_3 component(const Points& points, const Triangles& triangles)
@@ -70,8 +70,6 @@ CP::Result pose_of(const Articulated_figure::Triangles& triangles, const CP::Opt
 {
   return shapes::pose_of(figure().points(Articulated_figure::hand_on_knee()), triangles, options);
 }
-
-} // namespace
 
 // The curve separates hand and knee; faces, origins and positions remain, and each vertex of the curve
 // exists twice.
@@ -145,3 +143,5 @@ TEST(Cut_contacts, bodies_that_need_a_closed_surface_are_refused)
   EXPECT_THROW_WITH(pose_of(figure().triangles(), options), std::invalid_argument,
                     "contacts can only be cut");
 }
+
+} // namespace test_cut_contacts

@@ -29,14 +29,14 @@
 #include <string>
 #include <vector>
 
+namespace test_descriptors {
+
 namespace CP = CGAL::Canonical_pose_3;
 using Canonical_pose_test::Polygon_soup;
 using Canonical_pose_test::polygon_soup;
 using CP::Point_matrix;
 using Kernel = CGAL::Simple_cartesian<double>;
 using Polygons = std::vector<std::vector<std::size_t>>;
-
-namespace {
 
 Polygon_soup ball(const int level)
 {
@@ -337,4 +337,4 @@ TEST(Manifold_ranking, follows_paths)
   EXPECT_THROW(CP::manifold_ranking(Eigen::MatrixXd(2, 3)), std::invalid_argument);
 }
 
-} // namespace
+} // namespace test_descriptors

@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+namespace test_diagnosis {
+
 // Each count is known by construction of the shape.
 
 using namespace Canonical_pose_test;
@@ -122,3 +124,5 @@ TEST(Diagnosis, components_holes_and_intersections)
   soup.points[12] = {{3., -3., 0.5}};
   EXPECT_GT(diagnosis(soup).self_intersections, 0u);
 }
+
+} // namespace test_diagnosis

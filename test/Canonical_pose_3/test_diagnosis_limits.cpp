@@ -11,6 +11,8 @@
 #include <limits>
 #include <stdexcept>
 
+namespace test_diagnosis_limits {
+
 namespace CP = CGAL::Canonical_pose_3;
 using namespace Canonical_pose_test;
 
@@ -66,3 +68,5 @@ TEST(Diagnosis, polygon_mesh)
                         Point(0, 1, 1), Point(0, 0, 1), Point(1, 0, 1), Point(1, 1, 1), cube);
   EXPECT_EQ(CP::diagnose(cube, get(CGAL::vertex_point, cube)).polygons, 6u);
 }
+
+} // namespace test_diagnosis_limits

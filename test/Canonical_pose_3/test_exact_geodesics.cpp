@@ -13,6 +13,8 @@
 #include <limits>
 #include <map>
 
+namespace test_exact_geodesics {
+
 using namespace Canonical_pose_test;
 using Exact = CGAL::Canonical_pose_3::Exact_geodesics_3<Mesh>;
 
@@ -189,3 +191,5 @@ TEST(Exact_geodesics, landmarks_by_fronts_on_own_points)
   expect_fronts_on_own_points<Exact_geodesics_3<Mesh>,
                               Exact_geodesics_3<Mesh, Mesh_with_points::Point_map>>();
 }
+
+} // namespace test_exact_geodesics

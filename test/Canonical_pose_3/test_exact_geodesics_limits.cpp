@@ -14,10 +14,10 @@
 #include <stdexcept>
 #include <utility>
 
+namespace test_exact_geodesics_limits {
+
 using namespace Canonical_pose_test;
 using Exact = CGAL::Canonical_pose_3::Exact_geodesics_3<Mesh>;
-
-namespace {
 
 Triangle_soup scaled(Triangle_soup soup, const double x, const double y, const double z)
 {
@@ -88,8 +88,6 @@ void expect_refusal(const Triangle_soup& soup, const char* defect)
   const Mesh mesh = to_mesh<Mesh>(soup);
   EXPECT_THROW_WITH(Exact exact(mesh), std::invalid_argument, defect);
 }
-
-} // namespace
 
 // In regular rows of thin faces, CGAL misses some paths: vertices were half the grid too far, or
 // not reached at all.
@@ -163,3 +161,5 @@ TEST(Exact_geodesics, components_of_different_sizes)
   expect_refusal(joined(large, scaled(large, 1e-70, 1e-70, 1e-70)),
                  "face 80 is too small for exact distances");
 }
+
+} // namespace test_exact_geodesics_limits

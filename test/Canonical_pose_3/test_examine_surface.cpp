@@ -18,14 +18,14 @@
 #include "dirty_shapes.h"
 #include "matchers.h"
 
+namespace test_examine_surface {
+
 // examine_surface() reads both of its results from one topology; diagnose() and repair_surface(), which
 // have one each, are the oracle. All must be the same, whatever is shared: nothing was cut or left out
 // (ball, STL file), only duplicates were, or polygons and triangles have different edges.
 
 namespace CP = CGAL::Canonical_pose_3;
 using namespace Canonical_pose_test;
-
-namespace {
 
 std::vector<Polygon_soup> soups()
 {
@@ -88,8 +88,6 @@ std::string message_of(const Function& f)
   return "";
 }
 
-} // namespace
-
 TEST(Examine_surface, is_diagnosis_and_repair)
 {
   for(const Polygon_soup& soup : soups())
@@ -141,3 +139,5 @@ TEST(Disjoint_sets, labels_are_in_the_order_of_the_first_items)
   EXPECT_EQ(of_some.of_items, (std::vector<std::size_t>{Disjoint_sets::NONE, 0, 1, 0, 1}));
   EXPECT_EQ(of_some.first_items, (std::vector<std::size_t>{1, 2}));
 }
+
+} // namespace test_examine_surface

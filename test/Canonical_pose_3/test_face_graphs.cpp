@@ -35,11 +35,11 @@
 #include <map>
 #include <vector>
 
+namespace test_face_graphs {
+
 namespace CP = CGAL::Canonical_pose_3;
 using Canonical_pose_test::to_mesh;
 using CP::Point_matrix;
-
-namespace {
 
 using Kernel = CGAL::Simple_cartesian<double>;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
@@ -81,8 +81,6 @@ void expect_equal_landmarks(const Any_mesh& mesh, const Canonical_pose_test::Tri
   EXPECT_EQ(fields.distances, expected.distances);
   EXPECT_EQ(fields.covering_radius, expected.covering_radius);
 }
-
-} // namespace
 
 // CGAL's concept requires hashable descriptors. Here they have std::hash but no dynamic property,
 // or vice versa: either suffices.
@@ -138,7 +136,6 @@ TYPED_TEST(Archetypes_of_graphs, have_the_same_measures)
 }
 
 #ifdef CANONICAL_POSE_3_TEST_OPENMESH
-namespace {
 
 struct Double_points : OpenMesh::DefaultTraits
 {
@@ -162,8 +159,6 @@ Open_mesh open_mesh(const Canonical_pose_test::Triangle_soup& soup)
     mesh.add_face(handles[t[0]], handles[t[1]], handles[t[2]]);
   return mesh;
 }
-
-} // namespace
 
 TEST(Open_mesh, has_the_same_landmarks_and_distances)
 {
@@ -194,3 +189,5 @@ TEST(Open_mesh, has_the_same_pose)
   EXPECT_EQ(CP::point_matrix(mesh, boost::make_assoc_property_map(pose)), pose_of(bent_bar()));
 }
 #endif
+
+} // namespace test_face_graphs

@@ -23,10 +23,10 @@
 #include <new>
 #include <thread>
 
+namespace test_factor_traits {
+
 using namespace CGAL::Canonical_pose_3;
 using namespace Canonical_pose_test;
-
-namespace {
 
 // Allocations of more bytes fail.
 std::size_t most_bytes = std::size_t(-1);
@@ -38,17 +38,19 @@ public:
   ~Little_memory() { most_bytes = std::size_t(-1); }
 };
 
-} // namespace
+} // namespace test_factor_traits
 
 // Eigen's sparse matrices are in such arrays.
 void* operator new[](const std::size_t size)
 {
-  if(size > most_bytes)
+  if(size > test_factor_traits::most_bytes)
     throw std::bad_alloc();
   return ::operator new(size);
 }
 void operator delete[](void* const pointer) noexcept { ::operator delete(pointer); }
 void operator delete[](void* const pointer, std::size_t) noexcept { ::operator delete(pointer); }
+
+namespace test_factor_traits {
 
 template <class Traits>
 class Factor_traits : public testing::Test
@@ -312,3 +314,5 @@ TEST(Cholmod_factor_traits, reports_lack_of_memory)
 }
 #endif
 #endif
+
+} // namespace test_factor_traits

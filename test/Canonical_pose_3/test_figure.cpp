@@ -34,7 +34,7 @@
 #include <iostream>
 #include <numeric>
 
-namespace {
+namespace test_figure {
 
 using Canonical_pose_examples::Articulated_animal;
 using Canonical_pose_examples::Articulated_figure;
@@ -180,4 +180,4 @@ TEST(Articulated_figure, LandmarksAreTheTipsOfTheBody)
   EXPECT_NEAR(at(Landmark::HEAD)[1], 1.79, 0.02);
 }
 
-} // namespace
+} // namespace test_figure

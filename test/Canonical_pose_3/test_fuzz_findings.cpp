@@ -22,12 +22,12 @@
 #include "matchers.h"
 #include "shapes.h"
 
+namespace test_fuzz_findings {
+
 // Bugs found by the fuzzers, one test each.
 
 using Canonical_pose_test::Triangle_soup;
 using CGAL::Canonical_pose_3::Options;
-
-namespace {
 
 using Point_3 = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
 
@@ -52,8 +52,6 @@ void expect_pose(const Triangle_soup& soup, const Options& options)
   for(const Point_3& p : pose)
     EXPECT_TRUE(CGAL::is_finite(p.x()) && CGAL::is_finite(p.y()) && CGAL::is_finite(p.z()));
 }
-
-} // namespace
 
 // Chords that end on the cap of a hole have no vertex at their end: an out-of-range vertex was
 // used.
@@ -109,3 +107,5 @@ TEST(Fuzz_findings, cell_that_names_a_vertex_twice)
     CGAL::Canonical_pose_3::extract_boundary(complex, mesh, boost::make_assoc_property_map(origin)),
     std::invalid_argument, "cell 1 names a vertex twice");
 }
+
+} // namespace test_fuzz_findings

@@ -14,10 +14,10 @@
 
 #include "shapes.h"
 
+namespace test_geodesic_bounds {
+
 namespace CP = CGAL::Canonical_pose_3;
 namespace shapes = Canonical_pose_test;
-
-namespace {
 
 using Rows = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
 
@@ -63,8 +63,6 @@ void expect_bounds(const Eigen::MatrixXd& distances, const double unit)
       EXPECT_GE(bound, v < 32 ? exact - rounding : 0);
     }
 }
-
-} // namespace
 
 TEST(Geodesic_bounds, on_shapes_of_known_distances)
 {
@@ -144,3 +142,5 @@ TEST(Geodesic_bounds, of_middles_in_the_plane)
       EXPECT_NEAR(bounds(std::size_t(v), std::size_t(landmark)),
                   (points.row(v) - points.row(landmark)).norm(), 1e-3);
 }
+
+} // namespace test_geodesic_bounds

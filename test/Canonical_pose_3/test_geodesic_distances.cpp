@@ -21,13 +21,13 @@
 #include <string>
 #include <vector>
 
+namespace test_geodesic_distances {
+
 namespace CP = CGAL::Canonical_pose_3;
 namespace shapes = Canonical_pose_test;
 using CP::Point_matrix;
 using Polygons = std::vector<std::vector<std::size_t>>;
 using Triangles = std::vector<std::array<std::size_t, 3>>;
-
-namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -66,8 +66,6 @@ void expect_distances(const std::vector<std::array<double, 3>>& points, const Po
       else
         EXPECT_NEAR(d(Eigen::Index(v), 0), expected[v], tolerance) << v;
 }
-
-} // namespace
 
 // The faces are the halves of squares with a common side, so distances are those of a plane, through
 // the corner in common.
@@ -164,3 +162,5 @@ TEST(Geodesic_distances, many_vertices_in_common)
     }
   EXPECT_TRUE(all.front().allFinite());
 }
+
+} // namespace test_geodesic_distances

@@ -24,11 +24,11 @@
 #include <string>
 #include <vector>
 
+namespace test_gltf {
+
 using namespace Canonical_pose_tool;
 using CGAL::Canonical_pose_3::Point_matrix;
 using nlohmann::json;
-
-namespace {
 
 Mesh_file mesh_of(const Canonical_pose_test::Triangle_soup& soup)
 {
@@ -138,8 +138,6 @@ Shown_surface scene_of(const Mesh_file& mesh)
   surface.other_shapes = {{"target", target}, {"pose", pose}};
   return surface;
 }
-
-} // namespace
 
 TEST(Gltf, vertices_and_faces_keep_their_order)
 {
@@ -367,3 +365,5 @@ TEST(Gltf, nodes_move_the_mesh)
     EXPECT_NEAR(moved.points[v][2], 33 + 4 * mesh.points[v][2], 1e-5);
   }
 }
+
+} // namespace test_gltf

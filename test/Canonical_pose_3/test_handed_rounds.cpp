@@ -14,9 +14,9 @@
 #include <cstddef>
 #include <vector>
 
-namespace CP = CGAL::Canonical_pose_3;
+namespace test_handed_rounds {
 
-namespace {
+namespace CP = CGAL::Canonical_pose_3;
 
 CP::Prepared_surface_3 ellipsoid()
 {
@@ -88,8 +88,6 @@ protected:
   const CP::Surface_body_3 body = CP::surface_body(surface, coarse, CP::landmark_fields(coarse));
 };
 
-} // namespace
-
 // The image with the positive chirality is inside out at first.
 TEST_F(Handed_rounds, turn_the_image_of_the_right_chirality_right_side_out)
 {
@@ -115,3 +113,5 @@ TEST_F(Handed_rounds, prefer_the_image_that_is_right_side_out)
   EXPECT_EQ(result.target.points, bent(1, -0.05));
   EXPECT_TRUE(result.target.summary.is_handedness_certain);
 }
+
+} // namespace test_handed_rounds

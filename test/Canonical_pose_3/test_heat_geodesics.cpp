@@ -18,6 +18,8 @@
 #include <utility>
 #include <vector>
 
+namespace test_heat_geodesics {
+
 using namespace Canonical_pose_test;
 using Heat = CGAL::Canonical_pose_3::Heat_geodesics_3<Mesh>;
 using Exact = CGAL::Canonical_pose_3::Exact_geodesics_3<Mesh>;
@@ -291,3 +293,5 @@ TEST(Heat_geodesics, any_mesh_and_kernel)
             d);
   EXPECT_EQ(distances(to_mesh<CGAL::Surface_mesh<CGAL::Epeck::Point_3>>(soup)), d);
 }
+
+} // namespace test_heat_geodesics

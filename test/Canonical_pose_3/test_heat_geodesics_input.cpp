@@ -12,6 +12,8 @@
 #include <limits>
 #include <map>
 
+namespace test_heat_geodesics_input {
+
 using namespace Canonical_pose_test;
 using Heat = CGAL::Canonical_pose_3::Heat_geodesics_3<Mesh>;
 
@@ -183,3 +185,5 @@ TEST(Heat_geodesics_input, landmarks_by_fronts_on_own_points)
   expect_fronts_on_own_points<Heat_geodesics_3<Mesh>,
                               Heat_geodesics_3<Mesh, Mesh_with_points::Point_map>>();
 }
+
+} // namespace test_heat_geodesics_input

@@ -11,10 +11,10 @@
 #include "matchers.h"
 #include "registrar.h"
 
+namespace test_inaccurate_factor {
+
 namespace CP = CGAL::Canonical_pose_3;
 using CP::Point_matrix;
-
-namespace {
 
 // Its solutions are wrong by up to one percent.
 class Inaccurate_factor_traits_d : public CP::Default_factor_traits_d
@@ -43,8 +43,6 @@ Point_matrix pose(const CP::Conforming_body_3& body, const Point_matrix& target)
   return result;
 }
 
-} // namespace
-
 // Each iteration solves for a step, given the current gradient: an inaccurate factor leads to the
 // same result as an accurate one. The bound is the difference permitted between two runs that end
 // with moves of 1e-10.
@@ -60,3 +58,5 @@ TEST(Inaccurate_factor, leads_to_the_same_pose)
   EXPECT_LT((inaccurate - accurate).cwiseAbs().maxCoeff(), 1e-6);
   EXPECT_GT((accurate - target).cwiseAbs().maxCoeff(), 1e-3);
 }
+
+} // namespace test_inaccurate_factor

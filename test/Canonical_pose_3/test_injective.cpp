@@ -20,13 +20,13 @@
 #include <cstddef>
 #include <optional>
 
+namespace test_injective {
+
 namespace CP = CGAL::Canonical_pose_3;
 using Canonical_pose_test::Registrar;
 using Canonical_pose_test::uniform_weights;
 using CP::Point_matrix;
 using CP::Registration_summary;
-
-namespace {
 
 CP::Conforming_body_3 bar() { return Canonical_pose_test::bar_body(24, 4, 4); }
 
@@ -75,8 +75,6 @@ std::size_t number_of_inverted_cells(const CP::Conforming_body_3& body, const Po
     result += volume(pose, cell) * volume(body.points(), cell) > 0 ? 0 : 1;
   return result;
 }
-
-} // namespace
 
 // No inverted cell remains for a target that folds the bar, with noise, as counted by volumes. The
 // bound on the energy is guaranteed.
@@ -169,3 +167,5 @@ TEST(Injective, number_of_threads_does_not_matter)
     EXPECT_EQ(again, pose);
   });
 }
+
+} // namespace test_injective

@@ -15,11 +15,11 @@
 #include <atomic>
 #include <stdexcept>
 
+namespace test_injective_last_resort {
+
 namespace CP = CGAL::Canonical_pose_3;
 using CP::Point_matrix;
 using CP::Registration_summary;
-
-namespace {
 
 // Refuses matrices, so that no patch can be untangled: all except that of the registration, with n
 // rows, and those with at least `smallest_patch` rows. Counts the nonzeros of both kinds. A negative
@@ -70,8 +70,6 @@ Registration_summary run(const CP::Conforming_body_3& body, const Eigen::Index s
   return registrar.register_to_target(pose);
 }
 
-} // namespace
-
 // If no patch can be untangled, the result is the rest pose: dividing lengths by 8 and multiplying
 // by it is exact. It is not a minimum of the energy, which is reported.
 TEST(Injective_last_resort, rest_pose)
@@ -120,3 +118,5 @@ TEST(Injective_last_resort, is_bounded)
   EXPECT_EQ(summary.inverted, 0u);
   EXPECT_EQ(summary.warnings.size(), 1u);
 }
+
+} // namespace test_injective_last_resort

@@ -12,9 +12,9 @@
 
 #include <cmath>
 
-namespace CP = CGAL::Canonical_pose_3;
+namespace test_injective_penalties {
 
-namespace {
+namespace CP = CGAL::Canonical_pose_3;
 
 template <class Penalty>
 void expect_gradient_by_differences(const Penalty& penalty, const Eigen::Matrix3d& f)
@@ -34,8 +34,6 @@ void expect_gradient_by_differences(const Penalty& penalty, const Eigen::Matrix3
   EXPECT_GE(solver.eigenvalues()[0], -1e-12 * solver.eigenvalues()[8]);
 }
 
-} // namespace
-
 // Central differences are accurate to h^2 relative to the third derivatives, which are moderate for
 // determinants not much smaller than epsilon or the range of the barrier.
 TEST(Injective, gradients_of_the_penalties)
@@ -53,3 +51,5 @@ TEST(Injective, gradients_of_the_penalties)
     expect_gradient_by_differences(CP::internal::Inversion_barrier(), f);
   }
 }
+
+} // namespace test_injective_penalties

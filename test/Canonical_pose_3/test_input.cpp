@@ -20,9 +20,9 @@
 #include <string>
 #include <vector>
 
-namespace CP = CGAL::Canonical_pose_3;
+namespace test_input {
 
-namespace {
+namespace CP = CGAL::Canonical_pose_3;
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
@@ -52,8 +52,6 @@ CP::Options with_tetgen()
   options.body = CP::Options::Body::TETGEN;
   return options;
 }
-
-} // namespace
 
 TEST(Bad_input, surfaces_are_refused_by_name)
 {
@@ -202,3 +200,5 @@ TEST(Bad_input, overflow_is_reported_by_the_summary)
   EXPECT_EQ(result.pose.rows(), 0);
   EXPECT_EQ(pose[0], untouched);
 }
+
+} // namespace test_input

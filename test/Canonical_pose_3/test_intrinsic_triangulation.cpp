@@ -10,6 +10,8 @@
 
 #include <gtest/gtest.h>
 
+namespace test_intrinsic_triangulation {
+
 using namespace Canonical_pose_test;
 using namespace CGAL::Canonical_pose_3::internal;
 
@@ -159,3 +161,5 @@ TEST(Cotangent_operators, invariants)
         EXPECT_NEAR(lane(result, i, k), k == 5 ? expected[Eigen::Index(i)] : 0., 1e-11);
   }
 }
+
+} // namespace test_intrinsic_triangulation

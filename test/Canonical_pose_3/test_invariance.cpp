@@ -22,12 +22,12 @@
 #include <random>
 #include <vector>
 
+namespace test_invariance {
+
 namespace CP = CGAL::Canonical_pose_3;
 using Canonical_pose_examples::Articulated_figure;
 using Canonical_pose_test::radius_of_gyration;
 using CP::Point_matrix;
-
-namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
@@ -110,8 +110,6 @@ Point_matrix complex_pose(Complex_case c)
   return Canonical_pose_test::to_matrix(pose);
 }
 
-} // namespace
-
 // If body and distances are given, a moved or relabeled complex differs from the original one only
 // by rounding: the minimum is isolated, and moves with the input. It is approached far beyond the
 // default tolerances here.
@@ -183,3 +181,5 @@ TEST(Invariance, whole_pipeline)
   EXPECT_LT(rms(surface_pose(1e6 * points, triangles) / 1e6 - pose), 1e-3 * size);
   EXPECT_LT(rms(surface_pose(1e-6 * points, triangles) * 1e6 - pose), 1e-3 * size);
 }
+
+} // namespace test_invariance

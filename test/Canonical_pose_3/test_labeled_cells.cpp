@@ -22,9 +22,9 @@
 #include <stdexcept>
 #include <vector>
 
-namespace CP = CGAL::Canonical_pose_3;
+namespace test_labeled_cells {
 
-namespace {
+namespace CP = CGAL::Canonical_pose_3;
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_3;
@@ -64,8 +64,6 @@ Tetrahedra indexed(const Complex& complex)
   result.labels.assign(labels.begin(), labels.end());
   return result;
 }
-
-} // namespace
 
 // The selection contains the cells with the label: its volume is the sum of theirs, and (by the
 // divergence theorem) that inside its boundary. The parts add up to the complex.
@@ -151,3 +149,5 @@ TEST(Labeled_cells, bad_input_is_named)
   EXPECT_THROW_WITH(Selection(box, 1), std::invalid_argument, "has 0 labels, but");
   EXPECT_EQ(CP::internal::name_of_label('\1'), "label 1");
 }
+
+} // namespace test_labeled_cells

@@ -17,6 +17,8 @@
 #include <cmath>
 #include <limits>
 
+namespace test_landmark_mds {
+
 namespace CP = CGAL::Canonical_pose_3;
 using Canonical_pose_test::euclidean_fields;
 using Canonical_pose_test::largest_distance_error;
@@ -177,3 +179,5 @@ TEST(Landmark_mds, bad_distances_are_named)
   EXPECT_THROW_WITH(CP::Landmark_mds_target_builder_3<>(CP::Squared_distance_kernel(), 0),
                     std::invalid_argument, "option dimension is 0");
 }
+
+} // namespace test_landmark_mds

@@ -35,9 +35,9 @@
 #include <stdexcept>
 #include <vector>
 
-namespace CP = CGAL::Canonical_pose_3;
+namespace test_landmarks {
 
-namespace {
+namespace CP = CGAL::Canonical_pose_3;
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
@@ -69,8 +69,6 @@ struct Straight_distances
   const Mesh& mesh;
   mutable int number_of_fields = 0, number_of_batches = 0;
 };
-
-} // namespace
 
 // Greedy: each landmark is as far from the previous ones as any vertex, and the returned radius is
 // the distance of the farthest remaining vertex. Both are checked against the definition.
@@ -273,3 +271,5 @@ TEST(Target_handedness, changes_sign_by_reflection_only)
   EXPECT_EQ(flat.volume_ratio, 0);
   EXPECT_EQ(flat.chirality, 0);
 }
+
+} // namespace test_landmarks

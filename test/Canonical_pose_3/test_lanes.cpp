@@ -22,6 +22,8 @@
 #include <random>
 #include <vector>
 
+namespace test_lanes {
+
 using namespace Canonical_pose_test;
 using namespace CGAL::Canonical_pose_3;
 using namespace CGAL::Canonical_pose_3::internal;
@@ -245,3 +247,5 @@ TEST(Lanes, every_version_normalizes_gradients)
       }
   });
 }
+
+} // namespace test_lanes

@@ -22,10 +22,10 @@
 #include "shapes.h"
 #include "threads.h"
 
+namespace test_lattice_body {
+
 namespace CP = CGAL::Canonical_pose_3;
 namespace shapes = Canonical_pose_test;
-
-namespace {
 
 // A surface with the input of its lattice.
 struct Prepared
@@ -79,8 +79,6 @@ shapes::Triangle_soup box(const std::size_t n, const double height)
 {
   return shapes::boundary(shapes::tetrahedral_box(n, n, 1, {{1., 1., height}}));
 }
-
-} // namespace
 
 // Barycentric coordinates reproduce points up to rounding. They are between 0 and 1, because each
 // vertex is embedded in the tetrahedron that contains it.
@@ -203,3 +201,5 @@ TEST(Body_deformer, reproduces_affine_motions_and_the_surface)
   CP::Point_matrix bad = CP::Point_matrix::Constant(1, 3, std::nan(""));
   EXPECT_THROW_WITH(deformer.embedding(bad), std::invalid_argument, "not finite");
 }
+
+} // namespace test_lattice_body

@@ -19,10 +19,10 @@
 #include "matchers.h"
 #include "shapes.h"
 
+namespace test_lattice_of_large_faces {
+
 namespace CP = CGAL::Canonical_pose_3;
 namespace shapes = Canonical_pose_test;
-
-namespace {
 
 // The body based on Euclidean distances, which are suitable for convex shapes, and nearly so for a
 // torus.
@@ -50,8 +50,6 @@ shapes::Triangle_soup box(const double x, const double y, const double z)
 {
   return shapes::boundary(shapes::tetrahedral_box(1, 1, 1, {{x, y, z}}));
 }
-
-} // namespace
 
 // The filled parts of the cubes add up to the volume of the solid, within the accuracy of 27 points
 // per cube for a planar face: a sixth of a cube. Cubes with several copies, because parts of a face
@@ -138,3 +136,5 @@ TEST(Lattice_of_large_faces, number_of_samples)
                                 + CP::internal::number_of_samples(points, soup.triangles, step));
   }
 }
+
+} // namespace test_lattice_of_large_faces

@@ -16,9 +16,9 @@
 #include <cmath>
 #include <optional>
 
-namespace CP = CGAL::Canonical_pose_3;
+namespace test_leading_eigenvectors {
 
-namespace {
+namespace CP = CGAL::Canonical_pose_3;
 
 Eigen::MatrixXd random_matrix(const Eigen::Index rows, const Eigen::Index columns)
 {
@@ -73,8 +73,6 @@ void expect_smallest(const Eigen::MatrixXd& matrix, const Eigen::Index count)
     (pairs->vectors.transpose() * pairs->vectors - Eigen::MatrixXd::Identity(count, count)).norm(),
     1e-12);
 }
-
-} // namespace
 
 // The two methods only differ by rounding. The largest eigenvalues of random matrices are close to
 // each other; 9 and 17 rows are one more than one and two blocks; 2 and 5 are less than a block.
@@ -189,3 +187,5 @@ TEST(Leading_eigenvectors, landmark_mds)
     EXPECT_LE(error, 1e-9);
   }
 }
+
+} // namespace test_leading_eigenvectors

@@ -27,6 +27,8 @@
 #include <cstddef>
 #include <vector>
 
+namespace test_literal_mode {
+
 namespace CP = CGAL::Canonical_pose_3;
 using Canonical_pose_test::Paper_equations;
 using Canonical_pose_test::Spring;
@@ -34,8 +36,6 @@ using Canonical_pose_test::Tetrahedral_soup;
 using Canonical_pose_test::to_body;
 using Canonical_pose_test::to_matrix;
 using CP::Point_matrix;
-
-namespace {
 
 using Spring = std::optional<CP::Spring_3>;
 
@@ -84,8 +84,6 @@ void compare(const Tetrahedral_soup& box, const Spring& spring)
 
 // 2 of its 36 vertices are interior.
 const Tetrahedral_soup BOX = Canonical_pose_test::tetrahedral_box(3, 2, 2, {{2., 0.8, 0.5}});
-
-} // namespace
 
 TEST(Literal_mode, equation_13) { compare(BOX, {}); }
 
@@ -154,3 +152,5 @@ TEST(Literal_mode, equation_3)
     EXPECT_LT((found - ratio * expected).norm(), 1e-10 * found.norm());
   }
 }
+
+} // namespace test_literal_mode

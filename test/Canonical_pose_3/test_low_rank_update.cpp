@@ -11,7 +11,7 @@
 #include <cmath>
 #include <vector>
 
-namespace {
+namespace test_low_rank_update {
 
 using CGAL::Canonical_pose_3::internal::Updated_factor;
 using Long_matrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
@@ -52,8 +52,6 @@ bool update(Updated_factor& factor, const Eigen::SparseMatrix<double>& u, const 
   return CGAL::Canonical_pose_3::internal::low_rank_factors(d.sparseView(), 3, v, diagonal)
          && factor.update(u * v, diagonal);
 }
-
-} // namespace
 
 // Different D: stiff, singular, indefinite, and one that removes entries of A0: the residual is due
 // to rounding only, and the solution is that of a dense factorization of the sum with more digits
@@ -136,3 +134,5 @@ TEST(Low_rank_update, factors_of_a_matrix)
   ASSERT_TRUE(low_rank_factors(Eigen::SparseMatrix<double>(100, 100), 0, v, d));
   EXPECT_EQ(v.cols(), 0);
 }
+
+} // namespace test_low_rank_update

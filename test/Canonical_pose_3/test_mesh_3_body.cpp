@@ -16,13 +16,13 @@
 #include "matchers.h"
 #include "shapes.h"
 
+namespace test_mesh_3_body {
+
 namespace CP = CGAL::Canonical_pose_3;
 namespace PMP = CGAL::Polygon_mesh_processing;
 using Canonical_pose_test::pi;
 
 using Mesh = CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3>;
-
-namespace {
 
 std::size_t number_of_components(const CP::Embedded_body_3& body)
 {
@@ -47,8 +47,6 @@ void expect_hangs(const CP::Embedded_body_3& body, const CP::Point_matrix& point
   EXPECT_GT(body.cell_weights().minCoeff(), 0);
   EXPECT_EQ(number_of_components(body), 1u);
 }
-
-} // namespace
 
 // Rest positions are reproduced exactly for any cells; the volume is that of the surface up to the
 // permitted distance, a tenth of the cell size; at other scales, powers of two here, the bytes are
@@ -135,3 +133,5 @@ TEST(Embedded_body, checks_the_embedding)
     CP::Embedded_body_3(points, {{{0, 1, 2, 3}}}, Eigen::SparseMatrix<double>(2, 3)),
     std::invalid_argument, "3 columns");
 }
+
+} // namespace test_mesh_3_body

@@ -16,9 +16,9 @@
 #include "matchers.h"
 #include "shapes.h"
 
-namespace CP = CGAL::Canonical_pose_3;
+namespace test_number_of_landmarks {
 
-namespace {
+namespace CP = CGAL::Canonical_pose_3;
 
 using Kernel = CGAL::Simple_cartesian<double>;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
@@ -31,8 +31,6 @@ CP::Registration_summary summary(const Mesh& mesh, const CP::Options& options)
            options)
     .summary;
 }
-
-} // namespace
 
 // There are at most as many landmarks as vertices, at most 4096, and at most 2^29 distances.
 TEST(Number_of_landmarks, bounds)
@@ -73,3 +71,5 @@ TEST(Number_of_landmarks, of_the_call)
       EXPECT_EQ(summary(bar, options).target.landmarks, 80u);
     }
 }
+
+} // namespace test_number_of_landmarks

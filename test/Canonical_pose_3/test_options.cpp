@@ -31,6 +31,8 @@
 #include <string>
 #include <vector>
 
+namespace test_options {
+
 namespace CP = CGAL::Canonical_pose_3;
 namespace shapes = Canonical_pose_test;
 using CP::Options;
@@ -44,8 +46,6 @@ using CP::Options;
     const std::set<std::string> members = names(#__VA_ARGS__);                                     \
     EXPECT_EQ(found, members);                                                                     \
   } while(false)
-
-namespace {
 
 const double NOT_A_NUMBER = std::numeric_limits<double>::quiet_NaN(),
              INFINITE = std::numeric_limits<double>::infinity();
@@ -367,8 +367,6 @@ void expect_refused(const Bad_values& values)
     }
 }
 
-} // namespace
-
 TEST(Options_of_the_call, no_member_is_missing)
 {
   EXPECT_MEMBERS(names_of(of_registration()), CP::Registration_options, detail_length, tikhonov,
@@ -583,3 +581,5 @@ TEST(Parameters, bad_values_are_refused_by_name)
     EXPECT_THROW_WITH(CP::Landmark_mds_target_builder_3<>(CP::Squared_distance_kernel(), value),
                       std::invalid_argument, "option dimension is ");
 }
+
+} // namespace test_options

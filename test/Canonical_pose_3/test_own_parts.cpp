@@ -35,12 +35,12 @@
 #include <string>
 #include <vector>
 
+namespace test_own_parts {
+
 namespace CP = CGAL::Canonical_pose_3;
 namespace shapes = Canonical_pose_test;
 using CP::Point_matrix;
 using Triangles = std::vector<std::array<std::size_t, 3>>;
-
-namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
@@ -67,8 +67,6 @@ CP::Elastic_body_3 fine_lattice(const Point_matrix& points, const Triangles& tri
 {
   return CP::Lattice_body_3(points, triangles, fields.distances, 0.04);
 }
-
-} // namespace
 
 // Built-in choices, passed as user-defined parts, yield the same bytes.
 TEST(Own_parts, are_used_as_those_named)
@@ -213,7 +211,6 @@ TEST(Own_parts, of_components)
 }
 
 // Invalid results are refused.
-namespace {
 
 // Throws in its n-th call.
 class Throwing_in
@@ -244,8 +241,6 @@ struct Throwing_kernel : CP::Gaussian_kernel
 
   Throwing_in* tick;
 };
-
-} // namespace
 
 // What a function of the user throws reaches the user, in whichever call of it, and is not mistaken for
 // what our own distances throw on a bad pose.
@@ -410,7 +405,9 @@ TEST(Own_parts, distances_on_a_soup)
     infinite += is_here ? 0 : 1;
     zero += d(i, 0) == 0 ? 1 : 0;
     if(is_here)
+    {
       EXPECT_GE(d(i, 0), (1 - 1e-12) * (points.row(i) - points.row(0)).norm());
+    }
   }
   EXPECT_GT(infinite, 0u);
   EXPECT_GT(zero, 1u); // the corners of all faces around the source
@@ -448,3 +445,5 @@ TEST(Own_parts, meshes_are_made)
   expect_made<Mesh>();
   expect_made<CGAL::Polyhedron_3<CGAL::Simple_cartesian<double>>>();
 }
+
+} // namespace test_own_parts

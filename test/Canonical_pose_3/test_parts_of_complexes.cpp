@@ -23,12 +23,12 @@
 #include <utility>
 #include <vector>
 
+namespace test_parts_of_complexes {
+
 namespace CP = CGAL::Canonical_pose_3;
 namespace shapes = Canonical_pose_test;
 using CP::Point_matrix;
 using shapes::Tetrahedral_soup;
-
-namespace {
 
 using Point_3 = CGAL::Simple_cartesian<double>::Point_3;
 
@@ -144,8 +144,6 @@ struct Is_indexed_by<
   Container, Index, std::void_t<decltype(std::declval<Container&>()[std::declval<const Index&>()])>>
   : std::true_type
 {};
-
-} // namespace
 
 // What is per vertex cannot be indexed by rows, nor the other way round, nor by plain numbers.
 TEST(Parts_of_complexes, indices_have_types)
@@ -419,3 +417,5 @@ TEST(Parts_of_complexes, small_ones_follow)
   EXPECT_EQ(result.pose.topRows(Eigen::Index(bar(true).points.size())), pose_of(bar(true)).pose);
   EXPECT_EQ(result.summary.followers.size(), 1u);
 }
+
+} // namespace test_parts_of_complexes

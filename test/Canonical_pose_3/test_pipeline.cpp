@@ -21,12 +21,12 @@
 #include <string>
 #include <vector>
 
+namespace test_pipeline {
+
 namespace CP = CGAL::Canonical_pose_3;
 using Canonical_pose_examples::Articulated_figure;
 using CP::Point_matrix;
 using CP::Registration_summary;
-
-namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
@@ -56,8 +56,6 @@ const Articulated_figure& figure()
   static const Articulated_figure instance(3500);
   return instance;
 }
-
-} // namespace
 
 // The purpose of the package. The poses of the figure differ only by bending, so geodesics, and
 // thus the canonical poses, nearly agree: a twelfth of the difference of the inputs remains, without
@@ -276,3 +274,5 @@ TEST(Pipeline, springs_pull_the_hands_together)
     previous = distance;
   }
 }
+
+} // namespace test_pipeline

@@ -14,6 +14,8 @@
 #include <limits>
 #include <stdexcept>
 
+namespace test_pose_difference {
+
 namespace CP = CGAL::Canonical_pose_3;
 using Canonical_pose_test::corner;
 using Canonical_pose_test::mirrored;
@@ -78,3 +80,5 @@ TEST(Pose_difference, bad_input_is_named)
                     "same position");
   EXPECT_THROW_WITH(CP::mean_pose_difference({corner()}), std::invalid_argument, "two poses");
 }
+
+} // namespace test_pose_difference

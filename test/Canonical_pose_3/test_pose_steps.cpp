@@ -28,13 +28,13 @@
 #include <type_traits>
 #include <vector>
 
+namespace test_pose_steps {
+
 namespace CP = CGAL::Canonical_pose_3;
 namespace shapes = Canonical_pose_test;
 using CP::Point_matrix;
 using shapes::Polygon_soup;
 using shapes::pose_of;
-
-namespace {
 
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 
@@ -111,8 +111,6 @@ void expect_same_on_mesh()
   EXPECT_FALSE(result.summary.rounds.empty()); // by default
   EXPECT_EQ(result.pose, CGAL::canonical_pose_3(mesh, get(CGAL::vertex_point, mesh)).pose);
 }
-
-} // namespace
 
 // Vertex 5 of the input may be vertex 4 of a component: its options are not taken for those of the
 // input, nor the other way round.
@@ -454,3 +452,5 @@ TEST(Pose_steps, what_does_not_fit_is_refused)
                CGAL::Precondition_exception);
   EXPECT_THROW_WITH(CP::prepare_surface(Point_matrix(), {}), std::invalid_argument, "no face");
 }
+
+} // namespace test_pose_steps

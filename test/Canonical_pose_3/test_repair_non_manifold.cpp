@@ -7,13 +7,13 @@
 #include <cmath>
 #include <vector>
 
+namespace test_repair_non_manifold {
+
 // Repair of surfaces that are not manifold, have holes or unusual sizes. Counts and volumes are
 // known by construction; repaired() checks the guarantees for all surfaces.
 
 namespace CP = CGAL::Canonical_pose_3;
 using namespace Canonical_pose_test;
-
-namespace {
 
 std::size_t copies_of(const CP::Repaired_surface_3& surface, const std::size_t row)
 {
@@ -24,8 +24,6 @@ std::size_t triangles_of(const CP::Repaired_surface_3& surface, const std::size_
 {
   return CP::component_of_surface(surface, component).triangles.size();
 }
-
-} // namespace
 
 TEST(Repair, pinched_vertex_is_split)
 {
@@ -151,3 +149,5 @@ TEST(Repair, scale_does_not_matter)
       EXPECT_EQ(repaired(scaled).caps, repaired(soup).caps);
     }
 }
+
+} // namespace test_repair_non_manifold

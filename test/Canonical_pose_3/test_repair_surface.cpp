@@ -10,6 +10,8 @@
 #include <random>
 #include <vector>
 
+namespace test_repair_surface {
+
 // Counts, areas and volumes are known by construction; repaired() checks the guarantees for all
 // surfaces.
 
@@ -148,3 +150,5 @@ TEST(Repair, random_soups)
     {}
   }
 }
+
+} // namespace test_repair_surface

@@ -12,9 +12,9 @@
 #include <stdexcept>
 #include <vector>
 
-namespace CP = CGAL::Canonical_pose_3;
+namespace test_retrieval_evaluation {
 
-namespace {
+namespace CP = CGAL::Canonical_pose_3;
 
 // Distances of points on a line.
 Eigen::MatrixXd on_a_line(const std::vector<double>& x)
@@ -23,8 +23,6 @@ Eigen::MatrixXd on_a_line(const std::vector<double>& x)
   const auto v = Eigen::VectorXd::Map(x.data(), n);
   return (v.replicate(1, n) - v.transpose().replicate(n, 1)).cwiseAbs();
 }
-
-} // namespace
 
 // The answers to the first shape are 1 (its class), 2, 3 (its class), 4: everything by hand.
 TEST(Retrieval_evaluation, by_hand)
@@ -89,3 +87,5 @@ TEST(Retrieval_evaluation, refuses)
   distances(0, 1) = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW(CP::Retrieval_evaluation(distances, {0, 0, 0}), std::invalid_argument);
 }
+
+} // namespace test_retrieval_evaluation

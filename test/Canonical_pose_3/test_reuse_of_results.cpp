@@ -20,6 +20,8 @@
 #include <string>
 #include <vector>
 
+namespace test_reuse_of_results {
+
 namespace CP = CGAL::Canonical_pose_3;
 namespace shapes = Canonical_pose_test;
 using CP::Point_matrix;
@@ -28,8 +30,6 @@ using shapes::Polygon_soup;
 using shapes::pose_of;
 using shapes::Result;
 using shapes::small_bar;
-
-namespace {
 
 Result pose_with_fields(const Polygon_soup& soup, CP::Options options = CP::Options())
 {
@@ -65,8 +65,6 @@ void expect_reusable(const Polygon_soup& soup, CP::Options options = CP::Options
   EXPECT_EQ(*third.target, *first.target);
   EXPECT_EQ(third.landmark_fields->distances, first.landmark_fields->distances);
 }
-
-} // namespace
 
 TEST(Reuse_of_results, clean_surface) { expect_reusable(bar()); }
 
@@ -189,3 +187,5 @@ TEST(Reuse_of_results, what_does_not_fit_is_named)
   given.landmark_fields->distances(9, 2) = -1;
   expect_refused(given, "the given distances: the distance of vertex 9 to landmark");
 }
+
+} // namespace test_reuse_of_results

@@ -22,11 +22,11 @@
 #include <string>
 #include <vector>
 
+namespace test_rounds {
+
 namespace CP = CGAL::Canonical_pose_3;
 using Canonical_pose_examples::Articulated_animal;
 using Canonical_pose_examples::Articulated_figure;
-
-namespace {
 
 // The steps before the registration of a figure in one of its poses.
 class Steps
@@ -147,8 +147,6 @@ TYPED_TEST(Rounds, canceled_later_have_no_higher_energy)
   EXPECT_NEAR(previous, complete.summary.energy, 1e-9);
 }
 
-} // namespace
-
 // The mirror image of the target of an animal is inside out.
 TEST(Collapsed_body, is_registered_with_a_larger_detail_length)
 {
@@ -211,3 +209,5 @@ TEST(Last_round, has_less_strain_than_with_half_the_detail_length)
   ASSERT_GE(two.size(), 1u);
   EXPECT_NEAR(two[0].median_edge_strain, soft, tolerance);
 }
+
+} // namespace test_rounds

@@ -33,6 +33,8 @@
 #include <utility>
 #include <vector>
 
+namespace test_segmentation {
+
 namespace CP = CGAL::Canonical_pose_3;
 using Canonical_pose_test::Polygon_soup;
 using Canonical_pose_test::polygon_soup;
@@ -41,8 +43,6 @@ using CP::Segmentation_options;
 using CP::Segmentation_tree_3;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Parts = std::vector<std::size_t>;
-
-namespace {
 
 // Three balls of radius 1 in a row along x, which overlap in circles of radius .2.
 constexpr double spacing = 1.96, length = 2 + 2 * spacing;
@@ -758,4 +758,4 @@ TEST(Segmentation_parts, measures_are_exact)
   }
 }
 
-} // namespace
+} // namespace test_segmentation

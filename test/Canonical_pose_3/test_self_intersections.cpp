@@ -22,10 +22,10 @@
 #include <utility>
 #include <vector>
 
+namespace test_self_intersections {
+
 namespace CP = CGAL::Canonical_pose_3;
 using namespace Canonical_pose_test;
-
-namespace {
 
 using Face_pair = CP::internal::Self_intersections::Face_pair;
 using Face_pairs = std::vector<Face_pair>;
@@ -84,8 +84,6 @@ Polygon_soup folded_sheet()
   return sheet;
 }
 
-} // namespace
-
 TEST(Self_intersections, are_those_that_polygon_mesh_processing_finds)
 {
   for(const Polygon_soup& soup : {two_balls(), two_sheets(), folded_sheet()})
@@ -139,3 +137,5 @@ TEST(Self_intersections, search_is_given_up_where_too_many_boxes_overlap)
   ASSERT_TRUE(found);
   EXPECT_TRUE(found->empty());
 }
+
+} // namespace test_self_intersections

@@ -19,6 +19,8 @@
 #include <cstddef>
 #include <limits>
 
+namespace test_smacof_target_builder {
+
 namespace CP = CGAL::Canonical_pose_3;
 using Canonical_pose_test::euclidean_fields;
 using Canonical_pose_test::largest_distance_error;
@@ -27,8 +29,6 @@ using Canonical_pose_test::relative_rms;
 using Canonical_pose_test::uniform_weights;
 using CP::Point_matrix;
 using CP::Smacof_target_builder_3;
-
-namespace {
 
 Point_matrix perturbed(const Point_matrix& points, const double length)
 {
@@ -109,8 +109,6 @@ bool are_finite(const Smacof_target_builder_3& builder)
   return builder.targets().allFinite() && builder.landmark_targets().allFinite()
          && builder.point_stress().allFinite() && std::isfinite(builder.stress());
 }
-
-} // namespace
 
 // The stress of Euclidean distances is 0 at the points and at their images under rigid motions and
 // reflections only, for any weights. Near this minimum, majorization converges linearly and
@@ -343,3 +341,5 @@ TEST(Smacof, what_does_not_fit_is_refused)
   EXPECT_THROW_WITH(Smacof_target_builder_3(1, -0.1), std::invalid_argument,
                     "option robust_scale is -0.1");
 }
+
+} // namespace test_smacof_target_builder

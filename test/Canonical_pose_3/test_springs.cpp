@@ -12,12 +12,12 @@
 #include <cmath>
 #include <limits>
 
+namespace test_springs {
+
 namespace CP = CGAL::Canonical_pose_3;
 using Canonical_pose_test::Registrar;
 using Canonical_pose_test::uniform_weights;
 using CP::Point_matrix;
-
-namespace {
 
 // Counts how often its matrix is read: once per factorization or update of the factor.
 struct Counting_springs : CP::Spring_constraint_adaptor_3
@@ -50,8 +50,6 @@ CP::Registration_options exact()
   options.move_tolerance = 1e-9;
   return options;
 }
-
-} // namespace
 
 // With its current length as rest length, a spring has no energy and must not move anything: the
 // pose stays at rest.
@@ -156,3 +154,5 @@ TEST(Springs, bad_springs_are_named)
   EXPECT_THROW(springs.set_rest_length(1, 1.), CGAL::Precondition_exception);
   EXPECT_EQ(springs.elements().size(), 1u);
 }
+
+} // namespace test_springs

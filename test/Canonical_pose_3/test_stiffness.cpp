@@ -13,11 +13,11 @@
 #include <cmath>
 #include <cstddef>
 
+namespace test_stiffness {
+
 namespace CP = CGAL::Canonical_pose_3;
 using namespace Canonical_pose_test;
 using Eigen::VectorXd;
-
-namespace {
 
 // by the center of the cell
 bool is_in_left_half(const CP::Conforming_body_3& body, const std::array<int, 4>& cell)
@@ -41,8 +41,6 @@ double largest_edge_strain(const CP::Conforming_body_3& body, const Point_matrix
                                         - 1));
   return result;
 }
-
-} // namespace
 
 // Stiffness multiplies the elastic term like the squared detail length. A stiffness of 1 changes no
 // digit.
@@ -115,3 +113,5 @@ TEST(Stiffness, volume_does_not_know_it)
   const Bar_result result = register_bar(body, target, uniform_weights(target), {}, factors);
   EXPECT_NEAR(result.summary.volume_ratio, 0.5, 1e-6);
 }
+
+} // namespace test_stiffness

@@ -15,10 +15,10 @@
 #include "matchers.h"
 #include "shapes.h"
 
+namespace test_surface_chords {
+
 namespace CP = CGAL::Canonical_pose_3;
 namespace shapes = Canonical_pose_test;
-
-namespace {
 
 using CP::internal::Chord;
 
@@ -70,8 +70,6 @@ shapes::Triangle_soup plate(const double z)
     p[2] += z;
   return soup;
 }
-
-} // namespace
 
 // Between parallel planes, the length is their distance, up to rounding. The opposite sides of a
 // prism with an even number of sides are parallel, at distance 2 r cos(pi / sides); so are its
@@ -165,3 +163,5 @@ TEST(Surface_chords, of_an_open_surface)
     EXPECT_EQ(chord.exit_vertex.has_value(), !ends_on_cap);
   }
 }
+
+} // namespace test_surface_chords

@@ -14,10 +14,10 @@
 #include <cstddef>
 #include <vector>
 
+namespace test_surface_measures {
+
 namespace CP = CGAL::Canonical_pose_3;
 using CP::Point_matrix;
-
-namespace {
 
 // The corners of the unit square, and a vertex of its own.
 Point_matrix square()
@@ -28,8 +28,6 @@ Point_matrix square()
 }
 
 const std::vector<std::array<std::size_t, 3>> TRIANGLES = {{0, 1, 2}, {0, 2, 3}};
-
-} // namespace
 
 // An edge of two triangles counts once, and the vertex without edges has no strain.
 TEST(Vertex_strains, stretched_square)
@@ -100,3 +98,5 @@ TEST(Triangulate_polygons, arrow)
     }
   }
 }
+
+} // namespace test_surface_measures

@@ -14,9 +14,9 @@
 #include "shapes.h"
 #include "surface_with_rays.h"
 
-namespace shapes = Canonical_pose_test;
+namespace test_surface_rays {
 
-namespace {
+namespace shapes = Canonical_pose_test;
 
 using shapes::Surface;
 
@@ -60,8 +60,6 @@ void expect_all_hits(const Surface& s, const int number_of_rays)
     }
   }
 }
-
-} // namespace
 
 // Hits do not depend on the grid: they are compared with the formula, face by face. Boxes of 12
 // faces and long tubes have faces that intersect many cells.
@@ -138,3 +136,5 @@ TEST(Surface_rays, of_many_needles)
   }
   EXPECT_EQ(found, n / 80);
 }
+
+} // namespace test_surface_rays

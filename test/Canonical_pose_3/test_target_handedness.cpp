@@ -18,11 +18,11 @@
 #include <cmath>
 #include <random>
 
+namespace test_target_handedness {
+
 namespace CP = CGAL::Canonical_pose_3;
 using Canonical_pose_test::Triangle_soup;
 using CP::Point_matrix;
-
-namespace {
 
 CP::Target_handedness_3 handedness(const Point_matrix& target, const Point_matrix& points,
                                    const Triangle_soup& soup)
@@ -50,8 +50,6 @@ Triangle_soup sheet(const Function& f)
     p = {{p[0] - 4, p[1] - 3, f(p[0] - 4)}};
   return result;
 }
-
-} // namespace
 
 // The rule, on numbers of which it is known whether |chirality| is above 0.45 volume_ratio^2, and by
 // at least a factor of 1.2. If both change their sign, only the choice changes.
@@ -213,3 +211,5 @@ TEST(Target_handedness, of_a_thin_plate_in_any_unit)
       }
   }
 }
+
+} // namespace test_target_handedness

@@ -33,9 +33,9 @@
 #include <utility>
 #include <vector>
 
-namespace CP = CGAL::Canonical_pose_3;
+namespace test_temporaries {
 
-namespace {
+namespace CP = CGAL::Canonical_pose_3;
 
 using Kernel = CGAL::Simple_cartesian<double>;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
@@ -119,8 +119,6 @@ using Handles = CP::Handle_constraint_adaptor_3;
 static_assert(is_added<Handles&> && is_added<const Handles&>);
 static_assert(!is_added<Handles> && !is_added<const Handles>);
 
-} // namespace
-
 // The rest is checked at compile time, above. The template parameter of the registrar is still
 // deduced.
 TEST(Temporaries, lvalues_are_taken)
@@ -135,3 +133,5 @@ TEST(Temporaries, lvalues_are_taken)
   registrar.remove_constraint(handles);
   EXPECT_EQ(registrar.surface_points(points), points);
 }
+
+} // namespace test_temporaries

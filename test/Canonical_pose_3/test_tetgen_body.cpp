@@ -12,6 +12,8 @@
 #include "matchers.h"
 #include "shapes.h"
 
+namespace test_tetgen_body {
+
 namespace CP = CGAL::Canonical_pose_3;
 namespace PMP = CGAL::Polygon_mesh_processing;
 
@@ -53,3 +55,5 @@ TEST(Tetgen_body, refuses_what_tetgen_dies_of)
   EXPECT_THROW_WITH(CP::tetgen_body(mesh, mesh.points()), std::invalid_argument,
                     "intersects itself");
 }
+
+} // namespace test_tetgen_body

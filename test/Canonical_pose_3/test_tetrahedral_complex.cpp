@@ -22,10 +22,10 @@
 #include <unordered_map>
 #include <vector>
 
+namespace test_tetrahedral_complex {
+
 namespace CP = CGAL::Canonical_pose_3;
 namespace PMP = CGAL::Polygon_mesh_processing;
-
-namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_3;
@@ -67,8 +67,6 @@ void expect_same_volume(const Complex& complex)
   EXPECT_NEAR(body.cell_weights().sum(), 1., 1e-12);
   EXPECT_NEAR(PMP::volume(checked_boundary(complex)), body.volume(), 1e-10 * body.volume());
 }
-
-} // namespace
 
 // A box of 3x2x4 cubes of six tetrahedra each, with every other cell inverted: orientation must not
 // matter.
@@ -164,3 +162,5 @@ TEST(Conforming_body, bad_input_is_named)
                     "cells 2 and " + std::to_string(box.cells.size()) + " are the same");
   EXPECT_THROW_WITH(CP::complex_body(Tetrahedra()), std::invalid_argument, "no cell");
 }
+
+} // namespace test_tetrahedral_complex

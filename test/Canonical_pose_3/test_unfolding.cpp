@@ -21,6 +21,8 @@
 #include <limits>
 #include <vector>
 
+namespace test_unfolding {
+
 namespace CP = CGAL::Canonical_pose_3;
 using Canonical_pose_test::bar_body;
 using Canonical_pose_test::never_rises;
@@ -31,8 +33,6 @@ using CP::Point_matrix;
 using CP::Registration_options;
 using CP::Registration_summary;
 using CP::Unfolding;
-
-namespace {
 
 constexpr double LENGTH = 8;
 
@@ -59,8 +59,6 @@ double mean_distance(const Point_matrix& points)
 {
   return (points.rowwise() - points.colwise().mean()).rowwise().norm().mean();
 }
-
-} // namespace
 
 // The first term of the energy is the mean distance to the centroid, which is computed again here;
 // the energy is the sum of the terms. At the rest pose, where the iteration starts, the second term
@@ -275,3 +273,5 @@ TEST(Unfolding, refuses_what_has_no_minimum)
     EXPECT_THROW_WITH(registrar.set_unfolding(with_weight(weight)), std::invalid_argument,
                       "option unfolding.weight is");
 }
+
+} // namespace test_unfolding

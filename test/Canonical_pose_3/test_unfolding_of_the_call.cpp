@@ -24,12 +24,12 @@
 #include <stdexcept>
 #include <vector>
 
+namespace test_unfolding_of_the_call {
+
 namespace CP = CGAL::Canonical_pose_3;
 namespace shapes = Canonical_pose_test;
 using CP::Point_matrix;
 using Point = CGAL::Simple_cartesian<double>::Point_3;
-
-namespace {
 
 CP::Options unfolding()
 {
@@ -57,8 +57,6 @@ double area(const Point_matrix& points, const Triangles& triangles)
   }
   return sum;
 }
-
-} // namespace
 
 // The call is its steps with the target of unfolding. L is the largest distance to the first two
 // landmarks; the lattice is based on all of them. The bar was bent by 2 radians.
@@ -188,3 +186,5 @@ TEST(Unfolding_of_the_call, options_of_other_targets_are_refused)
     refuses(any, "option unfolding.weight");
   }
 }
+
+} // namespace test_unfolding_of_the_call

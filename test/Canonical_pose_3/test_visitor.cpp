@@ -14,14 +14,14 @@
 #include <stdexcept>
 #include <vector>
 
+namespace test_visitor {
+
 namespace CP = CGAL::Canonical_pose_3;
 using Canonical_pose_test::Registrar;
 using Canonical_pose_test::uniform_weights;
 using CP::Point_matrix;
 using CP::Registration_progress;
 using CP::Registration_summary;
-
-namespace {
 
 const double length_scale = 8;
 
@@ -67,8 +67,6 @@ protected:
   CP::Spring_constraint_adaptor_3 m_springs;
 };
 
-} // namespace
-
 // Stopping after iteration k must be the same as allowing k iterations, bit by bit, since a visitor
 // only observes; the energies passed to it are those of the summary. With fairing, the energy may
 // increase: then the result is the iterate of least energy, as if fewer iterations were allowed.
@@ -96,7 +94,9 @@ TEST_F(Visitor, stops_where_the_cap_would)
       const auto least = std::min_element(energies.begin(), energies.end());
       options.number_of_iterations = static_cast<int>(least - energies.begin());
       if(fairing_passes == 0)
+      {
         EXPECT_EQ(options.number_of_iterations, k);
+      }
       capped.resize(0, 3);
       registrar(options)->register_to_target(capped);
       EXPECT_EQ(summary.energy, *least);
@@ -194,3 +194,5 @@ TEST_F(Visitor, convergence_and_empty_runs)
   EXPECT_TRUE(registrar(options)->register_to_target(pose, count).is_usable());
   EXPECT_EQ(calls, 1);
 }
+
+} // namespace test_visitor

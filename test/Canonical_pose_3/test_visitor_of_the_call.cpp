@@ -12,6 +12,8 @@
 #include <stdexcept>
 #include <string>
 
+namespace test_visitor_of_the_call {
+
 namespace CP = CGAL::Canonical_pose_3;
 namespace shapes = Canonical_pose_test;
 using CP::Point_matrix;
@@ -71,3 +73,5 @@ TEST(Visitor_of_the_one_call, exception_passes_through)
     = [](const CP::Registration_progress&) -> bool { throw std::runtime_error("enough"); };
   EXPECT_THROW_WITH(shapes::pose_of(shapes::bent_bar(), options), std::runtime_error, "enough");
 }
+
+} // namespace test_visitor_of_the_call

@@ -15,6 +15,8 @@
 #include <map>
 #include <type_traits>
 
+namespace test_wavefront_geodesics {
+
 using namespace Canonical_pose_test;
 using Wavefront = CGAL::Canonical_pose_3::Wavefront_geodesics_3<Mesh>;
 using Exact = CGAL::Canonical_pose_3::Exact_geodesics_3<Mesh>;
@@ -294,3 +296,5 @@ TEST(Wavefront_geodesics, any_mesh_kernel_and_map)
   for(auto v : mesh.vertices())
     EXPECT_EQ(written[v], static_cast<float>(d[static_cast<Eigen::Index>(own.index(v))]));
 }
+
+} // namespace test_wavefront_geodesics

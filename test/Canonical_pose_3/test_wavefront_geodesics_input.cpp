@@ -10,6 +10,8 @@
 
 #include <limits>
 
+namespace test_wavefront_geodesics_input {
+
 using namespace Canonical_pose_test;
 using Wavefront = CGAL::Canonical_pose_3::Wavefront_geodesics_3<Mesh>;
 
@@ -122,3 +124,5 @@ TEST(Wavefront_geodesics_input, landmarks_by_fronts_on_own_points)
   expect_fronts_on_own_points<Wavefront_geodesics_3<Mesh>,
                               Wavefront_geodesics_3<Mesh, Mesh_with_points::Point_map>>();
 }
+
+} // namespace test_wavefront_geodesics_input

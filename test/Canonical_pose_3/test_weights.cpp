@@ -11,6 +11,8 @@
 #include <stdexcept>
 #include <string>
 
+namespace test_weights {
+
 namespace CP = CGAL::Canonical_pose_3;
 using namespace Canonical_pose_test;
 using Eigen::VectorXd;
@@ -58,3 +60,5 @@ TEST(Weights, bad_factors_are_named)
   }
   EXPECT_THROW(make(VectorXd::Zero(weights.size()), VectorXd()), std::invalid_argument);
 }
+
+} // namespace test_weights

@@ -21,12 +21,12 @@
 #include <stdexcept>
 #include <vector>
 
+namespace test_weights_of_the_call {
+
 namespace CP = CGAL::Canonical_pose_3;
 namespace shapes = Canonical_pose_test;
 using CP::Point_matrix;
 using Eigen::VectorXd;
-
-namespace {
 
 using Kernel = CGAL::Simple_cartesian<double>;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
@@ -35,8 +35,6 @@ VectorXd ones(const shapes::Triangle_soup& soup)
 {
   return VectorXd::Ones(static_cast<Eigen::Index>(soup.points.size()));
 }
-
-} // namespace
 
 // Constant weights of 2 and stiffness 1 have no effect, bit by bit; stiffness 4 is equivalent to
 // twice the detail length up to rounding, which is amplified by ties of landmarks in rounds, and by
@@ -196,3 +194,5 @@ TEST(Weights_of_surfaces, property_values_are_in_the_order_of_the_vertices)
   expected[7] = 5;
   EXPECT_TRUE(CP::property_values(vertices(mesh), map) == expected);
 }
+
+} // namespace test_weights_of_the_call

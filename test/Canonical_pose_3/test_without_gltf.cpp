@@ -15,6 +15,8 @@
 #include <sstream>
 #include <stdexcept>
 
+namespace test_without_gltf {
+
 using namespace Canonical_pose_tool;
 
 TEST(Without_gltf, is_refused_by_name)
@@ -27,3 +29,5 @@ TEST(Without_gltf, is_refused_by_name)
   std::ostringstream out;
   EXPECT_THROW_WITH(write_glb(out, Shown_surface()), std::invalid_argument, "built without glTF");
 }
+
+} // namespace test_without_gltf
