@@ -59,7 +59,10 @@ Shape_row Shape_job::row_of(const Child_process::Ending& ending) const
     row.message = std::string("ended by a signal: ") + strsignal(ending.signal);
   }
   else if(ending.exit_code != 0)
-    row.outcome = row.message == "out of memory" ? Outcome::OUT_OF_MEMORY : Outcome::REFUSED;
+    row.outcome
+      = row.message == "out of memory" || row.message.find("not enough memory") != std::string::npos
+          ? Outcome::OUT_OF_MEMORY
+          : Outcome::REFUSED;
   else
     try
     {

@@ -104,22 +104,27 @@ TEST(Constrained_registration, handle_in_equilibrium_is_exact)
   }
 }
 
-// A symmetric target is reached as without constraint, with energy 0, regardless of its position.
+// A symmetric target is reached as without constraint, with energy 0, regardless of its position and
+// of the stiffness.
 TEST(Constrained_registration, symmetric_target_costs_nothing)
 {
   const CP::Conforming_body_3 body = Canonical_pose_test::bar_body(12, 2, 2);
-  Registrar registrar(body, uniform_weights(body.points()), 8., Canonical_pose_test::to_the_end());
-  CP::Symmetry_constraint_adaptor_3 symmetric = symmetry_of_bar(0.1);
-  registrar.add_constraint(symmetric);
   const Eigen::Matrix3d rotation
     = Eigen::AngleAxisd(2., Eigen::Vector3d(1, 1, 0).normalized()).toRotationMatrix();
   const Point_matrix target
     = (body.points() * rotation.transpose()).rowwise() + RowVector3d(1, 2, 3);
-  registrar.set_target(target);
-  Point_matrix pose;
-  const CP::Registration_summary summary = registrar.register_to_target(pose);
-  EXPECT_LT(summary.energy, 1e-12);
-  EXPECT_LT((pose - target).norm(), 1e-4);
+  for(const double stiffness : {0.1, 1e3, 1e9})
+  {
+    Registrar registrar(body, uniform_weights(body.points()), 8.,
+                        Canonical_pose_test::to_the_end());
+    CP::Symmetry_constraint_adaptor_3 symmetric = symmetry_of_bar(stiffness);
+    registrar.add_constraint(symmetric);
+    registrar.set_target(target);
+    Point_matrix pose;
+    const CP::Registration_summary summary = registrar.register_to_target(pose);
+    EXPECT_LT(summary.energy, 1e-12);
+    EXPECT_LT((pose - target).norm(), 1e-4);
+  }
 }
 
 // An asymmetric target: the stiffer the constraint, the more symmetric the pose.

@@ -89,6 +89,19 @@ void expect_refusal(const Triangle_soup& soup, const char* defect)
   EXPECT_THROW_WITH(Exact exact(mesh), std::invalid_argument, defect);
 }
 
+// Integer coordinates are exact at any place, and so are their differences.
+TEST(Exact_geodesics, place_does_not_matter)
+{
+  Triangle_soup soup = plane_grid_soup(6, 4, 6, 4);
+  const Mesh mesh = to_mesh<Mesh>(soup);
+  const Eigen::MatrixXd expected = Exact(mesh).distances(mesh.vertices());
+  for(auto& p : soup.points)
+    for(double& x : p)
+      x += 1e14;
+  const Mesh moved = to_mesh<Mesh>(soup);
+  EXPECT_LT((Exact(moved).distances(moved.vertices()) - expected).cwiseAbs().maxCoeff(), 1e-12);
+}
+
 // In regular rows of thin faces, CGAL misses some paths: vertices were half the grid too far, or
 // not reached at all.
 TEST(Exact_geodesics, regular_rows_of_thin_faces)

@@ -316,7 +316,10 @@ TEST_P(Segmentation, what_has_no_parts_is_one)
     return number_of_polygons(polygon_soup(soup));
   };
   EXPECT_EQ(number(tube_soup(2, 8, 5, .5)), 1u);
+  EXPECT_EQ(number(tube_soup(3, 24, 6, .5)), 1u);
+  EXPECT_EQ(number(tube_soup(3, 48, 6, .5)), 1u);
   EXPECT_EQ(number(tube_soup(4, 6, 10, .5)), 1u);
+  EXPECT_EQ(number(tube_soup(4, 24, 6, .5)), 1u);
   EXPECT_EQ(number(tube_soup(25, 16, 5, .5)), 1u);
   EXPECT_EQ(number(tube_soup(80, 12, 20, .5)), 1u);
   EXPECT_EQ(number(tube_soup(200, 12, 50, .5)), 1u);

@@ -46,8 +46,8 @@ if(NOT stderr MATCHES "built without it")
   expect_match("${exit_code}${stdout}${stderr}" "^01 shape, 1 computed now\ndone +1\n$")
 endif()
 
-run_tool(collection ball.off --database limits.db --memory-limit 1)
-expect_match("${exit_code}${stdout}" "^01 shape, 1 computed now\n(crashed|out of memory|refused)")
+run_tool(collection ball.off --database limits.db --memory-limit 150)
+expect_match("${exit_code}${stdout}" "^01 shape, 1 computed now\nout of memory +1\n$")
 
 expect_refusal("'nowhere' does not exist" collection nowhere --database out/a.db)
 expect_refusal("there is no shape in 'folder.off'" collection folder.off --database out/a.db)

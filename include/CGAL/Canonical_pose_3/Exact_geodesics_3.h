@@ -154,6 +154,13 @@ public:
   {
     const internal::Face_corners corners = internal::face_corners(tmesh, m_rows);
     Point_matrix matrix = m_points;
+    constexpr double far = 1e3; // by the size: there, the difference of two points is exact
+    if(matrix.rows() > 0)
+    {
+      const Eigen::RowVector3d first = matrix.row(0);
+      if(first.norm() > far * (matrix.rowwise() - first).rowwise().norm().maxCoeff())
+        matrix.rowwise() -= first;
+    }
     m_exponent = internal::normalize(matrix);
     std::vector<Kernel::Point_3> points;
     for(Eigen::Index i = 0; i < matrix.rows(); ++i)

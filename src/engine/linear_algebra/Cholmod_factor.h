@@ -83,6 +83,14 @@ inline Cholmod_factor_pointer analyzed(cholmod_sparse& matrix, Cholmod_common& c
 // throws if it cannot be factored for another reason.
 inline bool factorize(cholmod_sparse& matrix, cholmod_factor* factor, Cholmod_common& common)
 {
+  if(factor->is_super != 0)
+  {
+    // OpenBLAS tries without end to allocate its buffer of 128 MB.
+    constexpr std::size_t bytes = std::size_t(160) << 20;
+    void* const memory = cholmod_l_malloc(bytes, 1, common.get());
+    common.check(matrix.nrow);
+    cholmod_l_free(bytes, 1, memory, common.get());
+  }
   const bool is_factored = cholmod_l_factorize(&matrix, factor, common.get()) != 0;
   common.check(matrix.nrow);
   return is_factored && factor->minor == factor->n;

@@ -271,13 +271,33 @@ private:
            && m_factor.update(m_embedding_transposed * v, d);
   }
 
+  // The right-hand sides of the constraints.
+  Point_matrix constraint_terms(const Point_matrix& points) const
+  {
+    Point_matrix result = Point_matrix::Zero(points.rows(), 3);
+    for(const auto& constraint : m_constraints)
+      constraint->add_to_right_hand_side(points, result);
+    return result;
+  }
+
   // Where the iteration starts if no positions are given.
   Point_matrix start() const
   {
     if(m_unfolding)
       return m_body.points() / m_length_scale;
+    Point_matrix right_hand_side = (1 + m_options.tikhonov) * m_target_term;
+    if(!m_constraints.empty())
+    {
+      Point_matrix points = surface_points(m_body.points());
+      for(Eigen::Index i = 0; i < m_weights.size(); ++i)
+        if(m_weights[i] > 0)
+          points.row(i) = m_target.row(i) * m_length_scale;
+      Point_matrix term;
+      transposed_product(m_body.embedding(), constraint_terms(points) / m_length_scale, term);
+      right_hand_side += term;
+    }
     Eigen::MatrixXd solution;
-    m_factor.solve((1 + m_options.tikhonov) * m_target_term, solution);
+    m_factor.solve(right_hand_side, solution);
     Point_matrix v = solution;
     for(Eigen::Index i = 0; i < m_weights.size(); ++i)
       if(m_weights[i] > 0)
@@ -351,10 +371,9 @@ private:
     if(proximal_weight() > 0 || !m_constraints.empty())
     {
       const Point_matrix points = m_surface * m_length_scale;
-      Point_matrix sum = Point_matrix::Zero(points.rows(), 3), term;
-      for(const auto& constraint : m_constraints)
-        constraint->add_to_right_hand_side(points, sum);
-      sum -= m_constraint_matrix * points;
+      Point_matrix sum = constraint_terms(points), term;
+      if(!m_constraints.empty())
+        sum -= m_constraint_matrix * points;
       transposed_product(
         m_body.embedding(),
         proximal_weight() * (m_weights.asDiagonal() * m_surface) + sum / m_length_scale, term);

@@ -30,6 +30,9 @@ struct Cut_preferences
   double least_area; // of both sides
   // A component has cuts only if one of at most this cost has a reason; 0: none is needed.
   double reason_limit = 0;
+  // Patches are hardly larger than faces: contours that are as good as others may not run along edges,
+  // so a contour is not compared to others.
+  bool is_coarse = false;
 };
 
 // Splits a set of patches in two: the cheapest of the cuts along level sets of smooth functions,
@@ -211,18 +214,16 @@ private:
   }
 
   // Whether a contour runs along what is concave, or is much cheaper than all contours beside it, on
-  // both sides: not so anywhere along a bar, where one cut is as good as the next. Few patches, the
-  // faces of a coarse surface, have no contours beside each other. The thickness is no reason: it
-  // differs at the end of a bar.
+  // both sides: not so anywhere along a bar, where one cut is as good as the next. The thickness is no
+  // reason: it differs at the end of a bar.
   bool has_reason(const std::size_t i) const
   {
     constexpr double most_of_length = .85, least_contrast = 2;
     constexpr double width = .3, least_number_of_patches = 8; // of the bands beside the contour
-    constexpr Eigen::Index few = 100;
     const Contour& own = m_contours[i];
     if(own.shape_cost <= most_of_length * own.length)
       return true;
-    if(m_size < few)
+    if(m_preferences.is_coarse)
       return false;
     const double total = m_contours.back().area;
     const double band = (std::max)(width * own.length * own.length,
