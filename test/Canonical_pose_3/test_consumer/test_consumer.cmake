@@ -13,7 +13,7 @@ function(add_canonical_pose_consumer_test name way)
     COMMAND ${CMAKE_CTEST_COMMAND} --build-and-test
       ${CMAKE_CURRENT_SOURCE_DIR}/test_consumer
       ${CMAKE_CURRENT_BINARY_DIR}/test_consumer/${name}
-      --build-generator ${CMAKE_GENERATOR}
+      --build-generator ${CMAKE_GENERATOR} --build-target consumer
       --build-options -DWAY=${way} -DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER}
         -DCMAKE_CXX_FLAGS=${CMAKE_CXX_FLAGS} -DCGAL_DIR=${CGAL_DIR} ${ARGN}
       --test-command consumer)
@@ -21,15 +21,13 @@ function(add_canonical_pose_consumer_test name way)
 endfunction()
 
 set(tetgen -DEXPECT_TETGEN=$<TARGET_EXISTS:Canonical_pose_3::tetgen>)
-set(as_here -DPACKAGE_DIRECTORY=${PROJECT_SOURCE_DIR}
-  -DWITH_CHOLMOD=${WITH_CHOLMOD} -DWITH_TBB=${WITH_TBB} -DWITH_TETGEN=${WITH_TETGEN})
 add_canonical_pose_consumer_test(find_package find_package
   -DCMAKE_PREFIX_PATH=${installation} ${tetgen})
 set_tests_properties(consumer.find_package PROPERTIES FIXTURES_REQUIRED installation)
-add_canonical_pose_consumer_test(add_subdirectory add_subdirectory ${as_here} ${tetgen})
-add_canonical_pose_consumer_test(FetchContent FetchContent ${as_here} ${tetgen})
+add_canonical_pose_consumer_test(add_subdirectory add_subdirectory -DPACKAGE_DIRECTORY=${PROJECT_SOURCE_DIR}
+  -DWITH_CHOLMOD=${WITH_CHOLMOD} -DWITH_TBB=${WITH_TBB} -DWITH_TETGEN=${WITH_TETGEN} ${tetgen})
 # Nothing but CGAL and Eigen.
-add_canonical_pose_consumer_test(bare add_subdirectory -DPACKAGE_DIRECTORY=${PROJECT_SOURCE_DIR}
+add_canonical_pose_consumer_test(FetchContent FetchContent -DPACKAGE_DIRECTORY=${PROJECT_SOURCE_DIR}
   -DWITH_CHOLMOD=OFF -DWITH_TBB=OFF -DWITH_TETGEN=OFF)
 
 # The program in the installed README.
