@@ -104,16 +104,16 @@ TEST(Injective_last_resort, failures_of_the_solver_end_the_call)
   EXPECT_THROW_WITH(run(bar(), -1, pose), std::runtime_error, "the solver has no license");
 }
 
-// Where the minimum is far from the rest pose, untangling ends after the work of 40 steps of the
+// Where the minimum is far from the rest pose, untangling ends after the work of 16 steps of the
 // entire body. A step has a matrix with nine times the nonzeros of that of the registration, and
 // only steps of the entire body are computed here, so the limit is exact.
 TEST(Injective_last_resort, is_bounded)
 {
   Point_matrix pose;
-  const CP::Conforming_body_3 body = Canonical_pose_test::bar_body(16, 3, 3);
+  const CP::Conforming_body_3 body = Canonical_pose_test::bar_body(40, 5, 5);
   const Registration_summary summary = run(body, 3 * body.points().rows(), pose);
   EXPECT_LE(Refusing_factor_traits_d::nonzeros_of_patches,
-            40 * 9 * Refusing_factor_traits_d::nonzeros_of_the_registration);
+            16 * 9 * Refusing_factor_traits_d::nonzeros_of_the_registration);
   EXPECT_EQ(summary.termination, Registration_summary::ITERATION_LIMIT);
   EXPECT_EQ(summary.inverted, 0u);
   EXPECT_EQ(summary.warnings.size(), 1u);

@@ -105,8 +105,8 @@ private:
 
   // The limits of the work of all patches, without and with the final decrease of the energy, in
   // steps of the entire body. Such a step costs as much as some 20 iterations of a registration, which
-  // has about 100.
-  static constexpr std::size_t WORK_OF_REMOVAL = 10, WORK_OF_REPAIR = 16;
+  // has about 100. Bodies smaller than one of some 5000 cells may take as much work as it.
+  static constexpr std::size_t WORK_OF_REMOVAL = 10, WORK_OF_REPAIR = 16, SMALL_SIZE = 20000;
 
   // The work of a step of all patches of free vertices: the number of cells and of nonzeros.
   std::size_t size(const std::vector<bool>& is_free) const
@@ -125,7 +125,8 @@ private:
   int steps_within(const std::size_t limit, const std::size_t work,
                    const std::vector<bool>& is_free) const
   {
-    const std::size_t all = limit * size(std::vector<bool>(is_free.size(), true));
+    const std::size_t all
+      = limit * (std::max)(SMALL_SIZE, size(std::vector<bool>(is_free.size(), true)));
     const std::size_t one = size(is_free);
     return one == 0 || all < work ? 0 : static_cast<int>((all - work) / one);
   }
