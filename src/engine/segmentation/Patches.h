@@ -29,6 +29,13 @@ struct Patches
   std::vector<std::size_t> patch_of_face;
 };
 
+// Whether patches are hardly larger than faces.
+inline bool are_coarse(const Patches& patches)
+{
+  constexpr std::size_t least_number_of_faces = 3; // of a patch
+  return patches.patch_of_face.size() < least_number_of_faces * patches.size();
+}
+
 // Lengths of the edges of the graph, larger across concave edges, so that patches end there.
 inline std::vector<double> concave_lengths(const Face_graph& graph, const double concavity_scale)
 {

@@ -209,7 +209,6 @@ private:
              const double exponent, const std::size_t number_of_parts,
              const std::size_t first_face) const
   {
-    constexpr std::size_t least_number_of_faces = 3; // of a patch
     const bool is_given = number_of_parts > 0;
     const Patches own
       = farthest_point_patches(graph, concave_lengths(graph, preferences.edge_concavity),
@@ -218,7 +217,7 @@ private:
       m_compares_poses ? joint_patch_graph(own, preferences)
                        : patch_graph(graph, own, preferences, m_thickness_of_face),
       {exponent, m_is_number_given ? least_area(number_of_parts) : 0, is_given ? 0 : COST_LIMIT,
-       graph.number_of_faces() < least_number_of_faces * own.size()},
+       are_coarse(own)},
       (std::max)(number_of_parts, std::size_t(1)), is_given ? number_of_parts : MOST_PARTS,
       is_given ? 0 : COST_LIMIT);
     return {largest_parts(graph, own, parts), parts.number_of_large_parts};

@@ -76,8 +76,9 @@ Segmentation_tree_3 sweep_segmentation_tree(const Point_matrix& points,
   Sweep_partition partition;
   if(number_of_parts == 0)
   {
-    partition = sweep_partition(neighbors, {cuts.exponent, cuts.least_area, cost_limit}, 1,
-                                patches.size(), cost_limit);
+    partition = sweep_partition(neighbors,
+                                {cuts.exponent, cuts.least_area, cost_limit, are_coarse(patches)},
+                                1, patches.size(), cost_limit);
     number_of_parts = partition.number_of_parts;
   }
   partition
