@@ -65,14 +65,12 @@ def test_interrupt(function, figure):
     vertices, faces = figure
     # Never converges; so what stops it is the signal.
     options = dict(iterations=10**9, tikhonov=1e6, rounds=0, landmarks=10)
-    started = time.monotonic()
     thread = threading.Thread(target=wait_and_interrupt, args=(2.5,))
     thread.start()
     with pytest.raises(KeyboardInterrupt):
         function(vertices, faces, **options)
-        time.sleep(5) # if it was already done
+        pytest.fail("it was done before the signal")
     thread.join()
-    assert time.monotonic() - started < 4
 
 
 def test_interrupt_of_a_registrar(figure):
