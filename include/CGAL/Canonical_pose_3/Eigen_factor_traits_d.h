@@ -124,7 +124,9 @@ public:
                      Eigen::MatrixXd& solutions) const
   {
     CGAL_precondition(m_is_factored);
-    solutions = m_solver_sptr->solve(right_hand_sides);
+    solutions.resize(right_hand_sides.rows(), right_hand_sides.cols());
+    if(solutions.size() > 0) // Eigen would add to a null pointer
+      solutions = m_solver_sptr->solve(right_hand_sides);
     return solutions.allFinite();
   }
 
