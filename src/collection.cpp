@@ -245,7 +245,8 @@ void write_summary(std::ostream& out, const std::vector<std::string>& paths,
   for(const std::string& path : paths)
     if(const auto row = database.row_of(path))
       ++numbers[row->outcome];
-  out << paths.size() << (paths.size() == 1 ? " shape, " : " shapes, ") << number_of_jobs << " computed now\n";
+  out << paths.size() << (paths.size() == 1 ? " shape, " : " shapes, ") << number_of_jobs
+      << " computed now\n";
   for(const auto& [outcome, number] : numbers)
     out << std::left << std::setw(14) << name_of(outcome) << number << '\n';
 }

@@ -63,6 +63,17 @@ CP::Symmetry_constraint_adaptor_3 symmetry_of_bar(const double stiffness)
   return result;
 }
 
+// Registers the bar, given its constraint, as far as possible.
+CP::Registration_summary register_bar(const CP::Conforming_body_3& body, const Point_matrix& target,
+                                      CP::Symmetry_constraint_adaptor_3& symmetric,
+                                      Point_matrix& pose)
+{
+  Registrar registrar(body, uniform_weights(body.points()), 8., Canonical_pose_test::to_the_end());
+  registrar.add_constraint(symmetric);
+  registrar.set_target(target);
+  return registrar.register_to_target(pose);
+}
+
 // For targets P, Q of weight m each and a prescribed difference d, stationarity gives p - q = (m (P
 // - Q) + kappa d) / (m + kappa), and the midpoint does not move.
 TEST(Constrained_registration, direction_in_equilibrium_is_exact)
@@ -115,14 +126,9 @@ TEST(Constrained_registration, symmetric_target_costs_nothing)
     = (body.points() * rotation.transpose()).rowwise() + RowVector3d(1, 2, 3);
   for(const double stiffness : {0.1, 1e3, 1e9})
   {
-    Registrar registrar(body, uniform_weights(body.points()), 8.,
-                        Canonical_pose_test::to_the_end());
     CP::Symmetry_constraint_adaptor_3 symmetric = symmetry_of_bar(stiffness);
-    registrar.add_constraint(symmetric);
-    registrar.set_target(target);
     Point_matrix pose;
-    const CP::Registration_summary summary = registrar.register_to_target(pose);
-    EXPECT_LT(summary.energy, 1e-12);
+    EXPECT_LT(register_bar(body, target, symmetric, pose).energy, 1e-12);
     EXPECT_LT((pose - target).norm(), 1e-4);
   }
 }
@@ -142,13 +148,9 @@ TEST(Constrained_registration, symmetry_grows_with_stiffness)
   double previous = std::numeric_limits<double>::infinity();
   for(const double stiffness : {1e-4, 1e-2, 1e2})
   {
-    Registrar registrar(body, uniform_weights(body.points()), 8.,
-                        Canonical_pose_test::to_the_end());
     CP::Symmetry_constraint_adaptor_3 symmetric = symmetry_of_bar(stiffness);
-    registrar.add_constraint(symmetric);
-    registrar.set_target(target);
     Point_matrix pose;
-    const CP::Registration_summary summary = registrar.register_to_target(pose);
+    const CP::Registration_summary summary = register_bar(body, target, symmetric, pose);
     EXPECT_TRUE(Canonical_pose_test::never_rises(summary.energy_history));
     const double energy = symmetric.energy(pose) / stiffness;
     EXPECT_LT(energy, previous / 2);

@@ -72,8 +72,8 @@ public:
   }
 
   // Decreases the energy as far as the barrier allows, in at most `steps` steps, unless a cell is
-  // inverted or flat. Returns whether it has converged, that is, the last step decreased it by little,
-  // although it was not cut short.
+  // inverted or flat, and until the barrier cuts steps to almost nothing. Returns whether it has
+  // converged, that is, the last step decreased it by little.
   bool descend_to_the_barrier(const int steps)
   {
     if(!(least_determinant() > 0))

@@ -53,7 +53,7 @@ public:
     bool has_collapsed = false;
     Registered_body result = refined(before, first, ends_inside_out, STIFF, has_collapsed);
     if(!has_collapsed || !Surface_registration::is_complete(result)
-       || m_registration.is_exhausted(result))
+       || m_registration.is_exhausted(result, before.iterations))
       return result;
     Registered_body other = refined(result.summary, first, ends_inside_out, SOFTER, has_collapsed);
     if(Surface_registration::is_complete(other) && has_lower_stress(other.summary, result.summary))
@@ -133,7 +133,7 @@ private:
                                         m_registration.median_strain(pose), timer.time()});
       current.target.points = std::move(refined.target.points);
       current.target.summary = first.summary;
-      if(m_registration.is_exhausted(current)
+      if(m_registration.is_exhausted(current, before.iterations)
          || (ends_inside_out && m_registration.handedness(current.target).volume_ratio < 0))
         break;
     }

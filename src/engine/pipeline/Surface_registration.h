@@ -264,11 +264,13 @@ public:
     return registered.summary.is_usable() && !is_canceled(registered);
   }
 
-  // Whether so many iterations were made that the registrations do not converge: nothing else is tried.
-  bool is_exhausted(const Registered_body& registered) const
+  // Whether rounds took so many iterations that they do not converge: nothing else is tried.
+  // `before`: iterations before these rounds.
+  bool is_exhausted(const Registered_body& registered, const int before = 0) const
   {
-    return registered.summary.iterations >= (std::max)(m_registration_options.number_of_iterations,
-                                                       Registration_options().number_of_iterations);
+    return registered.summary.iterations - before
+           >= (std::max)(m_registration_options.number_of_iterations,
+                         Registration_options().number_of_iterations);
   }
 
   // `pose`: of the surface vertices of the body.

@@ -372,8 +372,7 @@ private:
     {
       const Point_matrix points = m_surface * m_length_scale;
       Point_matrix sum = constraint_terms(points), term;
-      if(!m_constraints.empty())
-        sum -= m_constraint_matrix * points;
+      sum -= m_constraint_matrix * points;
       transposed_product(
         m_body.embedding(),
         proximal_weight() * (m_weights.asDiagonal() * m_surface) + sum / m_length_scale, term);
