@@ -79,7 +79,7 @@ protected:
       1);
     CP::Target_3 first;
     first.points = surface.points;
-    return CP::internal::Handed_rounds(registration, rounds)(first);
+    return CP::internal::Handed_rounds(registration, rounds)(CP::Registration_summary(), first);
   }
 
   const CP::Prepared_surface_3 prepared = ellipsoid();

@@ -29,13 +29,16 @@ public:
   {}
 
   // Returns the image with the handedness of the canonical pose. `first` should be the one that has
-  // it more likely.
-  Registered_body operator()(const Target_3& first) const { return chosen(first).registered; }
+  // it more likely. `before`: for times and iterations.
+  Registered_body operator()(const Registration_summary& before, const Target_3& first) const
+  {
+    return chosen(before, first).registered;
+  }
 
   // Returns the image with the opposite handedness.
-  Registered_body opposite(const Target_3& first) const
+  Registered_body opposite(const Registration_summary& before, const Target_3& first) const
   {
-    const Choice choice = chosen(first);
+    const Choice choice = chosen(before, first);
     if(!Surface_registration::is_complete(choice.registered))
       return choice.registered;
     Registered_body result = m_rounds(choice.registered.summary,
@@ -57,9 +60,9 @@ private:
     bool is_first;
   };
 
-  Choice chosen(const Target_3& first) const
+  Choice chosen(const Registration_summary& before, const Target_3& first) const
   {
-    Choice choice = {m_rounds(Registration_summary(), first), true};
+    Choice choice = {m_rounds(before, first), true};
     if(!Surface_registration::is_complete(choice.registered))
       return choice;
     Target_3& target = choice.registered.target;
@@ -67,7 +70,7 @@ private:
     target.summary.is_handedness_certain = handedness.is_certain();
     if(!is_questionable(handedness))
       return choice;
-    if(m_registration.is_exhausted(choice.registered))
+    if(m_registration.is_exhausted(choice.registered, before.iterations))
     {
       target.summary.is_handedness_certain = false;
       return choice;

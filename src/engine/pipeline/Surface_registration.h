@@ -9,6 +9,7 @@
 #include "timed.h"
 #include "../registration/flipped_faces.h"
 #include "../soup/closed.h"
+#include "../soup/planar.h"
 
 #include <CGAL/Canonical_pose_3/Body_deformer_3.h>
 #include <CGAL/Canonical_pose_3/Landmark_fields_3.h>
@@ -313,7 +314,15 @@ public:
     return target;
   }
 
-  Result result(Registered_body registered) const
+  // Whether the pose can be projected onto the plane of its target, which a sheet that is compressed leaves a
+  // little.
+  bool is_unfolded_in_plane(const Registered_body& registered) const
+  {
+    return is_unfolded(projected(pose(registered), registered.target.points), m_triangles);
+  }
+
+  // `is_in_plane`: whether to project the pose.
+  Result result(Registered_body registered, const bool is_in_plane = false) const
   {
     Result result;
     Registration_summary& summary = result.summary = std::move(registered.summary);
@@ -322,6 +331,8 @@ public:
     if(!summary.is_usable())
       return result;
     result.pose = pose(registered);
+    if(is_in_plane)
+      result.pose = projected(result.pose, registered.target.points);
     summary.median_edge_strain
       = timed(summary, "diagnosis", [&] { return median_strain(result.pose); });
     summary.flipped_faces = timed(summary, "diagnosis", [&] {
@@ -333,6 +344,8 @@ public:
           Body_deformer_3<Body_view>(m_view, m_triangles).embedding(m_options.followers)
           * registered.points);
       });
+    if(is_in_plane && are_followers_in_plane())
+      result.pose_of_followers = projected(result.pose_of_followers, registered.target.points);
     if(summary.termination == Registration_summary::ITERATION_LIMIT)
       summary.warnings.push_back("the registration did not converge within the iterations allowed");
     else if(summary.termination == Registration_summary::CANCELED)
@@ -349,6 +362,13 @@ private:
   {
     const Point_matrix& target = registered.target_of_best_pose;
     return target.rows() == registered.target.points.rows() && target == registered.target.points;
+  }
+
+  bool are_followers_in_plane() const
+  {
+    Point_matrix points(m_surface.points.rows() + m_options.followers.rows(), 3);
+    points << m_surface.points, m_options.followers;
+    return m_options.followers.rows() > 0 && is_planar(points, m_surface.triangles);
   }
 
   static bool is_canceled(const Registered_body& registered)

@@ -6,7 +6,7 @@
 
 #include "joined_triangles.h"
 #include "shares_of_cells.h"
-#include "../soup/refined_surface.h"
+#include "../soup/planar.h"
 #include "../soup/root_of_area.h"
 
 #include <CGAL/Canonical_pose_3/Options.h>
@@ -442,9 +442,7 @@ private:
 
   bool is_flat(const std::size_t c) const
   {
-    Point_matrix points = m_components[c].points;
-    normalize(points);
-    return is_planar(points, m_components[c].triangles);
+    return is_planar(m_components[c].points, m_components[c].triangles);
   }
 
   // A sword that is held by a hand is not.

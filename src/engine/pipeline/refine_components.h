@@ -4,6 +4,7 @@
 #ifndef CANONICAL_POSE_3_ENGINE_PIPELINE_REFINE_COMPONENTS_H
 #define CANONICAL_POSE_3_ENGINE_PIPELINE_REFINE_COMPONENTS_H
 
+#include "../soup/planar.h"
 #include "../soup/refined_surface.h"
 
 #include <CGAL/Canonical_pose_3/Options.h>
@@ -30,7 +31,7 @@ void refine(Components& components)
   {
     Point_matrix points = surface.points;
     normalize(points);
-    if(options.geodesics == Options::Geodesics::HEAT && is_planar(points, surface.triangles))
+    if(options.geodesics == Options::Geodesics::HEAT && is_planar(surface.points, surface.triangles))
       options.geodesics = Options::Geodesics::WAVEFRONT;
     if(options.paper_weights || options.make_body || !is_coarse(points, surface.triangles))
       continue;

@@ -6,6 +6,7 @@
 #include "Surface_registration.h"
 #include "check_method_options.h"
 #include "fields_of_function.h"
+#include "is_posed_in_plane.h"
 #include "timed.h"
 #include "../support/Thread_limit.h"
 #include "../support/precondition.h"
@@ -18,8 +19,12 @@
 #include <CGAL/Canonical_pose_3/Surface_body_3.h>
 #include <CGAL/Canonical_pose_3/Surface_component_3.h>
 #include <CGAL/Canonical_pose_3/Target_3.h>
+#include <CGAL/Canonical_pose_3/align_target.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 #include <CGAL/Canonical_pose_3/pose_steps.h>
+#include <CGAL/Canonical_pose_3/surface_measures.h>
+
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <cstddef>
@@ -57,33 +62,37 @@ inline double extrapolation_factor(const double contraction)
   return largest * std::clamp((none - contraction) / (none - full), 0., 1.);
 }
 
-// The target of the final registration, and the pose where it starts.
+// The target of the final registration, and the pose where it starts. `before`: for times and iterations.
 inline Registered_body refined_in_rounds(const Surface_registration& registration,
                                          const Surface_component_3& surface,
                                          const Coarse_surface_3& coarse,
                                          const Landmark_fields_3& fields, const Target_3& target,
-                                         const Component_options& options)
+                                         const Component_options& options,
+                                         const Registration_summary& before, const bool is_in_plane)
 {
   const auto fields_on = [&](const Surface_component_3& posed) {
     return options.target_fields_function
              ? fields_of_function(options.target_fields_function, posed, options, fields.landmarks)
              : landmark_fields(posed, fields.landmarks, options);
   };
+  const auto target_of = [&](const Landmark_fields_3& measured, const Point_matrix& pose) {
+    const Point_matrix start
+      = is_in_plane ? flattened(pose, vertex_area_shares(surface.points, surface.triangles)) : pose;
+    return refined_target(surface, coarse, measured, start, options);
+  };
   const auto refined = [&](const Point_matrix& pose, Registration_summary& times) {
     Rounds::Refined_target result;
     result.fields = timed(times, "geodesics", [&] { return fields_on(coarse.posed(pose)); });
-    result.target = timed(times, "target", [&] {
-      return refined_target(surface, coarse, result.fields, pose, options);
-    });
+    result.target = timed(times, "target", [&] { return target_of(result.fields, pose); });
     return result;
   };
   const int number = number_of_rounds(options, target);
   const Rounds rounds(registration, refined, number);
   const Handed_rounds handed_rounds(registration, rounds);
-  Registered_body result = number == 0 || target.is_given ? rounds(Registration_summary(), target)
+  Registered_body result = number == 0 || target.is_given || is_in_plane ? rounds(before, target)
                            : options.takes_mirror_image
-                             ? handed_rounds.opposite(registration.mirrored(target))
-                             : handed_rounds(target);
+                             ? handed_rounds.opposite(before, registration.mirrored(target))
+                             : handed_rounds(before, target);
   const double factor = extrapolation_factor(result.contraction);
   if(factor == 0 || !Surface_registration::is_complete(result))
     return result;
@@ -94,7 +103,7 @@ inline Registered_body refined_in_rounds(const Surface_registration& registratio
     const Point_matrix pose = registration.surface_pose(registration.pose(result));
     const Landmark_fields_3 extrapolated
       = extrapolated_fields(coarse, fields_of_input, result.fields, pose, factor);
-    return refined_target(surface, coarse, extrapolated, pose, options).points;
+    return target_of(extrapolated, pose).points;
   });
   return result;
 }
@@ -114,8 +123,24 @@ Result registered_pose(const Surface_component_3& surface, const Coarse_surface_
                                 == static_cast<std::size_t>(surface.points.rows()));
   CANONICAL_POSE_3_PRECONDITION(fields.distances.rows() == coarse.surface.points.rows());
   const internal::Surface_registration registration(surface, body, options);
-  return registration.result(registration(
-    internal::refined_in_rounds(registration, surface, coarse, fields, target, options)));
+  const auto registered
+    = [&](const Target_3& first, const Registration_summary& before, const bool is_in_plane) {
+        return registration(internal::refined_in_rounds(registration, surface, coarse, fields,
+                                                        first, options, before, is_in_plane));
+      };
+  Registration_summary before;
+  if(internal::is_posed_in_plane(surface, coarse, fields, options))
+  {
+    const Eigen::VectorXd shares = vertex_area_shares(surface.points, surface.triangles);
+    Target_3 flat = target;
+    flat.points = align_target(internal::flattened(target.points, shares), surface.points, shares);
+    const internal::Registered_body planar = registered(flat, before, true);
+    const bool is_complete = internal::Surface_registration::is_complete(planar);
+    if(!is_complete || registration.is_unfolded_in_plane(planar))
+      return registration.result(planar, is_complete);
+    before = planar.summary;
+  }
+  return registration.result(registered(target, before, false));
 }
 
 } // namespace Canonical_pose_3

@@ -13,7 +13,6 @@
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <Eigen/Core>
-#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
@@ -66,22 +65,6 @@ inline bool is_coarse(const Point_matrix& points, const std::vector<Index_triang
   for(const Index_triangle& t : triangles)
     measure.add(points, t);
   return measure.is_coarse();
-}
-
-// Whether all points, normalized, are in the plane of the largest triangle, up to 1e-6 of their size.
-inline bool is_planar(const Point_matrix& points, const std::vector<Index_triangle>& triangles)
-{
-  constexpr double tolerance = 1e-6;
-  const Index_triangle& largest = *std::max_element(
-    triangles.begin(), triangles.end(), [&](const Index_triangle& s, const Index_triangle& t) {
-      return twice_area(points, s) < twice_area(points, t);
-    });
-  const Eigen::Vector3d origin = corner(points, largest, 0);
-  const Eigen::Vector3d normal = (corner(points, largest, 1) - origin)
-                                   .cross(corner(points, largest, 2) - origin)
-                                   .stableNormalized();
-  const Point_matrix relative = points.rowwise() - origin.transpose();
-  return (relative * normal).cwiseAbs().maxCoeff() <= tolerance * relative.cwiseAbs().maxCoeff();
 }
 
 // Halves edges until there are some thousand vertices at even distances, whatever the number before:
