@@ -4,8 +4,8 @@
 #ifndef CGAL_CANONICAL_POSE_3_BENCHMARK_CORRESPONDENCE_H
 #define CGAL_CANONICAL_POSE_3_BENCHMARK_CORRESPONDENCE_H
 
-#include "Cgal_types.h" // of the tool
-#include "Mesh_file.h"
+#include "formats/Cgal_types.h" // of the tool
+#include "formats/Mesh_file.h"
 
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 

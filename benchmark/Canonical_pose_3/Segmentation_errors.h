@@ -4,7 +4,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_BENCHMARK_SEGMENTATION_ERRORS_H
 #define CGAL_CANONICAL_POSE_3_BENCHMARK_SEGMENTATION_ERRORS_H
 
-#include "Mesh_file.h" // of the tool
+#include "formats/Mesh_file.h" // of the tool
 
 #include <Eigen/Core>
 

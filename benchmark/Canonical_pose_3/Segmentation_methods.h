@@ -6,8 +6,8 @@
 
 #include "Segmentation_errors.h"
 
-#include "Cgal_types.h" // of the tool
-#include "Mesh_file.h"
+#include "formats/Cgal_types.h" // of the tool
+#include "formats/Mesh_file.h"
 #include "compute_pose.h"
 
 #include <CGAL/Canonical_pose_3/consensus_segmentation.h>

@@ -34,7 +34,7 @@
 #include "prepare.h"
 #include "setting.h"
 
-#include "Cgal_types.h" // of the tool
+#include "formats/Cgal_types.h" // of the tool
 
 #include "../../examples/Canonical_pose_3/Articulated_figure.h"
 

@@ -22,7 +22,7 @@
 #include "descriptors.h" // of the tool
 #include "other_canonical_forms.h"
 #include "paper_shapes.h"
-#include "read_classes.h"
+#include "collection/read_classes.h"
 #include "setting.h"
 
 #include <CGAL/Canonical_pose_3/Retrieval_evaluation.h>

@@ -27,7 +27,7 @@
 #include "enclosed_volume.h"
 #include "prepare.h"
 
-#include "Cgal_types.h" // of the tool
+#include "formats/Cgal_types.h" // of the tool
 
 #include "../../examples/Canonical_pose_3/Articulated_figure.h"
 

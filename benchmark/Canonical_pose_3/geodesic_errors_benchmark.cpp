@@ -15,8 +15,8 @@
 #include "setting.h"
 #include "spread_sources.h"
 
-#include "Cgal_types.h" // of the tool
-#include "Mesh_file.h"
+#include "formats/Cgal_types.h" // of the tool
+#include "formats/Mesh_file.h"
 
 #include <CGAL/Canonical_pose_3/Exact_geodesics_3.h>
 #include <CGAL/Canonical_pose_3/Heat_geodesics_3.h>

@@ -8,8 +8,8 @@
 
 #include "../../examples/Canonical_pose_3/Articulated_figure.h"
 
-#include "Cgal_types.h" // of the tool
-#include "Mesh_file.h"
+#include "formats/Cgal_types.h" // of the tool
+#include "formats/Mesh_file.h"
 
 #include <cstddef>
 #include <fstream>

@@ -15,11 +15,11 @@
 //   --per-class      a line for each class, too
 
 #include "Argument_list.h"
-#include "Cgal_types.h" // of the tool
-#include "Mesh_file.h"
+#include "formats/Cgal_types.h" // of the tool
+#include "formats/Mesh_file.h"
 #include "compute_pose.h"
 #include "descriptors.h"
-#include "read_classes.h"
+#include "collection/read_classes.h"
 #include "setting.h"
 
 #include <CGAL/Canonical_pose_3/Descriptor_index_3.h>

@@ -3,8 +3,8 @@
 
 #include "arrays.h"
 
-#include "Text_cursor.h"
-#include "readers.h"
+#include "formats/Text_cursor.h"
+#include "formats/readers.h"
 
 #include <cstring>
 #include <memory>

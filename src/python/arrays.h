@@ -4,7 +4,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_PYTHON_ARRAYS_H
 #define CGAL_CANONICAL_POSE_3_PYTHON_ARRAYS_H
 
-#include "Mesh_file.h"
+#include "formats/Mesh_file.h"
 
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 

@@ -10,12 +10,12 @@
 #include "arrays.h"
 #include "solvers.h"
 
-#include "Cgal_types.h"
 #include "Report.h"
 #include "compute_parts.h"
 #include "compute_pose.h"
 #include "descriptors.h"
 #include "exact_geodesics.h"
+#include "formats/Cgal_types.h"
 
 #include <CGAL/Canonical_pose_3/geodesic_distances.h>
 #include <CGAL/Canonical_pose_3/pose_difference.h>

@@ -3,7 +3,7 @@
 
 #include "solvers.h"
 
-#include "Cgal_types.h"
+#include "formats/Cgal_types.h"
 
 #include <CGAL/Canonical_pose_3/Body_deformer_3.h>
 #include <CGAL/Canonical_pose_3/Heat_geodesics_3.h>

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "engine/soup/examine_surface.h"
+#include "engine/surface/examine_surface.h"
 
 #include <CGAL/Canonical_pose_3/diagnose.h>
 #include <CGAL/Canonical_pose_3/internal/support/Disjoint_sets.h>

@@ -4,8 +4,8 @@
 // glTF as the tool writes and reads it. What is written is also examined without our reader: by its
 // JSON, and by the bytes to which its accessors lead.
 
-#include "Shown_surface.h"
-#include "readers.h"
+#include "formats/Shown_surface.h"
+#include "formats/readers.h"
 
 #include <nlohmann/json.hpp>
 

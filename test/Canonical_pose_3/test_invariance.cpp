@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL/Canonical_pose_3/internal/soup/Indexed_mesh.h>
+#include <CGAL/Canonical_pose_3/internal/surface/Indexed_mesh.h>
 #include <CGAL/canonical_pose_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

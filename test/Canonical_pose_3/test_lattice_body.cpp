@@ -5,7 +5,7 @@
 #include <CGAL/Canonical_pose_3/Heat_geodesics_3.h>
 #include <CGAL/Canonical_pose_3/Lattice_body_3.h>
 #include <CGAL/Canonical_pose_3/farthest_point_landmarks.h>
-#include <CGAL/Canonical_pose_3/internal/soup/Indexed_mesh.h>
+#include <CGAL/Canonical_pose_3/internal/surface/Indexed_mesh.h>
 #include <CGAL/Canonical_pose_3/repair_surface.h>
 
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 
 #include "engine/lattice/Edge_splitter.h"
 #include "engine/lattice/surface_chords.h"
-#include "engine/soup/signed_volume.h"
+#include "engine/surface/signed_volume.h"
 
 #include <CGAL/Canonical_pose_3/Lattice_body_3.h>
 

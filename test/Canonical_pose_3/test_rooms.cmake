@@ -4,7 +4,7 @@
 # Called with -DROOT=<the folder of the package>.
 
 cmake_minimum_required(VERSION 3.18...3.31)
-set(rooms pipeline segmentation descriptors registration injective energy target lattice body wavefront heat intrinsic soup linear_algebra
+set(rooms pipeline segmentation descriptors registration injective energy target lattice body wavefront heat intrinsic surface linear_algebra
   support)
 # Public headers that any folder may include.
 set(data_types point_matrix Options Registration_options Registration_progress Registration_summary Unfolding Diagnosis_3
@@ -75,6 +75,7 @@ function(refuse_lines message pattern)
   endif()
 endfunction()
 refuse_lines("these headers include sources" "#include (\"|<engine)" ${ROOT}/include/*.h)
+refuse_lines("these formats use the commands" "#include \"(commands|collection)/" ${ROOT}/src/tool/formats/*)
 refuse_lines("these programs use what is internal" "Canonical_pose_3/internal/|engine/|(^|[^a-z_])internal *(::|;)"
   ${ROOT}/src/*.h ${ROOT}/src/*.cpp ${ROOT}/examples/*.h ${ROOT}/examples/*.cpp ${ROOT}/benchmark/*.h ${ROOT}/benchmark/*.cpp)
 

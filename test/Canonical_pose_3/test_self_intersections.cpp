@@ -1,10 +1,10 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "engine/soup/Self_intersections.h"
+#include "engine/surface/Self_intersections.h"
 
-#include <CGAL/Canonical_pose_3/internal/soup/Indexed_mesh.h>
-#include <CGAL/Canonical_pose_3/internal/soup/Triangle_soup.h>
+#include <CGAL/Canonical_pose_3/internal/surface/Indexed_mesh.h>
+#include <CGAL/Canonical_pose_3/internal/surface/Triangle_soup.h>
 
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 

@@ -4,9 +4,9 @@
 // A build without tinygltf says so; whatever the build of this test has, this is linked with the
 // readers and writers of such a build.
 
-#include "Mesh_file.h"
-#include "Shown_surface.h"
-#include "readers.h"
+#include "formats/Mesh_file.h"
+#include "formats/Shown_surface.h"
+#include "formats/readers.h"
 
 #include <gtest/gtest.h>
 

@@ -5,8 +5,8 @@
 #define CGAL_CANONICAL_POSE_3_BODY_DEFORMER_3_H
 
 #include <CGAL/Canonical_pose_3/internal/body/body_cells.h>
-#include <CGAL/Canonical_pose_3/internal/soup/Triangle_tree.h>
-#include <CGAL/Canonical_pose_3/internal/soup/check_soup.h>
+#include <CGAL/Canonical_pose_3/internal/surface/Triangle_tree.h>
+#include <CGAL/Canonical_pose_3/internal/surface/check_soup.h>
 #include <CGAL/Canonical_pose_3/internal/support/for_each_block.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 

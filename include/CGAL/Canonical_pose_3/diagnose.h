@@ -5,7 +5,7 @@
 #define CGAL_CANONICAL_POSE_3_DIAGNOSE_H
 
 #include <CGAL/Canonical_pose_3/Diagnosis_3.h>
-#include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
+#include <CGAL/Canonical_pose_3/internal/surface/index_faces.h>
 #include <CGAL/Canonical_pose_3/internal/support/points_of_parameters.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 

@@ -5,7 +5,7 @@
 #define CGAL_CANONICAL_POSE_3_EXTRACT_BOUNDARY_H
 
 #include <CGAL/Canonical_pose_3/internal/body/Indexed_complex.h>
-#include <CGAL/Canonical_pose_3/internal/soup/boundary_triangles.h>
+#include <CGAL/Canonical_pose_3/internal/surface/boundary_triangles.h>
 #include <CGAL/Canonical_pose_3/internal/support/points_of_parameters.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>

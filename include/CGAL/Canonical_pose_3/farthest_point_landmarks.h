@@ -5,8 +5,8 @@
 #define CGAL_CANONICAL_POSE_3_FARTHEST_POINT_LANDMARKS_H
 
 #include <CGAL/Canonical_pose_3/Landmark_fields_3.h>
-#include <CGAL/Canonical_pose_3/internal/soup/check_soup.h>
-#include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
+#include <CGAL/Canonical_pose_3/internal/surface/check_soup.h>
+#include <CGAL/Canonical_pose_3/internal/surface/index_faces.h>
 #include <CGAL/Canonical_pose_3/internal/support/points_of_parameters.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 

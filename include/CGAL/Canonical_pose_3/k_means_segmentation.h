@@ -7,7 +7,7 @@
 #include <CGAL/Canonical_pose_3/Segmentation_options.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/options_of_parameters.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/segment_mesh.h>
-#include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
+#include <CGAL/Canonical_pose_3/internal/surface/index_faces.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <CGAL/Named_function_parameters.h>

@@ -15,7 +15,7 @@
 #include <CGAL/Canonical_pose_3/internal/pipeline/body_of_surface.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/linked_bodies.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/options_of_parameters.h>
-#include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
+#include <CGAL/Canonical_pose_3/internal/surface/index_faces.h>
 #include <CGAL/Canonical_pose_3/internal/support/configuration.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 

@@ -5,11 +5,11 @@
 #define CGAL_CANONICAL_POSE_3_SEGMENTATION_PARTS_H
 
 #include <CGAL/Canonical_pose_3/internal/pipeline/options_of_parameters.h>
-#include <CGAL/Canonical_pose_3/internal/soup/Corner_table.h>
-#include <CGAL/Canonical_pose_3/internal/soup/Triangle_soup.h>
-#include <CGAL/Canonical_pose_3/internal/soup/check_soup.h>
-#include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
-#include <CGAL/Canonical_pose_3/internal/soup/twice_area.h>
+#include <CGAL/Canonical_pose_3/internal/surface/Corner_table.h>
+#include <CGAL/Canonical_pose_3/internal/surface/Triangle_soup.h>
+#include <CGAL/Canonical_pose_3/internal/surface/check_soup.h>
+#include <CGAL/Canonical_pose_3/internal/surface/index_faces.h>
+#include <CGAL/Canonical_pose_3/internal/surface/twice_area.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <CGAL/Named_function_parameters.h>

@@ -5,7 +5,7 @@
 #define CGAL_CANONICAL_POSE_3_SHAPE_DESCRIPTOR_H
 
 #include <CGAL/Canonical_pose_3/internal/pipeline/options_of_parameters.h>
-#include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
+#include <CGAL/Canonical_pose_3/internal/surface/index_faces.h>
 
 #include <CGAL/Named_function_parameters.h>
 

@@ -4,9 +4,9 @@
 #ifndef CGAL_CANONICAL_POSE_3_SURFACE_MEASURES_H
 #define CGAL_CANONICAL_POSE_3_SURFACE_MEASURES_H
 
-#include <CGAL/Canonical_pose_3/internal/soup/check_soup.h>
-#include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
-#include <CGAL/Canonical_pose_3/internal/soup/twice_area.h>
+#include <CGAL/Canonical_pose_3/internal/surface/check_soup.h>
+#include <CGAL/Canonical_pose_3/internal/surface/index_faces.h>
+#include <CGAL/Canonical_pose_3/internal/surface/twice_area.h>
 #include <CGAL/Canonical_pose_3/internal/support/Buckets.h>
 #include <CGAL/Canonical_pose_3/internal/support/points_of_parameters.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>

@@ -4,7 +4,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_TARGET_HANDEDNESS_H
 #define CGAL_CANONICAL_POSE_3_TARGET_HANDEDNESS_H
 
-#include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
+#include <CGAL/Canonical_pose_3/internal/surface/index_faces.h>
 #include <CGAL/Canonical_pose_3/internal/support/points_of_parameters.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 #include <CGAL/Canonical_pose_3/surface_measures.h>

@@ -4,8 +4,8 @@
 #ifndef CGAL_CANONICAL_POSE_3_TRIANGULATE_POLYGONS_H
 #define CGAL_CANONICAL_POSE_3_TRIANGULATE_POLYGONS_H
 
-#include <CGAL/Canonical_pose_3/internal/soup/Loop_triangulation.h>
-#include <CGAL/Canonical_pose_3/internal/soup/check_soup.h>
+#include <CGAL/Canonical_pose_3/internal/surface/Loop_triangulation.h>
+#include <CGAL/Canonical_pose_3/internal/surface/check_soup.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <array>

@@ -5,7 +5,7 @@
 #include "mesh_3_complex.h"
 
 #include <CGAL/Canonical_pose_3/Embedded_body_3.h>
-#include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
+#include <CGAL/Canonical_pose_3/internal/surface/index_faces.h>
 #include <CGAL/Canonical_pose_3/internal/support/require_option.h>
 #include <CGAL/Canonical_pose_3/mesh_3_body.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>

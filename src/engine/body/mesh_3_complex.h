@@ -4,7 +4,7 @@
 #ifndef CANONICAL_POSE_3_ENGINE_BODY_MESH_3_COMPLEX_H
 #define CANONICAL_POSE_3_ENGINE_BODY_MESH_3_COMPLEX_H
 
-#include <CGAL/Canonical_pose_3/internal/soup/Indexed_mesh.h>
+#include <CGAL/Canonical_pose_3/internal/surface/Indexed_mesh.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <CGAL/Default.h>

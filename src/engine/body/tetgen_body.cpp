@@ -4,7 +4,7 @@
 #include "../support/state_of_the_process.h"
 
 #include <CGAL/Canonical_pose_3/Conforming_body_3.h>
-#include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
+#include <CGAL/Canonical_pose_3/internal/surface/index_faces.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 #include <CGAL/Canonical_pose_3/tetgen_body.h>
 

@@ -4,7 +4,7 @@
 #ifndef CANONICAL_POSE_3_ENGINE_DESCRIPTORS_DEPTH_IMAGE_H
 #define CANONICAL_POSE_3_ENGINE_DESCRIPTORS_DEPTH_IMAGE_H
 
-#include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
+#include <CGAL/Canonical_pose_3/internal/surface/index_faces.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <Eigen/Core>

@@ -4,8 +4,8 @@
 #include "described_surface.h"
 
 #include <CGAL/Canonical_pose_3/Shape_distribution_d2_3.h>
-#include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
-#include <CGAL/Canonical_pose_3/internal/soup/twice_area.h>
+#include <CGAL/Canonical_pose_3/internal/surface/index_faces.h>
+#include <CGAL/Canonical_pose_3/internal/surface/twice_area.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <CGAL/Random.h>

@@ -6,7 +6,7 @@
 #include "described_surface.h"
 
 #include <CGAL/Canonical_pose_3/View_descriptor_3.h>
-#include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
+#include <CGAL/Canonical_pose_3/internal/surface/index_faces.h>
 #include <CGAL/Canonical_pose_3/internal/support/Principal_axes.h>
 #include <CGAL/Canonical_pose_3/internal/support/for_each_index.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>

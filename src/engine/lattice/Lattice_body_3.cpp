@@ -6,7 +6,7 @@
 
 #include <CGAL/Canonical_pose_3/Lattice_body_3.h>
 #include <CGAL/Canonical_pose_3/internal/lattice/Geodesic_bounds.h>
-#include <CGAL/Canonical_pose_3/internal/soup/check_soup.h>
+#include <CGAL/Canonical_pose_3/internal/surface/check_soup.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <array>

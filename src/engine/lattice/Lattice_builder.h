@@ -9,11 +9,11 @@
 #include "Lattice_pieces.h"
 #include "Side_of_nearest_face.h"
 #include "surface_chords.h"
-#include "../soup/signed_volume.h"
+#include "../surface/signed_volume.h"
 
 #include <CGAL/Canonical_pose_3/internal/lattice/Geodesic_bounds.h>
 #include <CGAL/Canonical_pose_3/internal/lattice/Lattice_body_data.h>
-#include <CGAL/Canonical_pose_3/internal/soup/twice_area.h>
+#include <CGAL/Canonical_pose_3/internal/surface/twice_area.h>
 #include <CGAL/Canonical_pose_3/internal/support/Principal_axes.h>
 #include <CGAL/Canonical_pose_3/internal/support/for_each_block.h>
 #include <CGAL/Canonical_pose_3/internal/support/require_option.h>

@@ -5,11 +5,11 @@
 #define CANONICAL_POSE_3_ENGINE_PIPELINE_COMPLEX_PARTS_H
 
 #include "fragments.h"
-#include "../soup/signed_volume.h"
+#include "../surface/signed_volume.h"
 
 #include <CGAL/Canonical_pose_3/Surface_component_3.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/Vertex_map.h>
-#include <CGAL/Canonical_pose_3/internal/soup/boundary_triangles.h>
+#include <CGAL/Canonical_pose_3/internal/surface/boundary_triangles.h>
 #include <CGAL/Canonical_pose_3/internal/support/Disjoint_sets.h>
 #include <CGAL/Canonical_pose_3/internal/support/values_at.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>

@@ -9,7 +9,7 @@
 #include <CGAL/Canonical_pose_3/Landmark_fields_3.h>
 #include <CGAL/Canonical_pose_3/Registration_summary.h>
 #include <CGAL/Canonical_pose_3/Target_3.h>
-#include <CGAL/Canonical_pose_3/internal/soup/Face_defect.h>
+#include <CGAL/Canonical_pose_3/internal/surface/Face_defect.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <CGAL/Real_timer.h>

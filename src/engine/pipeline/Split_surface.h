@@ -4,11 +4,11 @@
 #ifndef CANONICAL_POSE_3_ENGINE_PIPELINE_SPLIT_SURFACE_H
 #define CANONICAL_POSE_3_ENGINE_PIPELINE_SPLIT_SURFACE_H
 
-#include "../soup/Edge_halving.h"
-#include "../soup/root_of_area.h"
+#include "../surface/Edge_halving.h"
+#include "../surface/root_of_area.h"
 
 #include <CGAL/Canonical_pose_3/Repaired_surface_3.h>
-#include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
+#include <CGAL/Canonical_pose_3/internal/surface/index_faces.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <Eigen/Core>

@@ -8,8 +8,8 @@
 #include "solver_of_options.h"
 #include "timed.h"
 #include "../registration/flipped_faces.h"
-#include "../soup/closed.h"
-#include "../soup/planar.h"
+#include "../surface/closed.h"
+#include "../surface/planar.h"
 
 #include <CGAL/Canonical_pose_3/Body_deformer_3.h>
 #include <CGAL/Canonical_pose_3/Landmark_fields_3.h>
@@ -26,7 +26,7 @@
 #include <CGAL/Canonical_pose_3/internal/energy/default_rotation_routines.h>
 #include <CGAL/Canonical_pose_3/internal/registration/Arap_registration.h>
 #include <CGAL/Canonical_pose_3/internal/registration/check_registration.h>
-#include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
+#include <CGAL/Canonical_pose_3/internal/surface/index_faces.h>
 #include <CGAL/Canonical_pose_3/internal/support/require_option.h>
 #include <CGAL/Canonical_pose_3/internal/support/values_at.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>

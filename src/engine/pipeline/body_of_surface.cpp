@@ -17,7 +17,7 @@
 #include <CGAL/Canonical_pose_3/internal/lattice/Geodesic_bounds.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/Body_makers.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/body_of_surface.h>
-#include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
+#include <CGAL/Canonical_pose_3/internal/surface/index_faces.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 #include <CGAL/Canonical_pose_3/surface_measures.h>
 

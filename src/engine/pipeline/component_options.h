@@ -16,7 +16,7 @@
 #include <CGAL/Canonical_pose_3/internal/pipeline/Vertex_map.h>
 #include <CGAL/Canonical_pose_3/internal/registration/Constraint_element_traits.h>
 #include <CGAL/Canonical_pose_3/internal/registration/check_registration.h>
-#include <CGAL/Canonical_pose_3/internal/soup/check_soup.h>
+#include <CGAL/Canonical_pose_3/internal/surface/check_soup.h>
 #include <CGAL/Canonical_pose_3/internal/support/require_option.h>
 #include <CGAL/Canonical_pose_3/internal/support/Indexed_vector.h>
 #include <CGAL/Canonical_pose_3/internal/support/values_at.h>

@@ -6,14 +6,14 @@
 
 #include "joined_triangles.h"
 #include "shares_of_cells.h"
-#include "../soup/planar.h"
-#include "../soup/root_of_area.h"
+#include "../surface/planar.h"
+#include "../surface/root_of_area.h"
 
 #include <CGAL/Canonical_pose_3/Options.h>
 #include <CGAL/Canonical_pose_3/Surface_component_3.h>
-#include <CGAL/Canonical_pose_3/internal/soup/Triangle_tree.h>
-#include <CGAL/Canonical_pose_3/internal/soup/has_area.h>
-#include <CGAL/Canonical_pose_3/internal/soup/twice_area.h>
+#include <CGAL/Canonical_pose_3/internal/surface/Triangle_tree.h>
+#include <CGAL/Canonical_pose_3/internal/surface/has_area.h>
+#include <CGAL/Canonical_pose_3/internal/surface/twice_area.h>
 #include <CGAL/Canonical_pose_3/internal/support/Disjoint_sets.h>
 #include <CGAL/Canonical_pose_3/internal/support/for_each_index.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>

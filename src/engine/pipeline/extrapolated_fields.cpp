@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "../soup/root_of_area.h"
+#include "../surface/root_of_area.h"
 #include "../support/precondition.h"
 
 #include <CGAL/Canonical_pose_3/Coarse_surface_3.h>

@@ -4,13 +4,13 @@
 #ifndef CANONICAL_POSE_3_ENGINE_PIPELINE_FIELDS_OF_FUNCTION_H
 #define CANONICAL_POSE_3_ENGINE_PIPELINE_FIELDS_OF_FUNCTION_H
 
-#include "../soup/without_degenerate_faces.h"
+#include "../surface/without_degenerate_faces.h"
 
 #include <CGAL/Canonical_pose_3/Landmark_fields_3.h>
 #include <CGAL/Canonical_pose_3/Options.h>
 #include <CGAL/Canonical_pose_3/Surface_component_3.h>
 #include <CGAL/Canonical_pose_3/farthest_point_landmarks.h>
-#include <CGAL/Canonical_pose_3/internal/soup/Face_defect.h>
+#include <CGAL/Canonical_pose_3/internal/surface/Face_defect.h>
 #include <CGAL/Canonical_pose_3/internal/target/check_landmark_fields.h>
 
 #include <CGAL/Random.h>

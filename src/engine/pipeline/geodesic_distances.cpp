@@ -5,15 +5,15 @@
 #include "check_method_options.h"
 #include "solver_of_options.h"
 #include "with_geodesics.h"
-#include "../soup/refined_surface.h"
-#include "../soup/without_degenerate_faces.h"
+#include "../surface/refined_surface.h"
+#include "../surface/without_degenerate_faces.h"
 #include "../support/Thread_limit.h"
 
 #include <CGAL/Canonical_pose_3/Options.h>
 #include <CGAL/Canonical_pose_3/geodesic_distances.h>
-#include <CGAL/Canonical_pose_3/internal/soup/Face_defect.h>
-#include <CGAL/Canonical_pose_3/internal/soup/Indexed_mesh.h>
-#include <CGAL/Canonical_pose_3/internal/soup/has_area.h>
+#include <CGAL/Canonical_pose_3/internal/surface/Face_defect.h>
+#include <CGAL/Canonical_pose_3/internal/surface/Indexed_mesh.h>
+#include <CGAL/Canonical_pose_3/internal/surface/has_area.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 #include <CGAL/Canonical_pose_3/repair_surface.h>
 

@@ -4,7 +4,7 @@
 #ifndef CANONICAL_POSE_3_ENGINE_PIPELINE_IS_POSED_IN_PLANE_H
 #define CANONICAL_POSE_3_ENGINE_PIPELINE_IS_POSED_IN_PLANE_H
 
-#include "../soup/planar.h"
+#include "../surface/planar.h"
 
 #include <CGAL/Canonical_pose_3/Coarse_surface_3.h>
 #include <CGAL/Canonical_pose_3/Constraints_3.h>

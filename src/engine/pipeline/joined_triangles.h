@@ -5,7 +5,7 @@
 #define CANONICAL_POSE_3_ENGINE_PIPELINE_JOINED_TRIANGLES_H
 
 #include <CGAL/Canonical_pose_3/Surface_component_3.h>
-#include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
+#include <CGAL/Canonical_pose_3/internal/surface/index_faces.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <cstddef>

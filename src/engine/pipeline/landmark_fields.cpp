@@ -5,7 +5,7 @@
 #include "fields_of_function.h"
 #include "solver_of_options.h"
 #include "with_geodesics.h"
-#include "../soup/root_of_area.h"
+#include "../surface/root_of_area.h"
 #include "../support/Thread_limit.h"
 #include "../target/check_number_of_landmarks.h"
 
@@ -15,8 +15,8 @@
 #include <CGAL/Canonical_pose_3/Surface_component_3.h>
 #include <CGAL/Canonical_pose_3/farthest_point_landmarks.h>
 #include <CGAL/Canonical_pose_3/front_landmarks.h>
-#include <CGAL/Canonical_pose_3/internal/soup/Indexed_mesh.h>
-#include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
+#include <CGAL/Canonical_pose_3/internal/surface/Indexed_mesh.h>
+#include <CGAL/Canonical_pose_3/internal/surface/index_faces.h>
 #include <CGAL/Canonical_pose_3/internal/support/values_at.h>
 #include <CGAL/Canonical_pose_3/internal/target/check_landmark_fields.h>
 #include <CGAL/Canonical_pose_3/pose_steps.h>

@@ -10,7 +10,7 @@
 #include <CGAL/Canonical_pose_3/Registration_summary.h>
 #include <CGAL/Canonical_pose_3/Surface_component_3.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/Vertex_map.h>
-#include <CGAL/Canonical_pose_3/internal/soup/Triangle_tree.h>
+#include <CGAL/Canonical_pose_3/internal/surface/Triangle_tree.h>
 #include <CGAL/Canonical_pose_3/internal/support/Indexed_vector.h>
 #include <CGAL/Canonical_pose_3/internal/support/for_each_block.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>

@@ -3,7 +3,7 @@
 
 #include "check_method_options.h"
 #include "describe_fields.h"
-#include "../soup/closed.h"
+#include "../surface/closed.h"
 #include "../support/Thread_limit.h"
 #include "../support/precondition.h"
 

@@ -7,7 +7,7 @@
 #include "describe_fields.h"
 #include "pose_of_components.h"
 #include "refine_components.h"
-#include "../soup/refined_surface.h"
+#include "../surface/refined_surface.h"
 #include "../support/Thread_limit.h"
 
 #include <CGAL/Canonical_pose_3/Coarse_surface_3.h>

@@ -21,8 +21,8 @@
 #include <CGAL/Canonical_pose_3/front_landmarks.h>
 #include <CGAL/Canonical_pose_3/internal/intrinsic/Delaunay_surface.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/Vertex_map.h>
-#include <CGAL/Canonical_pose_3/internal/soup/Indexed_mesh.h>
-#include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
+#include <CGAL/Canonical_pose_3/internal/surface/Indexed_mesh.h>
+#include <CGAL/Canonical_pose_3/internal/surface/index_faces.h>
 #include <CGAL/Canonical_pose_3/internal/support/for_each_index.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 #include <CGAL/Canonical_pose_3/pose_steps.h>

@@ -6,8 +6,8 @@
 #include "fragments.h"
 #include "refine_components.h"
 #include "shares_of_cells.h"
-#include "../soup/examine_surface.h"
-#include "../soup/refined_surface.h"
+#include "../surface/examine_surface.h"
+#include "../surface/refined_surface.h"
 #include "../support/Thread_limit.h"
 
 #include <CGAL/Canonical_pose_3/Options.h>
@@ -15,7 +15,7 @@
 #include <CGAL/Canonical_pose_3/Surface_component_3.h>
 #include <CGAL/Canonical_pose_3/cut_contacts.h>
 #include <CGAL/Canonical_pose_3/internal/registration/check_registration.h>
-#include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
+#include <CGAL/Canonical_pose_3/internal/surface/index_faces.h>
 #include <CGAL/Canonical_pose_3/internal/support/Indexed_vector.h>
 #include <CGAL/Canonical_pose_3/internal/support/values_at.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>

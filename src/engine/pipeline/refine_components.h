@@ -4,8 +4,8 @@
 #ifndef CANONICAL_POSE_3_ENGINE_PIPELINE_REFINE_COMPONENTS_H
 #define CANONICAL_POSE_3_ENGINE_PIPELINE_REFINE_COMPONENTS_H
 
-#include "../soup/planar.h"
-#include "../soup/refined_surface.h"
+#include "../surface/planar.h"
+#include "../surface/refined_surface.h"
 
 #include <CGAL/Canonical_pose_3/Options.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>

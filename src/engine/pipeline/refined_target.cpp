@@ -3,7 +3,7 @@
 
 #include "check_method_options.h"
 #include "describe_fields.h"
-#include "../soup/root_of_area.h"
+#include "../surface/root_of_area.h"
 #include "../support/Thread_limit.h"
 #include "../support/precondition.h"
 

@@ -4,7 +4,7 @@
 #ifndef CANONICAL_POSE_3_ENGINE_PIPELINE_SHARES_OF_CELLS_H
 #define CANONICAL_POSE_3_ENGINE_PIPELINE_SHARES_OF_CELLS_H
 
-#include "../soup/root_of_area.h"
+#include "../surface/root_of_area.h"
 
 #include <CGAL/Canonical_pose_3/Surface_component_3.h>
 

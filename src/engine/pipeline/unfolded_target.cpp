@@ -4,7 +4,7 @@
 #include "Surface_registration.h"
 #include "check_method_options.h"
 #include "solver_of_options.h"
-#include "../soup/root_of_area.h"
+#include "../surface/root_of_area.h"
 #include "../support/Thread_limit.h"
 
 #include <CGAL/Canonical_pose_3/Options.h>

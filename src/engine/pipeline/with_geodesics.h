@@ -8,7 +8,7 @@
 #include <CGAL/Canonical_pose_3/Options.h>
 #include <CGAL/Canonical_pose_3/Wavefront_geodesics_3.h>
 #include <CGAL/Canonical_pose_3/internal/linear_algebra/Lane_factor.h>
-#include <CGAL/Canonical_pose_3/internal/soup/Indexed_mesh.h>
+#include <CGAL/Canonical_pose_3/internal/surface/Indexed_mesh.h>
 
 namespace CGAL {
 namespace Canonical_pose_3 {

@@ -4,7 +4,7 @@
 #ifndef CANONICAL_POSE_3_ENGINE_REGISTRATION_TAUBIN_FAIRING_H
 #define CANONICAL_POSE_3_ENGINE_REGISTRATION_TAUBIN_FAIRING_H
 
-#include <CGAL/Canonical_pose_3/internal/soup/boundary_triangles.h>
+#include <CGAL/Canonical_pose_3/internal/surface/boundary_triangles.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <Eigen/SparseCore>

@@ -7,7 +7,7 @@
 #include "../energy/closest_rotation.h"
 
 #include <CGAL/Canonical_pose_3/internal/body/body_cells.h>
-#include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
+#include <CGAL/Canonical_pose_3/internal/surface/index_faces.h>
 #include <CGAL/Canonical_pose_3/internal/support/for_each_block.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 

@@ -4,10 +4,10 @@
 #ifndef CANONICAL_POSE_3_ENGINE_SEGMENTATION_FACE_GRAPH_H
 #define CANONICAL_POSE_3_ENGINE_SEGMENTATION_FACE_GRAPH_H
 
-#include "../soup/root_of_area.h"
+#include "../surface/root_of_area.h"
 
-#include <CGAL/Canonical_pose_3/internal/soup/Corner_table.h>
-#include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
+#include <CGAL/Canonical_pose_3/internal/surface/Corner_table.h>
+#include <CGAL/Canonical_pose_3/internal/surface/index_faces.h>
 #include <CGAL/Canonical_pose_3/internal/support/Buckets.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 

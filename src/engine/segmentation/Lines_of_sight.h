@@ -9,7 +9,7 @@
 #include "../lattice/Surface_rays.h"
 #include "../linear_algebra/smallest_eigenpairs.h"
 
-#include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
+#include <CGAL/Canonical_pose_3/internal/surface/index_faces.h>
 #include <CGAL/Canonical_pose_3/internal/support/for_each_index.h>
 
 #include <Eigen/Core>

@@ -7,12 +7,12 @@
 #include "Face_graph.h"
 #include "Face_regions.h"
 #include "Nearest_sources.h"
-#include "../soup/root_of_area.h"
+#include "../surface/root_of_area.h"
 
 #include <CGAL/Canonical_pose_3/Coarse_surface_3.h>
 #include <CGAL/Canonical_pose_3/Segmentation_tree_3.h>
 #include <CGAL/Canonical_pose_3/Surface_component_3.h>
-#include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
+#include <CGAL/Canonical_pose_3/internal/surface/index_faces.h>
 #include <CGAL/Canonical_pose_3/internal/support/Disjoint_sets.h>
 #include <CGAL/Canonical_pose_3/internal/support/values_at.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>

@@ -8,13 +8,13 @@
 #include "Patches.h"
 #include "Segmented_surface.h"
 #include "Votes.h"
-#include "../soup/signed_volume.h"
+#include "../surface/signed_volume.h"
 #include "../support/Thread_limit.h"
 
 #include <CGAL/Canonical_pose_3/Segmentation_options.h>
 #include <CGAL/Canonical_pose_3/Segmentation_tree_3.h>
 #include <CGAL/Canonical_pose_3/consensus_segmentation.h>
-#include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
+#include <CGAL/Canonical_pose_3/internal/surface/index_faces.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <Eigen/Core>

@@ -5,8 +5,8 @@
 #include "Random_numbers.h"
 
 #include <CGAL/Canonical_pose_3/Segmentation_options.h>
-#include <CGAL/Canonical_pose_3/internal/soup/Triangle_soup.h>
-#include <CGAL/Canonical_pose_3/internal/soup/twice_area.h>
+#include <CGAL/Canonical_pose_3/internal/surface/Triangle_soup.h>
+#include <CGAL/Canonical_pose_3/internal/surface/twice_area.h>
 #include <CGAL/Canonical_pose_3/internal/support/require_option.h>
 #include <CGAL/Canonical_pose_3/k_means_segmentation.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>

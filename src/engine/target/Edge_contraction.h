@@ -7,7 +7,7 @@
 #include "nearest_in_triangle.h"
 
 #include <CGAL/Canonical_pose_3/Vertex_combination_3.h>
-#include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
+#include <CGAL/Canonical_pose_3/internal/surface/index_faces.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <Eigen/Core>

@@ -5,7 +5,7 @@
 #define CGAL_CANONICAL_POSE_3_FUZZ_CHECKS_H
 
 #include <CGAL/Canonical_pose_3/diagnose.h>
-#include <CGAL/Canonical_pose_3/internal/soup/Indexed_mesh.h>
+#include <CGAL/Canonical_pose_3/internal/surface/Indexed_mesh.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 #include <CGAL/Canonical_pose_3/repair_surface.h>
 

@@ -4,9 +4,9 @@
 // The readers of the tool, then the first steps with a mesh. The first byte chooses the format, the
 // others are the file.
 
-#include "Cgal_types.h"
+#include "formats/Cgal_types.h"
 #include "checks.h"
-#include "readers.h"
+#include "formats/readers.h"
 
 #include <CGAL/Canonical_pose_3/complex_body.h>
 

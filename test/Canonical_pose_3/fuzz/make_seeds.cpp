@@ -4,8 +4,8 @@
 // Writes the initial inputs of a fuzzer: make_seeds file|mesh|complex|components|options
 // DIRECTORY.
 
-#include "Mesh_file.h"
-#include "readers.h"
+#include "formats/Mesh_file.h"
+#include "formats/readers.h"
 #include "shapes.h"
 
 #include <CGAL/IO/io.h>

@@ -6,8 +6,8 @@
 
 #include <CGAL/Canonical_pose_3/internal/intrinsic/Intrinsic_triangulation.h>
 #include <CGAL/Canonical_pose_3/internal/intrinsic/Vertex_components.h>
-#include <CGAL/Canonical_pose_3/internal/soup/Face_defect.h>
-#include <CGAL/Canonical_pose_3/internal/soup/has_area.h>
+#include <CGAL/Canonical_pose_3/internal/surface/Face_defect.h>
+#include <CGAL/Canonical_pose_3/internal/surface/has_area.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <Eigen/Core>

@@ -6,7 +6,7 @@
 
 #include <CGAL/Canonical_pose_3/Segmentation_options.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/options_of_parameters.h>
-#include <CGAL/Canonical_pose_3/internal/soup/index_faces.h>
+#include <CGAL/Canonical_pose_3/internal/surface/index_faces.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <boost/graph/graph_traits.hpp>

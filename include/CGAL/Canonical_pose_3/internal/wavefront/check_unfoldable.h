@@ -5,7 +5,7 @@
 #define CGAL_CANONICAL_POSE_3_INTERNAL_WAVEFRONT_CHECK_UNFOLDABLE_H
 
 #include <CGAL/Canonical_pose_3/internal/intrinsic/Intrinsic_triangulation.h>
-#include <CGAL/Canonical_pose_3/internal/soup/Face_defect.h>
+#include <CGAL/Canonical_pose_3/internal/surface/Face_defect.h>
 #include <CGAL/Canonical_pose_3/internal/support/Disjoint_sets.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 

@@ -1,0 +1,70 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "Soup_diagnosis.h"
+#include "Soup_topology.h"
+
+#include <CGAL/Canonical_pose_3/Diagnosis_3.h>
+#include <CGAL/Canonical_pose_3/diagnose.h>
+#include <CGAL/Canonical_pose_3/internal/surface/boundary_triangles.h>
+#include <CGAL/Canonical_pose_3/internal/surface/check_soup.h>
+#include <CGAL/Canonical_pose_3/point_matrix.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+namespace internal {
+
+template <class Polygons>
+Diagnosis_3 diagnose_soup(const Point_matrix& points, const Polygons& polygons)
+{
+  const Checked_soup soup(points, polygons);
+  return soup.is_triangulated() ? diagnosis_of(Soup_topology(soup, soup.triangles().triangles))
+                                : diagnosis_of(Soup_topology(soup, polygons));
+}
+
+} // namespace internal
+
+Diagnosis_3 diagnose(const Point_matrix& points,
+                     const std::vector<std::vector<std::size_t>>& polygons)
+{
+  return internal::diagnose_soup(points, polygons);
+}
+
+Diagnosis_3 diagnose(const Point_matrix& points,
+                     const std::vector<std::array<std::size_t, 3>>& triangles)
+{
+  return internal::diagnose_soup(points, triangles);
+}
+
+Diagnosis_3 diagnose(const Point_matrix& points,
+                     const std::vector<std::array<std::size_t, 4>>& cells)
+{
+  internal::check_elements(cells, static_cast<std::size_t>(points.rows()), "cell");
+  std::vector<std::array<int, 4>> indexed(cells.size());
+  for(std::size_t t = 0; t < cells.size(); ++t)
+    for(std::size_t k = 0; k < 4; ++k)
+    {
+      indexed[t][k] = static_cast<int>(cells[t][k]);
+      if(std::count(cells[t].begin(), cells[t].end(), cells[t][k]) > 1)
+        throw std::invalid_argument("cell " + std::to_string(t) + " names a vertex twice");
+    }
+  Diagnosis_3 result = diagnose(points, internal::boundary_triangles(points, indexed));
+  const auto is_of_inner_vertices
+    = [](const Diagnosis_3::Defect& defect) { return defect.kind == "isolated_vertices"; };
+  result.defects.erase(
+    std::remove_if(result.defects.begin(), result.defects.end(), is_of_inner_vertices),
+    result.defects.end());
+  result.vertices -= std::exchange(result.isolated_vertices, 0);
+  result.first_defect = result.defects.empty() ? std::string() : result.defects.front().message;
+  return result;
+}
+
+} // namespace Canonical_pose_3
+} // namespace CGAL

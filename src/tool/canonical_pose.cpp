@@ -1,0 +1,94 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The command-line tool, see canonical_pose.md: parse, call, write.
+
+#include "Command_line.h"
+#include "commands/commands.h"
+
+#include <CGAL/assertions_behaviour.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <exception>
+#include <iostream>
+#include <new>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+namespace {
+
+using namespace Canonical_pose_tool;
+
+// The line that states the reason for a failure.
+void complain(const std::string& subject, const std::exception& error)
+{
+  const bool is_out_of_memory = dynamic_cast<const std::bad_alloc*>(&error) != nullptr;
+  std::string message = subject + (is_out_of_memory ? "out of memory" : error.what());
+  std::replace(message.begin(), message.end(), '\n', ' ');
+  std::cerr << "canonical-pose: " << message << '\n';
+}
+
+// CGAL prints its errors; the tool reports them in one line of its own.
+void do_not_print(const char*, const char*, const char*, int, const char*) {}
+
+} // namespace
+
+int main(int argc, char* argv[])
+{
+  CGAL::set_error_handler(do_not_print);
+  CGAL::set_warning_handler(do_not_print);
+  std::string subject;
+  try
+  {
+    Arguments arguments;
+    if(const std::optional<int> exit_code = parse_command_line(argc, argv, arguments))
+      return *exit_code;
+    if(!arguments.input.empty())
+      subject = arguments.input + ": ";
+    if(arguments.command == Arguments::Command::POSE)
+      run_pose(arguments);
+    else if(arguments.command == Arguments::Command::CHECK)
+      run_check(arguments);
+    else if(arguments.command == Arguments::Command::COMPARE)
+      run_compare(arguments);
+    else if(arguments.command == Arguments::Command::SEGMENT)
+      run_segment(arguments);
+    else if(arguments.command == Arguments::Command::DESCRIBE)
+      run_describe(arguments);
+    else if(arguments.command == Arguments::Command::GEODESICS)
+      run_geodesics(arguments);
+    else if(arguments.command == Arguments::Command::PAGE)
+#ifdef CANONICAL_POSE_WITH_PAGE
+      run_page(arguments);
+#else
+      throw std::runtime_error("pages are not available in this build, without npm");
+#endif
+#ifdef CANONICAL_POSE_WITH_COLLECTIONS
+    else if(arguments.command == Arguments::Command::COLLECTION)
+      run_collection(arguments);
+    else if(arguments.command == Arguments::Command::SHAPE)
+      run_shape(arguments);
+    else if(arguments.command == Arguments::Command::SEARCH)
+      run_search(arguments);
+    else
+      run_evaluate(arguments);
+#else
+    else
+      throw std::runtime_error("collections are not available in this build, without SQLite");
+#endif
+    if(!std::cout.flush())
+      throw std::runtime_error("the standard output cannot be written");
+    return EXIT_SUCCESS;
+  }
+  catch(const std::exception& error)
+  {
+    complain(subject, error);
+  }
+  catch(...)
+  {
+    complain(subject, std::runtime_error("unknown error"));
+  }
+  return EXIT_FAILURE;
+}

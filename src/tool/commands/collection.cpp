@@ -1,0 +1,295 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The command collection.
+
+#include "commands.h"
+#include "descriptors.h"
+#include "collection/Collection_database.h"
+#include "collection/Shape_job.h"
+#include "collection/run_jobs.h"
+
+#include <boost/crc.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <chrono>
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iomanip>
+#include <iostream>
+#include <map>
+#include <optional>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <unistd.h>
+#include <utility>
+#include <vector>
+
+namespace Canonical_pose_tool {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_mesh_file(const fs::path& path)
+{
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](const unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  static const std::set<std::string> known = {".off", ".obj", ".ply", ".stl", ".glb"};
+  return known.count(extension) > 0;
+}
+
+// The surfaces in a folder and its folders. Links are followed, but no folder is visited twice.
+void add_folder(const fs::path& folder, std::set<fs::path>& visited, std::set<std::string>& paths)
+{
+  if(!visited.insert(fs::canonical(folder)).second)
+    return;
+  for(const fs::directory_entry& entry : fs::directory_iterator(folder))
+  {
+    std::error_code error;
+    if(fs::is_directory(entry.path(), error))
+      add_folder(entry.path(), visited, paths);
+    else if(is_mesh_file(entry.path()))
+      paths.insert(entry.path().string());
+  }
+}
+
+// The absolute path, with links as they are.
+std::string normal_path(const std::string& path)
+{
+  return fs::absolute(path).lexically_normal().string();
+}
+
+void add_list(const std::string& list, std::set<std::string>& paths)
+{
+  std::ifstream in(list);
+  if(!in)
+    throw std::invalid_argument("the list '" + list + "' cannot be read");
+  for(std::string line; std::getline(in, line);)
+  {
+    if(!line.empty() && line.back() == '\r')
+      line.pop_back();
+    if(!line.empty())
+      paths.insert(normal_path(line));
+  }
+}
+
+// The shapes, without duplicates.
+std::vector<std::string> shapes_of(const std::vector<std::string>& inputs)
+{
+  std::set<std::string> paths;
+  std::set<fs::path> visited;
+  for(const std::string& input : inputs)
+  {
+    std::error_code error;
+    const std::size_t number_before = paths.size();
+    if(input.front() == '@')
+      add_list(input.substr(1), paths);
+    else if(fs::is_directory(input, error))
+      add_folder(normal_path(input), visited, paths);
+    else if(fs::exists(input, error))
+      paths.insert(normal_path(input));
+    else
+      throw std::invalid_argument("'" + input + "' does not exist");
+    if(paths.size() == number_before && inputs.size() == 1)
+      throw std::invalid_argument("there is no shape in '" + input + "'");
+  }
+  return {paths.begin(), paths.end()};
+}
+
+// The number of bytes and their cyclic redundancy check; empty if the file cannot be read.
+std::string checksum_of(const std::string& path)
+{
+  std::ifstream in(path, std::ios::binary);
+  boost::crc_optimal<64, 0x42F0E1EBA9EA3693ULL, ~0ULL, ~0ULL, true, true> crc;
+  std::uintmax_t size = 0;
+  std::array<char, 1 << 16> part;
+  while(in && in.read(part.data(), part.size()).gcount() > 0)
+  {
+    crc.process_bytes(part.data(), static_cast<std::size_t>(in.gcount()));
+    size += static_cast<std::uintmax_t>(in.gcount());
+  }
+  if(size == 0 && !in.eof())
+    return {};
+  std::array<char, 64> text;
+  std::snprintf(text.data(), text.size(), "%ju-%016jx", size,
+                static_cast<std::uintmax_t>(crc.checksum()));
+  return text.data();
+}
+
+std::string pose_file(const Arguments& arguments, const std::string& path)
+{
+  if(arguments.pose_folder.empty())
+    return {};
+  return (fs::absolute(arguments.pose_folder) / fs::path(path).stem()).string() + ".off";
+}
+
+// Poses are named after the shapes.
+void check_pose_files(const Arguments& arguments, const std::vector<std::string>& paths)
+{
+  std::map<std::string, std::string> path_of;
+  for(const std::string& path : paths)
+    if(const auto [other, is_new] = path_of.emplace(pose_file(arguments, path), path); !is_new)
+      throw std::invalid_argument("the poses of '" + other->second + "' and '" + path
+                                  + "' would have the same name");
+}
+
+// A larger limit is reason to try again.
+bool is_within(const double limit, const double limit_before)
+{
+  return limit_before == 0 || (limit > 0 && limit <= limit_before);
+}
+
+// What is still to be done for a shape, if anything.
+std::optional<Shape_job> job_of(const std::string& path, const Arguments& arguments,
+                                const std::vector<Descriptor>& requested,
+                                Collection_database& database)
+{
+  Shape_job job;
+  job.key = {path, checksum_of(path), arguments.pose_options, CANONICAL_POSE_VERSION};
+  job.limits = {arguments.time_limit, arguments.memory_limit};
+  const std::optional<Shape_row> row = database.row_of(path);
+  const bool is_current = row && row->key == job.key;
+  if(is_current && row->outcome != Outcome::DONE
+     && (row->outcome != Outcome::TIMED_OUT || is_within(arguments.time_limit, row->time_limit))
+     && (row->outcome != Outcome::OUT_OF_MEMORY
+         || is_within(arguments.memory_limit, row->memory_limit)))
+    return std::nullopt;
+
+  const bool is_done = is_current && row->outcome == Outcome::DONE;
+  for(const Descriptor& descriptor : requested)
+    if(!is_done
+       || std::none_of(
+         row->descriptors.begin(), row->descriptors.end(), [&](const Descriptor_values& values) {
+           return values.name == descriptor.name && values.version == descriptor.version;
+         }))
+      job.descriptors.push_back(descriptor.name);
+  const std::string pose = pose_file(arguments, path);
+  std::error_code error;
+  if(!pose.empty() && (!is_done || !row->has_pose || !fs::exists(pose, error)))
+    job.pose = pose;
+  job.is_segmented = arguments.is_segmented && (!is_done || row->parts.empty());
+  if(job.descriptors.empty() && job.pose.empty() && !job.is_segmented)
+    return std::nullopt;
+
+  job.arguments
+    = {"shape", path, "--quiet", "--threads", std::to_string(arguments.options.number_of_threads)};
+  for(const std::string& name : job.descriptors)
+    job.arguments.insert(job.arguments.end(), {"--descriptor", name});
+  if(job.descriptors.empty())
+    job.arguments.emplace_back("--no-descriptor");
+  if(!job.pose.empty())
+    job.arguments.insert(job.arguments.end(), {"-o", job.pose});
+  if(job.is_segmented)
+    job.arguments.emplace_back("--segment");
+  job.arguments.insert(job.arguments.end(), arguments.pose_words.begin(),
+                       arguments.pose_words.end());
+  return job;
+}
+
+// The shapes that take the longest come first, so that no worker is left with one at the end.
+void sort_by_size(std::vector<Shape_job>& jobs)
+{
+  const auto size_of
+    = [](const Shape_job& job) { return std::strtoull(job.key.checksum.c_str(), nullptr, 10); };
+  std::stable_sort(jobs.begin(), jobs.end(),
+                   [&](const Shape_job& a, const Shape_job& b) { return size_of(a) > size_of(b); });
+}
+
+// A line of a terminal with rate and time left.
+class Progress
+{
+public:
+  Progress(const std::size_t number_of_jobs, const bool is_shown)
+    : m_number_of_jobs(number_of_jobs), m_is_shown(is_shown && isatty(STDERR_FILENO))
+  {}
+  ~Progress()
+  {
+    if(m_is_shown)
+      std::cerr << std::string(WIDTH, ' ') << '\r' << std::flush;
+  }
+
+  void advance()
+  {
+    ++m_number_done;
+    if(!m_is_shown)
+      return;
+    const double seconds
+      = std::chrono::duration<double>(std::chrono::steady_clock::now() - m_start).count();
+    const double rate = static_cast<double>(m_number_done) / (std::max)(seconds, 1e-9);
+    std::array<char, WIDTH> text;
+    std::snprintf(text.data(), text.size(), "%zu of %zu shapes, %.3g per second, %.0f s left",
+                  m_number_done, m_number_of_jobs, rate,
+                  static_cast<double>(m_number_of_jobs - m_number_done) / rate);
+    std::cerr << std::left << std::setw(WIDTH) << text.data() << '\r' << std::flush;
+  }
+
+private:
+  static constexpr int WIDTH = 76;
+
+  std::size_t m_number_of_jobs, m_number_done = 0;
+  bool m_is_shown;
+  std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();
+};
+
+void write_summary(std::ostream& out, const std::vector<std::string>& paths,
+                   const std::size_t number_of_jobs, Collection_database& database)
+{
+  std::map<Outcome, std::size_t> numbers;
+  for(const std::string& path : paths)
+    if(const auto row = database.row_of(path))
+      ++numbers[row->outcome];
+  out << paths.size() << (paths.size() == 1 ? " shape, " : " shapes, ") << number_of_jobs
+      << " computed now\n";
+  for(const auto& [outcome, number] : numbers)
+    out << std::left << std::setw(14) << name_of(outcome) << number << '\n';
+}
+
+void compute_collection(const Arguments& arguments, const Run_jobs& run_by_mpi)
+{
+  const std::vector<Descriptor> requested = descriptors(arguments.descriptors);
+  const std::vector<std::string> paths = shapes_of(arguments.inputs);
+  if(!arguments.pose_folder.empty())
+  {
+    check_pose_files(arguments, paths);
+    std::error_code error;
+    fs::create_directory(arguments.pose_folder, error);
+    if(error)
+      throw std::invalid_argument("'" + arguments.pose_folder
+                                  + "' cannot be created: " + error.message());
+  }
+  Collection_database database(arguments.database, true);
+  std::vector<Shape_job> jobs;
+  for(const std::string& path : paths)
+    if(auto job = job_of(path, arguments, requested, database))
+      jobs.push_back(std::move(*job));
+  sort_by_size(jobs);
+  {
+    Progress progress(jobs.size(), !arguments.quiet);
+    const auto ended = [&](const Shape_job& job, const Child_process::Ending& ending) {
+      database.write(job.row_of(ending));
+      progress.advance();
+    };
+    if(run_by_mpi)
+      run_by_mpi(jobs, ended);
+    else
+      run_jobs(jobs, arguments.number_of_workers, ended);
+  }
+  if(!arguments.quiet)
+    write_summary(std::cout, paths, jobs.size(), database);
+}
+
+} // namespace
+
+void run_collection(const Arguments& arguments)
+{
+  with_mpi([&](const Run_jobs& run) { compute_collection(arguments, run); });
+}
+
+} // namespace Canonical_pose_tool

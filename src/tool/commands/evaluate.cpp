@@ -1,0 +1,245 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The command evaluate.
+
+#include "Output_files.h"
+#include "commands.h"
+#include "collection/Collection_database.h"
+#include "collection/described_collection.h"
+#include "collection/read_classes.h"
+
+#include <CGAL/Canonical_pose_3/Descriptor_index_3.h>
+#include <CGAL/Canonical_pose_3/Retrieval_evaluation.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+#include <map>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <unistd.h>
+#include <utility>
+#include <vector>
+
+namespace Canonical_pose_tool {
+
+namespace {
+
+namespace fs = std::filesystem;
+using CGAL::Canonical_pose_3::Retrieval_evaluation;
+using CGAL::Canonical_pose_3::Retrieval_measures;
+
+struct Named_evaluation
+{
+  std::string name;
+  Retrieval_evaluation evaluation;
+};
+
+// The shapes that have a class, in the order of their stems.
+struct Classified_shapes
+{
+  std::vector<std::size_t> columns;
+  std::vector<std::size_t> classes;
+  std::vector<std::string> names; // of the classes
+};
+
+Classified_shapes classified(const Described_collection& shapes,
+                             const std::map<std::string, std::string>& class_of)
+{
+  std::vector<std::pair<std::string, std::size_t>> order; // stem, column
+  for(std::size_t i = 0; i < shapes.paths.size(); ++i)
+    if(const std::string stem = fs::path(shapes.paths[i]).stem().string(); class_of.count(stem) > 0)
+      order.emplace_back(stem, i);
+  std::sort(order.begin(), order.end());
+  Classified_shapes result;
+  for(const auto& [stem, column] : order)
+    result.names.push_back(class_of.at(stem));
+  std::sort(result.names.begin(), result.names.end());
+  result.names.erase(std::unique(result.names.begin(), result.names.end()), result.names.end());
+  for(const auto& [stem, column] : order)
+  {
+    result.columns.push_back(column);
+    result.classes.push_back(static_cast<std::size_t>(
+      std::lower_bound(result.names.begin(), result.names.end(), class_of.at(stem))
+      - result.names.begin()));
+  }
+  if(result.columns.empty())
+    throw std::invalid_argument("no shape of the database has a class");
+  return result;
+}
+
+Eigen::MatrixXd distances_of_pairs(const Descriptor& descriptor, const Eigen::MatrixXd& values,
+                                   const std::vector<std::size_t>& columns)
+{
+  const auto n = static_cast<Eigen::Index>(columns.size());
+  Eigen::MatrixXd chosen(values.rows(), n), result(n, n);
+  for(Eigen::Index i = 0; i < n; ++i)
+    chosen.col(i) = values.col(static_cast<Eigen::Index>(columns[static_cast<std::size_t>(i)]));
+  for(Eigen::Index i = 0; i < n; ++i)
+    result.col(i) = descriptor.distances(chosen.col(i), chosen);
+  return result;
+}
+
+std::vector<Named_evaluation> evaluations(const Arguments& arguments,
+                                          const std::vector<Weighted_descriptor>& chosen,
+                                          const Described_collection& shapes,
+                                          const Classified_shapes& classified)
+{
+  namespace CP = CGAL::Canonical_pose_3;
+  std::vector<std::pair<std::string, Eigen::MatrixXd>> matrices;
+  std::vector<Eigen::MatrixXd> distances;
+  std::vector<double> weights;
+  for(std::size_t k = 0; k < chosen.size(); ++k)
+  {
+    distances.push_back(
+      distances_of_pairs(chosen[k].descriptor, shapes.values[k], classified.columns));
+    weights.push_back(chosen[k].weight);
+    matrices.emplace_back(chosen[k].descriptor.name, distances.back());
+  }
+  if(chosen.size() > 1)
+    matrices.emplace_back("fused", CP::fused_distances(distances, weights));
+  std::vector<Named_evaluation> result;
+  for(const auto& [name, matrix] : matrices)
+    result.push_back({name, Retrieval_evaluation(matrix, classified.classes)});
+  if(arguments.rerank == "manifold")
+    for(const auto& [name, matrix] : matrices)
+      result.push_back({name + "+manifold",
+                        Retrieval_evaluation(CP::manifold_ranking(matrix), classified.classes)});
+  return result;
+}
+
+void write_line(std::ostream& out, const std::string& name, const Retrieval_measures& m)
+{
+  out << name;
+  for(const double value : {m.nearest_neighbor, m.first_tier, m.second_tier, m.e_measure,
+                            m.discounted_cumulative_gain, m.average_precision})
+  {
+    std::array<char, 16> text;
+    std::snprintf(text.data(), text.size(), " %.4f", value);
+    out << text.data();
+  }
+  out << '\n';
+}
+
+// The classes to which queries belong.
+std::vector<std::size_t> classes_of_queries(const Classified_shapes& shapes)
+{
+  std::vector<std::size_t> result;
+  for(std::size_t c = 0; c < shapes.names.size(); ++c)
+    if(std::count(shapes.classes.begin(), shapes.classes.end(), c) > 1)
+      result.push_back(c);
+  return result;
+}
+
+void write_tables(std::ostream& out, const std::vector<Named_evaluation>& evaluations,
+                  const Classified_shapes& shapes)
+{
+  const std::string measures = " NN FT ST E DCG mAP\n";
+  out << "name" << measures;
+  for(const auto& [name, evaluation] : evaluations)
+    write_line(out, name, evaluation.mean());
+  out << "\nname class" << measures;
+  for(const auto& [name, evaluation] : evaluations)
+    for(const std::size_t c : classes_of_queries(shapes))
+      write_line(out, name + ' ' + shapes.names[c], evaluation.mean_of_class(c));
+}
+
+// Curves and class confusion, a line per value.
+void write_csv(std::ostream& out, const std::vector<Named_evaluation>& evaluations,
+               const Classified_shapes& shapes)
+{
+  out << "table,descriptor,row,column,value\n";
+  for(const auto& [name, evaluation] : evaluations)
+  {
+    const std::vector<double>& precision = evaluation.precision();
+    for(std::size_t i = 0; i < precision.size(); ++i)
+    {
+      std::array<char, 64> text;
+      std::snprintf(text.data(), text.size(), "recall,%.2f,%.4f",
+                    static_cast<double>(i + 1) / static_cast<double>(precision.size()),
+                    precision[i]);
+      out << "precision," << name << ',' << text.data() << '\n';
+    }
+  }
+  for(const auto& [name, evaluation] : evaluations)
+    for(const std::size_t a : classes_of_queries(shapes))
+      for(std::size_t b = 0; b < shapes.names.size(); ++b)
+        if(const std::size_t number = evaluation.confusion(a, b); number > 0)
+          out << "nearest," << name << ',' << shapes.names[a] << ',' << shapes.names[b] << ','
+              << number << '\n';
+}
+
+// A file that is removed at the end.
+class Temporary_file
+{
+public:
+  Temporary_file() : m_path((fs::temp_directory_path() / "canonical-pose-XXXXXX").string())
+  {
+    const int file = mkstemp(m_path.data());
+    if(file < 0)
+      throw std::runtime_error("a temporary file cannot be created");
+    close(file);
+  }
+  ~Temporary_file() { std::remove(m_path.c_str()); }
+  Temporary_file(const Temporary_file&) = delete;
+  Temporary_file& operator=(const Temporary_file&) = delete;
+  const std::string& path() const { return m_path; }
+
+private:
+  std::string m_path;
+};
+
+// Draws the precision-recall curves by gnuplot.
+void draw(std::ostream& out, const std::vector<Named_evaluation>& evaluations)
+{
+  const Temporary_file picture;
+  FILE* const gnuplot = popen("gnuplot 2>/dev/null", "w");
+  if(!gnuplot)
+    throw std::runtime_error("gnuplot cannot be started");
+  std::ostringstream script;
+  script << "set terminal pngcairo size 800,600\nset output '" << picture.path()
+         << "'\nset xlabel 'recall'\nset ylabel 'precision'\nset xrange [0:1]\nset yrange [0:1]\n"
+            "set grid\nset key bottom left noenhanced\nplot ";
+  for(const auto& [name, evaluation] : evaluations)
+    script << (&name == &evaluations.front().name ? "" : ", ") << "'-' with linespoints title '"
+           << name << "'";
+  script << '\n';
+  for(const auto& [name, evaluation] : evaluations)
+  {
+    const std::vector<double>& precision = evaluation.precision();
+    for(std::size_t i = 0; i < precision.size(); ++i)
+      script << static_cast<double>(i + 1) / static_cast<double>(precision.size()) << ' '
+             << precision[i] << '\n';
+    script << "e\n";
+  }
+  std::fputs(script.str().c_str(), gnuplot);
+  if(pclose(gnuplot) != 0 || fs::file_size(picture.path()) == 0)
+    throw std::runtime_error("gnuplot (Debian: gnuplot-nox) failed to draw the picture");
+  out << std::ifstream(picture.path(), std::ios::binary).rdbuf();
+}
+
+} // namespace
+
+void run_evaluate(const Arguments& arguments)
+{
+  Output_files files({arguments.csv, arguments.plot});
+  Collection_database database(arguments.database, false);
+  const std::vector<std::string> options = database.options();
+  if(options.size() > 1)
+    throw std::invalid_argument("the shapes were described under several options: "
+                                + name_of_options(options[0]) + ", " + name_of_options(options[1]));
+  const std::vector<Weighted_descriptor> chosen = chosen_descriptors(arguments, database);
+  const Described_collection shapes = values_of(database, chosen, std::nullopt);
+  const Classified_shapes classes = classified(shapes, read_classes(arguments.classes));
+  const std::vector<Named_evaluation> all = evaluations(arguments, chosen, shapes, classes);
+  files.write(arguments.csv, [&](std::ostream& out) { write_csv(out, all, classes); });
+  files.write(arguments.plot, [&](std::ostream& out) { draw(out, all); });
+  files.commit();
+  write_tables(std::cout, all, classes);
+}
+
+} // namespace Canonical_pose_tool

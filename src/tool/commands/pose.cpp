@@ -1,0 +1,142 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The command pose.
+
+#include "Output_files.h"
+#include "Progress_line.h"
+#include "Report.h"
+#include "commands.h"
+#include "compute_pose.h"
+#include "exact_geodesics.h"
+#include "shown_results.h"
+#include "formats/Cgal_types.h"
+#include "formats/Mesh_file.h"
+
+#include <Eigen/Core>
+
+#include <iostream>
+#include <stdexcept>
+#include <string>
+#include <unistd.h>
+#include <vector>
+
+namespace Canonical_pose_tool {
+
+namespace {
+
+bool is_watched(const Arguments& arguments) { return !arguments.quiet && isatty(STDERR_FILENO); }
+
+// Reports progress on a terminal.
+void say(const Arguments& arguments, const std::string& message)
+{
+  if(is_watched(arguments))
+    std::cerr << message << '\n';
+}
+
+// The numbers in a file; none if there is no file.
+Eigen::VectorXd numbers_of(const std::string& path)
+{
+  const std::vector<double> numbers = path.empty() ? std::vector<double>() : read_numbers(path);
+  return Eigen::VectorXd::Map(numbers.data(), static_cast<Eigen::Index>(numbers.size()));
+}
+
+// The vertices to which rows of fields and targets correspond: those of a surface, or of the
+// boundary of a tetrahedral mesh.
+std::size_t number_of_rows(const Mesh_file& input)
+{
+  return (input.is_tetrahedral ? boundary_of(input) : input).points.size();
+}
+
+Point_matrix given_target(const std::string& path, const Mesh_file& input)
+{
+  const Mesh_file target = read_other_mesh_file(path);
+  const std::size_t n = number_of_rows(input);
+  if(target.points.size() != n)
+    throw std::invalid_argument("'" + path + "' has " + std::to_string(target.points.size())
+                                + " vertices, but a target has " + std::to_string(n));
+  return matrix_of(points_of(target));
+}
+
+CGAL::Canonical_pose_3::Landmark_fields_3 given_fields(const std::string& path,
+                                                       const Mesh_file& input)
+{
+  const std::vector<double> numbers = read_numbers(path);
+  const std::size_t n = number_of_rows(input);
+  if(n == 0 || numbers.size() % n != 0)
+    throw std::invalid_argument("'" + path + "' has " + std::to_string(numbers.size())
+                                + " numbers, which is no multiple of the " + std::to_string(n)
+                                + " vertices");
+  using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  try
+  {
+    return CGAL::Canonical_pose_3::landmark_fields(Rows::Map(
+      numbers.data(), static_cast<Eigen::Index>(n), static_cast<Eigen::Index>(numbers.size() / n)));
+  }
+  catch(const std::invalid_argument& error)
+  {
+    throw std::invalid_argument("'" + path + "': " + error.what());
+  }
+}
+
+// Shows the iterations on a terminal.
+Result compute_watched_pose(const Mesh_file& input, const Arguments& arguments)
+{
+  if(!is_watched(arguments))
+    return compute_pose(input, arguments.options);
+  Progress_line line(std::cerr);
+  Options options = arguments.options;
+  options.visitor = [&](const CGAL::Canonical_pose_3::Registration_progress& progress) {
+    line.show(progress);
+    return true;
+  };
+  return compute_pose(input, options);
+}
+
+} // namespace
+
+void run_pose(Arguments& arguments)
+{
+  Stage_clock clock;
+  check_formats(arguments);
+  Output_files files({arguments.output, arguments.target, arguments.scene, arguments.report});
+  say(arguments, "reading " + arguments.input);
+  const Mesh_file input = read_mesh_file(arguments.input);
+  check_format_holds(format_of(arguments.output), input);
+  if(!arguments.target.empty())
+    check_format_holds(format_of(arguments.target), input);
+  arguments.options.matching_weights = numbers_of(arguments.matching_weights);
+  arguments.options.stiffness = numbers_of(arguments.stiffness);
+  if(!arguments.given_target.empty())
+    arguments.options.given.target = given_target(arguments.given_target, input);
+  if(!arguments.given_distances.empty())
+    arguments.options.given.landmark_fields = given_fields(arguments.given_distances, input);
+  if(arguments.geodesics == "exact")
+    arguments.options.landmark_fields_function = exact_landmark_fields();
+  const double seconds_to_read = clock.lap();
+
+  say(arguments, "computing the pose");
+  Result result = compute_watched_pose(input, arguments);
+  CGAL::Canonical_pose_3::Registration_summary& summary = result.summary;
+  summary.stages.insert(summary.stages.begin(), {"read", seconds_to_read});
+  clock.lap();
+
+  say(arguments, "writing " + arguments.output);
+  files.write(arguments.output, [&](std::ostream& out) {
+    write_pose(out, format_of(arguments.output), input, result.pose);
+  });
+  files.write(arguments.target, [&](std::ostream& out) {
+    const Mesh_file surface = input.is_tetrahedral ? boundary_of(input) : input;
+    write_mesh(out, format_of(arguments.target), with_points(surface, *result.target));
+  });
+  files.write(arguments.scene,
+              [&](std::ostream& out) { write_glb(out, shown_pose(input, result)); });
+  summary.add_seconds("write", clock.lap());
+  files.write(arguments.report,
+              [&](std::ostream& out) { write_report(out, summary, clock.total()); });
+  files.commit();
+  if(!arguments.quiet)
+    write_outcome(std::cout, summary);
+}
+
+} // namespace Canonical_pose_tool

@@ -1,0 +1,154 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The command segment.
+
+#include "Output_files.h"
+#include "Report.h"
+#include "commands.h"
+#include "compute_parts.h"
+#include "exact_geodesics.h"
+#include "shown_results.h"
+#include "formats/Cgal_types.h"
+#include "formats/Mesh_file.h"
+
+#include <cstddef>
+#include <filesystem>
+#include <iostream>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace Canonical_pose_tool {
+
+namespace {
+
+std::vector<std::size_t> parts_of(const Mesh_file& input, const Arguments& arguments,
+                                  Segmentation_report& report, Stage_clock& clock)
+{
+  Segmentation_input segmentation{input, arguments.method, std::nullopt, arguments.options,
+                                  arguments.number_of_parts};
+  if(!arguments.pose.empty())
+    segmentation.pose = matrix_of(points_of(read_other_mesh_file(arguments.pose)));
+  if(arguments.geodesics == "exact")
+    segmentation.options.landmark_fields_function = exact_landmark_fields();
+  return compute_parts(segmentation, report, clock);
+}
+
+// The faces of a part, with their vertices.
+Mesh_file part_of(const Mesh_file& input, const std::vector<std::size_t>& parts,
+                  const std::size_t part)
+{
+  Mesh_file result;
+  std::vector<std::size_t> index(input.points.size(), input.points.size());
+  for(std::size_t f = 0; f < parts.size(); ++f)
+    if(parts[f] == part)
+    {
+      result.faces.push_back(input.faces[f]);
+      for(std::size_t& v : result.faces.back())
+      {
+        if(index[v] == input.points.size())
+        {
+          index[v] = result.points.size();
+          result.points.push_back(input.points[v]);
+        }
+        v = index[v];
+      }
+    }
+  return result;
+}
+
+// A folder that is removed again unless it is kept, or was there before.
+class Output_folder
+{
+public:
+  explicit Output_folder(const std::string& path)
+  {
+    std::error_code error;
+    if(!path.empty() && std::filesystem::create_directory(path, error))
+      m_created = path;
+    else if(error)
+      throw std::invalid_argument("'" + path + "' cannot be created: " + error.message());
+  }
+  ~Output_folder()
+  {
+    std::error_code error;
+    if(m_created)
+      std::filesystem::remove(*m_created, error);
+  }
+  Output_folder(const Output_folder&) = delete;
+  Output_folder& operator=(const Output_folder&) = delete;
+  void keep() { m_created.reset(); }
+
+private:
+  std::optional<std::string> m_created;
+};
+
+bool is_folder(const std::string& path) { return path.back() == '/'; }
+bool is_text(const std::string& path) { return std::filesystem::path(path).extension() == ".txt"; }
+
+std::string part_path(const Arguments& arguments, const std::size_t part)
+{
+  return arguments.output + "part_" + std::to_string(part)
+         + std::filesystem::path(arguments.input).extension().string();
+}
+
+void write_parts(const Mesh_file& input, const std::vector<std::size_t>& parts,
+                 const std::size_t number_of_parts, const Arguments& arguments,
+                 const Segmentation_report& report, Stage_clock& clock)
+{
+  std::vector<std::string> paths = {arguments.report};
+  if(is_folder(arguments.output))
+    for(std::size_t part = 0; part < number_of_parts; ++part)
+      paths.push_back(part_path(arguments, part));
+  else
+    paths.push_back(arguments.output);
+  Output_files files(paths);
+  if(is_folder(arguments.output))
+    for(std::size_t part = 0; part < number_of_parts; ++part)
+      files.write(part_path(arguments, part), [&](std::ostream& out) {
+        write_mesh(out, format_of(arguments.input), part_of(input, parts, part));
+      });
+  else
+    files.write(arguments.output, [&](std::ostream& out) {
+      if(is_shown(arguments.output))
+        write_shown(out, format_of(arguments.output), shown_parts(input, parts));
+      else
+        for(const std::size_t part : parts)
+          out << part << '\n';
+    });
+  files.write(arguments.report,
+              [&](std::ostream& out) { write_report(out, report, clock.lap(), clock.total()); });
+  files.commit();
+}
+
+} // namespace
+
+void run_segment(const Arguments& arguments)
+{
+  Stage_clock clock;
+  if(is_folder(arguments.output))
+    check_format_holds(format_of(arguments.input), Mesh_file());
+  else if(!is_text(arguments.output) && !is_shown(arguments.output))
+    throw std::invalid_argument(
+      "'" + arguments.output
+      + "' is neither a .txt nor a .ply nor a .glb file, nor a folder ending in /");
+  // What cannot be written fails early.
+  Output_folder folder(is_folder(arguments.output) ? arguments.output : std::string());
+  Output_files({is_folder(arguments.output) ? std::string() : arguments.output, arguments.report});
+  const Mesh_file input = read_mesh_file(arguments.input);
+  check_is_surface(input);
+  Segmentation_report report;
+  report.stages.emplace_back("read", clock.lap());
+  const std::vector<std::size_t> parts = parts_of(input, arguments, report, clock);
+  write_parts(input, parts, report.parts.size(), arguments, report, clock);
+  folder.keep();
+  if(arguments.quiet)
+    return;
+  std::cout << report.parts.size() << (report.parts.size() == 1 ? " part\n" : " parts\n");
+  for(const std::string& warning : report.warnings)
+    std::cout << "warning: " << warning << '\n';
+}
+
+} // namespace Canonical_pose_tool

@@ -1,0 +1,65 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The command shape, which the command collection runs for each shape, as a process of its own.
+
+#include "Output_files.h"
+#include "Report.h"
+#include "commands.h"
+#include "describe_shape.h"
+#include "descriptors.h"
+#include "formats/Cgal_types.h"
+#include "formats/Mesh_file.h"
+
+#include <CGAL/Canonical_pose_3/consensus_segmentation.h>
+#include <CGAL/Canonical_pose_3/diagnose.h>
+
+#include <nlohmann/json.hpp>
+
+#include <cstddef>
+#include <iostream>
+#include <sstream>
+#include <vector>
+
+namespace Canonical_pose_tool {
+
+void run_shape(const Arguments& arguments)
+{
+  namespace CP = CGAL::Canonical_pose_3;
+  Stage_clock clock;
+  Output_files files({arguments.output});
+  const std::vector<Descriptor> chosen
+    = arguments.has_no_descriptor ? std::vector<Descriptor>() : descriptors(arguments.descriptors);
+  const Mesh_file input = read_mesh_file(arguments.input);
+  const double seconds_to_read = clock.lap();
+  Shape_description shape
+    = describe_shape(input, chosen, arguments, arguments.is_segmented || !arguments.output.empty());
+  std::vector<std::size_t> parts;
+  if(arguments.is_segmented)
+  {
+    CP::Segmentation_options options;
+    options.number_of_threads = arguments.options.number_of_threads;
+    parts = CP::consensus_segmentation_tree(shape.points, input.faces, shape.pose, options).parts();
+  }
+  files.write(arguments.output, [&](std::ostream& out) {
+    write_mesh(out, format_of(arguments.output), with_points(input, shape.pose));
+  });
+  files.commit();
+
+  std::ostringstream report, values;
+  if(shape.summary)
+  {
+    shape.summary->stages.insert(shape.summary->stages.begin(), {"read", seconds_to_read});
+    write_report(report, *shape.summary, clock.total());
+  }
+  else
+    write_report(report, CP::diagnose(shape.points, input.faces), {{"read", seconds_to_read}},
+                 clock.total());
+  write_descriptors(values, shape.descriptors);
+  using Json = nlohmann::ordered_json;
+  std::cout << Json{{"report", Json::parse(report.str())},
+                    {"descriptors", Json::parse(values.str())},
+                    {"parts", parts}};
+}
+
+} // namespace Canonical_pose_tool

@@ -1,0 +1,66 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "describe_shape.h"
+#include "compute_pose.h"
+#include "exact_geodesics.h"
+#include "formats/Cgal_types.h"
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#endif
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace Canonical_pose_tool {
+
+namespace {
+
+void take_pose(const Mesh_file& input, const Arguments& arguments, Shape_description& shape)
+{
+  if(!arguments.pose.empty())
+  {
+    shape.pose = matrix_of(points_of(read_other_mesh_file(arguments.pose)));
+    if(shape.pose.rows() != shape.points.rows())
+      throw std::invalid_argument("the pose has " + std::to_string(shape.pose.rows())
+                                  + " vertices, but the surface has "
+                                  + std::to_string(shape.points.rows()));
+    return;
+  }
+  Options options = arguments.options;
+  if(arguments.geodesics == "exact")
+    options.landmark_fields_function = exact_landmark_fields();
+  Result result = compute_pose(input, options);
+  shape.pose = std::move(result.pose);
+  shape.summary = std::move(result.summary);
+}
+
+} // namespace
+
+Shape_description describe_shape(const Mesh_file& input, const std::vector<Descriptor>& chosen,
+                                 const Arguments& arguments, const bool needs_pose)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  std::optional<tbb::global_control> limit;
+  if(arguments.options.number_of_threads > 0)
+    limit.emplace(tbb::global_control::max_allowed_parallelism,
+                  static_cast<std::size_t>(arguments.options.number_of_threads));
+#endif
+  check_is_surface(input);
+  Shape_description shape;
+  shape.points = matrix_of(points_of(input));
+  if(needs_pose
+     || std::any_of(chosen.begin(), chosen.end(), [](const Descriptor& d) { return d.needs_pose; }))
+    take_pose(input, arguments, shape);
+  for(const Descriptor& d : chosen)
+    shape.descriptors.push_back(
+      {d.name, d.version, d.values(d.needs_pose ? shape.pose : shape.points, input.faces)});
+  return shape;
+}
+
+} // namespace Canonical_pose_tool

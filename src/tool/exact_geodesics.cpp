@@ -1,0 +1,32 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "exact_geodesics.h"
+
+#include "formats/Cgal_types.h"
+
+#include <CGAL/Canonical_pose_3/Exact_geodesics_3.h>
+#include <CGAL/Canonical_pose_3/landmark_fields_function.h>
+#include <CGAL/Canonical_pose_3/make_triangle_mesh.h>
+
+namespace Canonical_pose_tool {
+
+using Exact_geodesics = CGAL::Canonical_pose_3::Exact_geodesics_3<Surface>;
+
+CGAL::Canonical_pose_3::Landmark_fields_function exact_landmark_fields()
+{
+  return CGAL::Canonical_pose_3::landmark_fields_function<Exact_geodesics>();
+}
+
+Eigen::MatrixXd exact_distances(const Point_matrix& points,
+                                const std::vector<std::array<std::size_t, 3>>& triangles,
+                                const std::vector<std::size_t>& sources)
+{
+  const Surface surface = CGAL::Canonical_pose_3::make_triangle_mesh<Surface>(points, triangles);
+  std::vector<Surface::Vertex_index> vertices;
+  for(const std::size_t source : sources)
+    vertices.emplace_back(static_cast<Surface::size_type>(source));
+  return Exact_geodesics(surface).distances(vertices);
+}
+
+} // namespace Canonical_pose_tool

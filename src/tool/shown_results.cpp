@@ -1,0 +1,161 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "shown_results.h"
+#include "formats/Cgal_types.h"
+
+#include <CGAL/Canonical_pose_3/surface_measures.h>
+#include <CGAL/Canonical_pose_3/triangulate_polygons.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstddef>
+#include <filesystem>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace Canonical_pose_tool {
+
+namespace {
+
+namespace CP = CGAL::Canonical_pose_3;
+
+const double LARGEST_SHOWN_STRAIN = 0.5; // edges of 0.6 or 1.65 times their length
+
+std::string extension_of(const std::string& path)
+{
+  std::string extension = std::filesystem::path(path).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](const unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
+
+Eigen::VectorXd strains(const Mesh_file& input, const Point_matrix& pose)
+{
+  const Point_matrix rest = matrix_of(points_of(input));
+  return input.is_tetrahedral
+           ? CP::vertex_strains(rest, pose, input.cells)
+           : CP::vertex_strains(rest, pose, CP::triangulate_polygons(rest, input.faces).triangles);
+}
+
+std::vector<Figure> figures_of(const Mesh_file& mesh)
+{
+  return {{"vertices", static_cast<double>(mesh.points.size())},
+          {"faces", static_cast<double>(mesh.faces.size())}};
+}
+
+void color_by(Shown_surface& surface, const std::string& name, const Eigen::VectorXd& values,
+              const double maximum)
+{
+  surface.vertex_colors = colors_of_values(values, 0, maximum);
+  surface.legend = Legend{name, 0, maximum};
+}
+
+} // namespace
+
+bool is_shown(const std::string& path)
+{
+  const std::string extension = extension_of(path);
+  return extension == ".ply" || (extension == ".glb" && format_of(path) == Format::GLB);
+}
+
+void check_format_of_values(const std::string& path)
+{
+  for(const char* const extension : {".off", ".obj", ".stl", ".mesh", ".gltf", ".vtu"})
+    if(extension_of(path) == extension)
+      throw std::invalid_argument("'" + path
+                                  + "' cannot show values; choose .ply, .glb, or a text file");
+  is_shown(path); // throws if there is no glTF
+}
+
+void write_shown(std::ostream& out, const Format format, const Shown_surface& surface)
+{
+  if(format == Format::GLB)
+    write_glb(out, surface);
+  else
+    write_ply(out, surface);
+}
+
+Shown_surface shown_distances(const Mesh_file& input, const Eigen::MatrixXd& distances)
+{
+  Shown_surface surface;
+  surface.mesh = input;
+  surface.origins.resize(input.points.size());
+  std::iota(surface.origins.begin(), surface.origins.end(), std::size_t(0));
+  const auto finite = [](const double x) { return std::isfinite(x) ? x : -1; };
+  for(Eigen::Index k = 0; k < distances.cols(); ++k)
+    surface.values.push_back({distances.cols() == 1 ? "distance" : "distance_" + std::to_string(k),
+                              distances.col(k).unaryExpr(finite)});
+  const Eigen::VectorXd nearest = distances.rowwise().minCoeff().unaryExpr(finite);
+  surface.figures = figures_of(input);
+  color_by(surface, "distance", nearest, nearest.maxCoeff());
+  return surface;
+}
+
+Shown_surface shown_parts(const Mesh_file& input, const std::vector<std::size_t>& part_of_face)
+{
+  Shown_surface surface;
+  surface.mesh = input;
+  surface.origins.resize(input.points.size());
+  std::iota(surface.origins.begin(), surface.origins.end(), std::size_t(0));
+  surface.part_of_face = part_of_face;
+  surface.figures = figures_of(input);
+  const std::size_t parts
+    = part_of_face.empty() ? 0 : *std::max_element(part_of_face.begin(), part_of_face.end()) + 1;
+  surface.figures.push_back({"parts", static_cast<double>(parts)});
+  return surface;
+}
+
+Shown_surface shown_pose(const Mesh_file& input, const CP::Result& result)
+{
+  Shown_surface surface;
+  if(input.is_tetrahedral)
+    surface.mesh = boundary_of(input, surface.origins);
+  else
+  {
+    surface.mesh = input;
+    surface.origins.resize(input.points.size());
+    std::iota(surface.origins.begin(), surface.origins.end(), std::size_t(0));
+  }
+  Point_matrix pose_of_surface(static_cast<Eigen::Index>(surface.origins.size()), 3);
+  Eigen::VectorXd strain(pose_of_surface.rows());
+  const Eigen::VectorXd strain_of_input = strains(input, result.pose);
+  for(Eigen::Index v = 0; v < pose_of_surface.rows(); ++v)
+  {
+    const Eigen::Index origin
+      = static_cast<Eigen::Index>(surface.origins[static_cast<std::size_t>(v)]);
+    pose_of_surface.row(v) = result.pose.row(origin);
+    strain[v] = strain_of_input[origin];
+  }
+  const Point_matrix target = (result.motion * result.target->transpose()).transpose();
+  surface.other_shapes = {{"target", target}, {"pose", pose_of_surface}};
+  surface.values = {{"strain", strain}};
+  surface.figures = figures_of(surface.mesh);
+  surface.figures.push_back({"stress", result.summary.target.stress});
+  surface.figures.push_back({"energy", result.summary.energy});
+  surface.figures.push_back({"median_edge_strain", result.summary.median_edge_strain});
+  surface.figures.push_back({"inverted", static_cast<double>(result.summary.inverted)});
+  color_by(surface, "strain", strain, LARGEST_SHOWN_STRAIN);
+  return surface;
+}
+
+void write_pose(std::ostream& out, const Format format, const Mesh_file& input,
+                const Point_matrix& pose)
+{
+  if(format == Format::VTU)
+    write_vtu(out, with_points(input, pose), {{"strain", strains(input, pose)}});
+  else if(format == Format::PLY)
+  {
+    Shown_surface surface;
+    surface.mesh = with_points(input, pose);
+    surface.values = {{"strain", strains(input, pose)}};
+    write_ply(out, surface);
+  }
+  else
+    write_mesh(out, format, with_points(input, pose));
+}
+
+} // namespace Canonical_pose_tool

@@ -1,0 +1,48 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_CANONICAL_POSE_3_TOOL_SHOWN_RESULTS_H
+#define CGAL_CANONICAL_POSE_3_TOOL_SHOWN_RESULTS_H
+
+#include "formats/Mesh_file.h"
+#include "formats/Shown_surface.h"
+
+#include <CGAL/Canonical_pose_3/Result.h>
+#include <CGAL/Canonical_pose_3/point_matrix.h>
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+// What the commands show of their results.
+
+namespace Canonical_pose_tool {
+
+// Whether a file shows a surface, with values and colors (.ply, .glb).
+bool is_shown(const std::string& path);
+
+// Throws std::invalid_argument if this is the extension of a mesh that does not show values.
+void check_format_of_values(const std::string& path);
+
+// Writes PLY or glTF.
+void write_shown(std::ostream& out, Format format, const Shown_surface& surface);
+
+// The distances from each source, a column each; -1 where there is no path. Colors show the distance
+// from the nearest source.
+Shown_surface shown_distances(const Mesh_file& input, const Eigen::MatrixXd& distances);
+
+Shown_surface shown_parts(const Mesh_file& input, const std::vector<std::size_t>& part_of_face);
+
+// INPUT, or its boundary, with target and pose in the frame of the pose. Colors show the strain.
+Shown_surface shown_pose(const Mesh_file& input, const CGAL::Canonical_pose_3::Result& result);
+
+// Writes a pose; with the strain of its vertices if the format has values.
+void write_pose(std::ostream& out, Format format, const Mesh_file& input,
+                const CGAL::Canonical_pose_3::Point_matrix& pose);
+
+} // namespace Canonical_pose_tool
+
+#endif // CGAL_CANONICAL_POSE_3_TOOL_SHOWN_RESULTS_H
