@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "geodesic_fixtures.h"
+#include "engine/wavefront/find_shortest_paths.h"
 #include "matchers.h"
 
 #include <CGAL/Canonical_pose_3/Exact_geodesics_3.h>

@@ -4,24 +4,14 @@
 #ifndef CGAL_CANONICAL_POSE_3_HEAT_GEODESICS_3_H
 #define CGAL_CANONICAL_POSE_3_HEAT_GEODESICS_3_H
 
+#include <CGAL/Canonical_pose_3/Mesh_distances_3.h>
 #include <CGAL/Canonical_pose_3/internal/heat/Heat_solver.h>
 #include <CGAL/Canonical_pose_3/internal/intrinsic/Intrinsic_triangulation.h>
 #include <CGAL/Canonical_pose_3/internal/linear_algebra/Lane_factor.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <CGAL/Default.h>
-#include <CGAL/assertions.h>
 #include <CGAL/boost/graph/properties.h>
-
-#include <Eigen/Core>
-
-#include <boost/graph/graph_traits.hpp>
-#include <boost/property_map/property_map.hpp>
-
-#include <cstddef>
-#include <memory>
-#include <type_traits>
-#include <vector>
 
 namespace CGAL {
 namespace Canonical_pose_3 {
@@ -39,7 +29,10 @@ faces, one tiny number, at most 1e-10 times the mean edge length, is added to al
 component \cgalCite{cgal:canonical-sc-lntm-20}. Both linear systems are factored by the constructor;
 a query consists of two substitutions and one pass over the faces. Sources are processed in groups
 of eight: eighty of them in one call take about a fifth of the time of eighty calls on one thread,
-less on several.
+less on several. `distance_to_nearest()` returns the smallest of the distances from each source: heat
+that flows from all of them at once would cost no more than one, but the potential then differs between
+the sources (in a square of \f$ 60^2 \f$ cells with 20 sources, a mean error of at least 6.6 instead of
+2.9 percent).
 
 The distance is an approximation: its error converges to 0 with the edge length, and the mean error
 is usually 1 to 5 percent. It is not exactly symmetric, and not exactly a metric. Use
@@ -71,14 +64,7 @@ two multiplies all distances by it, bit for bit. Distances do not depend on the 
 the other sources of a batch, or the type of the mesh, provided that vertices and faces are in the
 same order.
 
-\tparam TriangleMesh a model of `FaceListGraph`, oriented and 2-manifold, with or without boundary,
-        with any number of connected components and isolated vertices
-\tparam VertexPointMap a model of `ReadablePropertyMap` with
-        `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `Traits::Point_3` as
-        value type.<br> <b>%Default:</b> `boost::property_map<TriangleMesh,
-        CGAL::vertex_point_t>::%const_type`
-\tparam Traits a model of `CanonicalPoseTraits_3`.<br> <b>%Default:</b> the kernel of the points of
-        `VertexPointMap`
+\tparam TriangleMesh, VertexPointMap, Traits see `Mesh_distances_3`, which has the queries
 \tparam FactorTraits a model of `SparseLinearAlgebraWithBlockFactorTraits_d`.<br>
         <b>%Default:</b> `Default_factor_traits_d`
 
@@ -90,31 +76,13 @@ same order.
 */
 template <class TriangleMesh, class VertexPointMap = Default, class Traits = Default,
           class FactorTraits = Default>
-class Heat_geodesics_3
+class Heat_geodesics_3 : public Mesh_distances_3<TriangleMesh, VertexPointMap, Traits>
 {
-  using Default_point_map = typename boost::property_map<TriangleMesh, vertex_point_t>::const_type;
-  using Point_map = typename Default::Get<VertexPointMap, Default_point_map>::type;
-  using Geometry =
-    typename Default::Lazy_get<Traits, internal::Lazy_kernel_of_point_map<Point_map>>::type;
-  using Row_map = internal::Vertex_number_map<TriangleMesh>;
+  using Base = Mesh_distances_3<TriangleMesh, VertexPointMap, Traits>;
 
 public:
-  /// \name Types
-  /// @{
-
-  /// the mesh
-  using Triangle_mesh = TriangleMesh;
-
-  /// its vertices
-  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
-
-  /// the property map of its points
-  using Vertex_point_map = Point_map;
-
-  /// the traits
-  using Geom_traits = Geometry;
-
-  /// @}
+  using typename Base::Geom_traits;
+  using typename Base::Vertex_point_map;
 
   /// \name Construction
   /// @{
@@ -124,7 +92,7 @@ public:
   map `vertex_point` of the mesh; otherwise the same as the other constructor.
   */
   explicit Heat_geodesics_3(const TriangleMesh& tmesh, const double time_step_factor = 1)
-    : Heat_geodesics_3(tmesh, get(vertex_point, tmesh), Geometry(), time_step_factor)
+    : Heat_geodesics_3(tmesh, get(vertex_point, tmesh), Geom_traits(), time_step_factor)
   {}
 
   /*!
@@ -146,144 +114,37 @@ public:
   <em>Complexity:</em> the flips are linear in practice; factoring takes \f$ O(n^{1.5}) \f$ for
   \f$ n \f$ vertices, with \f$ O(n \log n) \f$ memory.
   */
-  Heat_geodesics_3(const TriangleMesh& tmesh, Point_map vertex_point_map,
-                   const Geometry& traits = Geometry(), const double time_step_factor = 1)
+  Heat_geodesics_3(const TriangleMesh& tmesh, Vertex_point_map vertex_point_map,
+                   const Geom_traits& traits = Geom_traits(), const double time_step_factor = 1)
     : Heat_geodesics_3(tmesh, vertex_point_map, traits, internal::make_lane_factor<FactorTraits>,
                        time_step_factor)
   {}
 
   /// \cond SKIP_IN_MANUAL
   // With a solver chosen at run time.
-  Heat_geodesics_3(const TriangleMesh& tmesh, Point_map vertex_point_map, const Geometry& traits,
-                   const internal::Lane_factor_maker factor_maker,
+  Heat_geodesics_3(const TriangleMesh& tmesh, Vertex_point_map vertex_point_map,
+                   const Geom_traits& traits, const internal::Lane_factor_maker factor_maker,
                    const double time_step_factor = 1)
-    : m_tmesh(&tmesh), m_rows(internal::number_vertices(tmesh)),
-      m_solver(internal::make_heat_solver(internal::face_corners(tmesh, m_rows),
-                                          point_matrix(tmesh, vertex_point_map, traits),
-                                          time_step_factor, factor_maker))
+    : Base(tmesh, vertex_point_map, traits,
+           [&](const internal::Face_corners& corners, const Point_matrix& points) {
+             return internal::make_heat_solver(corners, points, time_step_factor, factor_maker);
+           })
   {}
 
   explicit Heat_geodesics_3(const TriangleMesh&&, double = 1) = delete;
-  Heat_geodesics_3(const TriangleMesh&&, Point_map, const Geometry& = Geometry(), double = 1)
+  Heat_geodesics_3(const TriangleMesh&&, Vertex_point_map, const Geom_traits& = Geom_traits(),
+                   double = 1)
     = delete;
   /// \endcond
-
-  Heat_geodesics_3(const Heat_geodesics_3&) = delete;
-  Heat_geodesics_3& operator=(const Heat_geodesics_3&) = delete;
-  /// moves; the source may only be assigned to or destroyed afterwards.
-  Heat_geodesics_3(Heat_geodesics_3&&) = default;
-  /// moves, see above.
-  Heat_geodesics_3& operator=(Heat_geodesics_3&&) = default;
-
-  /// @}
-
-  /// \name Queries
-  /// All queries can be called from several threads at the same time.
-  /// @{
-
-  /// returns the mesh.
-  const TriangleMesh& triangle_mesh() const { return *m_tmesh; }
-
-  /*!
-  returns the row of `v` in the results: its index in the order of `vertices(tmesh)`.
-  \pre `v` is a vertex of the mesh.
-  */
-  std::size_t index(vertex_descriptor v) const
-  {
-    CGAL_precondition(v != boost::graph_traits<TriangleMesh>::null_vertex());
-    return get(m_rows, v);
-  }
-
-  /*!
-  returns the distances from `source` to all vertices.
-
-  \returns one number per vertex, in the unit of the points: 0 at `source`, positive or 0 elsewhere,
-           `+infinity` at vertices of other connected components; never NaN
-  \pre `source` is a vertex of the mesh.
-
-  <em>Complexity:</em> \f$ O(n \log n) \f$.
-  */
-  Eigen::VectorXd distances(vertex_descriptor source) const
-  {
-    return m_solver->distance_to_nearest({static_cast<Eigen::Index>(index(source))});
-  }
-
-  /*!
-  returns the distances from each of `sources` to all vertices, independently of the other sources;
-  in parallel if the library was built with TBB.
-
-  \tparam VertexRange a range of vertex descriptors
-  \param sources the sources, which may repeat
-  \returns one row per vertex and one column per source, bit for bit as `distances(source)`
-  \pre All of `sources` are vertices of the mesh.
-
-  <em>Complexity:</em> \f$ O(n \log n) \f$ per source.
-  */
-  template <class VertexRange,
-            std::enable_if_t<!std::is_convertible<VertexRange, vertex_descriptor>::value, int> = 0>
-  Eigen::MatrixXd distances(const VertexRange& sources) const
-  {
-    return m_solver->distances(rows(sources));
-  }
-
-  /*!
-  returns the distances from the nearest of `sources` to all vertices: the smallest of the distances
-  from each of them.
-
-  Heat that flows from all sources at once would cost no more than one source, but the potential then
-  differs between the sources: in a square of \f$ 60^2 \f$ cells with 20 sources, the mean error is
-  at least 6.6 percent, compared to 2.9 percent for the smallest of the distances.
-
-  \tparam VertexRange a range of vertex descriptors
-  \param sources the sources, which may repeat
-  \returns one number per vertex, as `distances()` does; `+infinity` everywhere if there is no source
-  \pre All of `sources` are vertices of the mesh.
-
-  <em>Complexity:</em> \f$ O(n \log n) \f$ per source, with memory for a few fields.
-  */
-  template <class VertexRange>
-  Eigen::VectorXd distance_to_nearest(const VertexRange& sources) const
-  {
-    return m_solver->distance_to_nearest(rows(sources));
-  }
-
-  /*!
-  writes the distances from `source` to all vertices to a property map.
-
-  \tparam VertexDistanceMap a model of `WritablePropertyMap` with `vertex_descriptor` as key type
-          and a value type to which `double` converts
-  \pre `source` is a vertex of the mesh.
-  */
-  template <class VertexDistanceMap>
-  void distances(vertex_descriptor source, VertexDistanceMap vertex_distance_map) const
-  {
-    const Eigen::VectorXd values = distances(source);
-    for(vertex_descriptor v : vertices(*m_tmesh))
-      put(vertex_distance_map, v, values[static_cast<Eigen::Index>(index(v))]);
-  }
 
   /// @}
 
   /// \cond SKIP_IN_MANUAL
   const internal::Intrinsic_triangulation& intrinsic_triangulation() const
   {
-    return m_solver->triangulation();
+    return static_cast<const internal::Heat_solver&>(this->solver()).triangulation();
   }
   /// \endcond
-
-private:
-  template <class VertexRange>
-  std::vector<Eigen::Index> rows(const VertexRange& sources) const
-  {
-    std::vector<Eigen::Index> result;
-    for(vertex_descriptor v : sources)
-      result.push_back(static_cast<Eigen::Index>(index(v)));
-    return result;
-  }
-
-  const TriangleMesh* m_tmesh;
-  Row_map m_rows;
-  std::unique_ptr<internal::Heat_solver> m_solver;
 };
 
 } // namespace Canonical_pose_3

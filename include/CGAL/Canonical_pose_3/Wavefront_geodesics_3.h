@@ -4,22 +4,11 @@
 #ifndef CGAL_CANONICAL_POSE_3_WAVEFRONT_GEODESICS_3_H
 #define CGAL_CANONICAL_POSE_3_WAVEFRONT_GEODESICS_3_H
 
-#include <CGAL/Canonical_pose_3/internal/intrinsic/Intrinsic_triangulation.h>
-#include <CGAL/Canonical_pose_3/internal/wavefront/Wavefront_solver.h>
-#include <CGAL/Canonical_pose_3/point_matrix.h>
+#include <CGAL/Canonical_pose_3/Mesh_distances_3.h>
+#include <CGAL/Canonical_pose_3/internal/intrinsic/Distance_solver.h>
 
 #include <CGAL/Default.h>
-#include <CGAL/assertions.h>
 #include <CGAL/boost/graph/properties.h>
-
-#include <Eigen/Core>
-
-#include <boost/graph/graph_traits.hpp>
-#include <boost/property_map/property_map.hpp>
-
-#include <cstddef>
-#include <type_traits>
-#include <vector>
 
 namespace CGAL {
 namespace Canonical_pose_3 {
@@ -35,7 +24,8 @@ Instead of the windows of exact methods, it keeps virtual sources, like
 time, each for a part of the edge, and only if they yield the shortest paths to one of four points
 of the edge. If a corner is in the way, the path bends there.
 
-Nothing is factored, and no matrix is stored: for one source, it takes less time than
+A query takes \f$ O(n \log n) \f$ in practice, also for the distances from the nearest of several
+sources, with 250 bytes of temporary memory per vertex and thread. Nothing is factored, and no matrix is stored: for one source, it takes less time than
 `Heat_geodesics_3`, including the constructor, and a quarter of the memory. For more than two to
 four sources on the same mesh, the heat method is faster.
 
@@ -60,14 +50,7 @@ multiplies all distances by it, bit by bit. Distances depend neither on the numb
 on the other sources of a batch, nor on the type of the mesh if vertices and faces are in the same
 order.
 
-\tparam TriangleMesh a model of `FaceListGraph`, oriented and 2-manifold, with or without boundary,
-        with any number of connected components and isolated vertices
-\tparam VertexPointMap a model of `ReadablePropertyMap` with
-        `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `Traits::Point_3` as
-        value type.<br> <b>%Default:</b> `boost::property_map<TriangleMesh,
-        CGAL::vertex_point_t>::%const_type`
-\tparam Traits a model of `CanonicalPoseTraits_3`.<br> <b>%Default:</b> the kernel of the points of
-        `VertexPointMap`
+\tparam TriangleMesh, VertexPointMap, Traits see `Mesh_distances_3`, which has the queries
 
 \cgalModels `GeodesicDistances_3`
 
@@ -76,31 +59,13 @@ order.
 \sa `CGAL::Canonical_pose_3::farthest_point_landmarks()`
 */
 template <class TriangleMesh, class VertexPointMap = Default, class Traits = Default>
-class Wavefront_geodesics_3
+class Wavefront_geodesics_3 : public Mesh_distances_3<TriangleMesh, VertexPointMap, Traits>
 {
-  using Default_point_map = typename boost::property_map<TriangleMesh, vertex_point_t>::const_type;
-  using Point_map = typename Default::Get<VertexPointMap, Default_point_map>::type;
-  using Geometry =
-    typename Default::Lazy_get<Traits, internal::Lazy_kernel_of_point_map<Point_map>>::type;
-  using Row_map = internal::Vertex_number_map<TriangleMesh>;
+  using Base = Mesh_distances_3<TriangleMesh, VertexPointMap, Traits>;
 
 public:
-  /// \name Types
-  /// @{
-
-  /// the mesh type
-  using Triangle_mesh = TriangleMesh;
-
-  /// the vertex type
-  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
-
-  /// the property map of its points
-  using Vertex_point_map = Point_map;
-
-  /// the traits
-  using Geom_traits = Geometry;
-
-  /// @}
+  using typename Base::Geom_traits;
+  using typename Base::Vertex_point_map;
 
   /// \name Construction
   /// @{
@@ -127,129 +92,18 @@ public:
 
   <em>Complexity:</em> linear in practice; about 250 bytes per vertex are stored.
   */
-  Wavefront_geodesics_3(const TriangleMesh& tmesh, Point_map vertex_point_map,
-                        const Geometry& traits = Geometry())
-    : m_tmesh(&tmesh), m_rows(internal::number_vertices(tmesh)),
-      m_points(point_matrix(tmesh, vertex_point_map, traits)),
-      m_solver(internal::face_corners(tmesh, m_rows), m_points)
+  Wavefront_geodesics_3(const TriangleMesh& tmesh, Vertex_point_map vertex_point_map,
+                        const Geom_traits& traits = Geom_traits())
+    : Base(tmesh, vertex_point_map, traits, internal::make_wavefront_solver)
   {}
 
   /// \cond SKIP_IN_MANUAL
   explicit Wavefront_geodesics_3(const TriangleMesh&&) = delete;
-  Wavefront_geodesics_3(const TriangleMesh&&, Point_map, const Geometry& = Geometry()) = delete;
+  Wavefront_geodesics_3(const TriangleMesh&&, Vertex_point_map, const Geom_traits& = Geom_traits())
+    = delete;
   /// \endcond
 
-  Wavefront_geodesics_3(const Wavefront_geodesics_3&) = delete;
-  Wavefront_geodesics_3& operator=(const Wavefront_geodesics_3&) = delete;
-  /// moves; the source may only be assigned to or destroyed afterwards.
-  Wavefront_geodesics_3(Wavefront_geodesics_3&&) = default;
-  /// moves, see above.
-  Wavefront_geodesics_3& operator=(Wavefront_geodesics_3&&) = default;
-
   /// @}
-
-  /// \name Queries
-  /// All queries may be called from several threads at once.
-  /// @{
-
-  /// returns the mesh.
-  const TriangleMesh& triangle_mesh() const { return *m_tmesh; }
-
-  /// returns the points that the distances were computed with, one row per vertex.
-  const Point_matrix& points() const { return m_points; }
-
-  /*!
-  returns the index of `v` in the range `vertices(tmesh)`, its row in the results.
-  \pre `v` is a vertex of the mesh.
-  */
-  std::size_t index(vertex_descriptor v) const
-  {
-    CGAL_precondition(v != boost::graph_traits<TriangleMesh>::null_vertex());
-    return get(m_rows, v);
-  }
-
-  /*!
-  returns the distances from `source` to all vertices.
-
-  \returns one number per vertex, in the unit of the points: 0 at `source`, positive or 0 elsewhere,
-           `+infinity` at vertices of other connected components; never NaN
-  \pre `source` is a vertex of the mesh.
-
-  <em>Complexity:</em> \f$ O(n \log n) \f$ in practice, with 250 bytes of temporary memory per
-  vertex.
-  */
-  Eigen::VectorXd distances(vertex_descriptor source) const
-  {
-    return m_solver.distances({static_cast<int>(index(source))});
-  }
-
-  /*!
-  returns the distances from each of `sources` to all vertices; in parallel, if
-  the library was built with TBB.
-
-  \tparam VertexRange a range of vertex descriptors
-  \param sources the sources, possibly with repetitions
-  \returns one row per vertex and one column per source; each column is bitwise equal to
-         `distances(source)`
-  \pre All of `sources` are vertices of the mesh.
-
-  <em>Complexity:</em> the time of a single query per source, and the memory of one per thread.
-  */
-  template <class VertexRange,
-            std::enable_if_t<!std::is_convertible<VertexRange, vertex_descriptor>::value, int> = 0>
-  Eigen::MatrixXd distances(const VertexRange& sources) const
-  {
-    return m_solver.distances(rows(sources));
-  }
-
-  /*!
-  returns the distances from all vertices to the nearest of `sources`, in the time of a single
-  query.
-
-  \tparam VertexRange a range of vertex descriptors
-  \param sources the sources, possibly with repetitions
-  \returns one number per vertex, like `distances(source)`: 0 at all sources, `+infinity` at
-         vertices that are not connected to any source; up to approximation errors, the row-wise
-         minimum of `distances(sources)`
-  \pre All of `sources` are vertices of the mesh.
-  */
-  template <class VertexRange>
-  Eigen::VectorXd distance_to_nearest(const VertexRange& sources) const
-  {
-    return m_solver.distance_to_nearest(rows(sources));
-  }
-
-  /*!
-  writes the distances from `source` to all vertices to a property map.
-
-  \tparam VertexDistanceMap a model of `WritablePropertyMap` with `vertex_descriptor` as key type
-          and a value type to which `double` converts
-  \pre `source` is a vertex of the mesh.
-  */
-  template <class VertexDistanceMap>
-  void distances(vertex_descriptor source, VertexDistanceMap vertex_distance_map) const
-  {
-    const Eigen::VectorXd values = distances(source);
-    for(vertex_descriptor v : vertices(*m_tmesh))
-      put(vertex_distance_map, v, values[static_cast<Eigen::Index>(index(v))]);
-  }
-
-  /// @}
-
-private:
-  template <class VertexRange>
-  std::vector<int> rows(const VertexRange& sources) const
-  {
-    std::vector<int> result;
-    for(vertex_descriptor v : sources)
-      result.push_back(static_cast<int>(index(v)));
-    return result;
-  }
-
-  const TriangleMesh* m_tmesh;
-  Row_map m_rows;
-  Point_matrix m_points;
-  internal::Wavefront_solver m_solver;
 };
 
 } // namespace Canonical_pose_3

@@ -4,14 +4,12 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_HEAT_HEAT_SOLVER_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_HEAT_HEAT_SOLVER_H
 
+#include <CGAL/Canonical_pose_3/internal/intrinsic/Distance_solver.h>
 #include <CGAL/Canonical_pose_3/internal/intrinsic/Intrinsic_triangulation.h>
 #include <CGAL/Canonical_pose_3/internal/linear_algebra/Lane_factor.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
-#include <Eigen/Core>
-
 #include <memory>
-#include <vector>
 
 namespace CGAL {
 namespace Canonical_pose_3 {
@@ -19,18 +17,10 @@ namespace internal {
 
 // The heat method on an intrinsic Delaunay triangulation: heat diffuses from the source for a short
 // time, and the distance is the function whose gradient follows the descent directions of the heat.
-class Heat_solver
+class Heat_solver : public Distance_solver
 {
 public:
-  virtual ~Heat_solver() = default;
-
   virtual const Intrinsic_triangulation& triangulation() const = 0;
-
-  // One column per source (a row of the points): n distances in the unit of the input.
-  virtual Eigen::MatrixXd distances(const std::vector<Eigen::Index>& sources) const = 0;
-
-  // Distances from the nearest of the sources.
-  virtual Eigen::VectorXd distance_to_nearest(const std::vector<Eigen::Index>& sources) const = 0;
 };
 
 // `time_step_factor`: the time step by the square of the mean edge length; see heat_lengths().

@@ -5,9 +5,9 @@
 #include "Wavefront.h"
 
 #include <CGAL/Canonical_pose_3/internal/intrinsic/Delaunay_surface.h>
+#include <CGAL/Canonical_pose_3/internal/intrinsic/Distance_solver.h>
 #include <CGAL/Canonical_pose_3/internal/intrinsic/Intrinsic_triangulation.h>
 #include <CGAL/Canonical_pose_3/internal/support/for_each_index.h>
-#include <CGAL/Canonical_pose_3/internal/wavefront/Wavefront_solver.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <Eigen/Core>
@@ -27,21 +27,20 @@ namespace CGAL {
 namespace Canonical_pose_3 {
 namespace internal {
 
-class Wavefront_solver::Waves
+class Wavefront_solver final : public Distance_solver
 {
 public:
-  Waves(const Face_corners& corners, const Point_matrix& points)
-    : Waves(Delaunay_surface(corners, points))
+  explicit Wavefront_solver(const Delaunay_surface& surface)
+    : m_exponent(surface.exponent()), m_sides(surface.triangulation())
   {}
 
-  // One column per source (a row of the points): n distances in the unit of the input.
-  Eigen::MatrixXd distances(const std::vector<int>& sources) const
+  Eigen::MatrixXd distances(const std::vector<Eigen::Index>& sources) const override
   {
     Eigen::MatrixXd result = Eigen::MatrixXd::Constant(
       size(), static_cast<Eigen::Index>(sources.size()), std::numeric_limits<double>::infinity());
     const auto fill = [&](Wavefront& wave, std::size_t k) {
       Eigen::VectorXd column = unreached();
-      wave.lower(sources[k], column);
+      wave.lower(static_cast<int>(sources[k]), column);
       result.col(static_cast<Eigen::Index>(k)) = scaled(column, m_exponent);
     };
 #ifdef CGAL_LINKED_WITH_TBB
@@ -56,19 +55,14 @@ public:
     return result;
   }
 
-  // Distances to the nearest of the sources, in the unit of the input.
-  Eigen::VectorXd distance_to_nearest(const std::vector<int>& sources) const
+  Eigen::VectorXd distance_to_nearest(const std::vector<Eigen::Index>& sources) const override
   {
     Eigen::VectorXd nearest = unreached();
-    wavefront().lower(sources, nearest);
+    wavefront().lower(std::vector<int>(sources.begin(), sources.end()), nearest);
     return scaled(nearest, m_exponent);
   }
 
 private:
-  explicit Waves(const Delaunay_surface& surface)
-    : m_exponent(surface.exponent()), m_sides(surface.triangulation())
-  {}
-
   Wavefront wavefront() const { return Wavefront(m_sides); }
 
   Eigen::VectorXd unreached() const
@@ -87,18 +81,10 @@ private:
   Unfolded_sides m_sides;
 };
 
-Wavefront_solver::Wavefront_solver(const Face_corners& corners, const Point_matrix& points)
-  : m_waves(std::make_shared<const Waves>(corners, points))
-{}
-
-Eigen::MatrixXd Wavefront_solver::distances(const std::vector<int>& sources) const
+std::unique_ptr<Distance_solver> make_wavefront_solver(const Face_corners& corners,
+                                                       const Point_matrix& points)
 {
-  return m_waves->distances(sources);
-}
-
-Eigen::VectorXd Wavefront_solver::distance_to_nearest(const std::vector<int>& sources) const
-{
-  return m_waves->distance_to_nearest(sources);
+  return std::make_unique<Wavefront_solver>(Delaunay_surface(corners, points));
 }
 
 } // namespace internal

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_CANONICAL_POSE_3_INTERNAL_WAVEFRONT_CHECK_UNFOLDABLE_H
-#define CGAL_CANONICAL_POSE_3_INTERNAL_WAVEFRONT_CHECK_UNFOLDABLE_H
+#ifndef CANONICAL_POSE_3_ENGINE_WAVEFRONT_CHECK_UNFOLDABLE_H
+#define CANONICAL_POSE_3_ENGINE_WAVEFRONT_CHECK_UNFOLDABLE_H
 
 #include <CGAL/Canonical_pose_3/internal/intrinsic/Intrinsic_triangulation.h>
 #include <CGAL/Canonical_pose_3/internal/surface/Face_defect.h>
@@ -78,4 +78,4 @@ inline void check_unfoldable(const Face_corners& corners, const Point_matrix& po
 } // namespace Canonical_pose_3
 } // namespace CGAL
 
-#endif // CGAL_CANONICAL_POSE_3_INTERNAL_WAVEFRONT_CHECK_UNFOLDABLE_H
+#endif // CANONICAL_POSE_3_ENGINE_WAVEFRONT_CHECK_UNFOLDABLE_H
