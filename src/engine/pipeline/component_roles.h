@@ -4,25 +4,21 @@
 #ifndef CANONICAL_POSE_3_ENGINE_PIPELINE_COMPONENT_ROLES_H
 #define CANONICAL_POSE_3_ENGINE_PIPELINE_COMPONENT_ROLES_H
 
-#include "joined_triangles.h"
+#include "Following_candidate.h"
 #include "shares_of_cells.h"
 #include "../surface/planar.h"
 #include "../surface/root_of_area.h"
 
 #include <CGAL/Canonical_pose_3/Options.h>
 #include <CGAL/Canonical_pose_3/Surface_component_3.h>
-#include <CGAL/Canonical_pose_3/internal/surface/Triangle_tree.h>
 #include <CGAL/Canonical_pose_3/internal/surface/has_area.h>
-#include <CGAL/Canonical_pose_3/internal/surface/twice_area.h>
 #include <CGAL/Canonical_pose_3/internal/support/Disjoint_sets.h>
 #include <CGAL/Canonical_pose_3/internal/support/for_each_index.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <limits>
-#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -85,76 +81,6 @@ std::invalid_argument refusal_of_several(const std::string& what,
     + own_vertex(posed[1], posed[0]) + " to another");
 }
 
-// Points that are uniformly distributed over a surface: samples of the area, then the vertices, unless
-// there are more of them.
-inline Point_matrix points_on_surface(const Point_matrix& points,
-                                      const std::vector<Index_triangle>& triangles,
-                                      const std::size_t number)
-{
-  std::vector<double> sums;
-  double sum = 0;
-  Point_matrix normalized = points;
-  normalize(normalized);
-  for(const Index_triangle& t : triangles)
-    sums.push_back(sum += twice_area(normalized, t));
-  const std::size_t number_of_vertices = static_cast<std::size_t>(points.rows());
-  Point_matrix result(
-    static_cast<Eigen::Index>(number + (number_of_vertices > number ? 0 : number_of_vertices)), 3);
-  for(std::size_t i = 0; i < number; ++i)
-  {
-    const double position = (static_cast<double>(i) + .5) / static_cast<double>(number);
-    const auto found = std::upper_bound(sums.begin(), sums.end() - 1, position * sum);
-    const Index_triangle& t = triangles[static_cast<std::size_t>(found - sums.begin())];
-    // a sequence of low discrepancy in the unit square
-    double ignored;
-    double x = std::modf(static_cast<double>(i) * 0.7548776662466927, &ignored);
-    double y = std::modf(static_cast<double>(i) * 0.5698402909980532, &ignored);
-    if(x + y > 1)
-    {
-      x = 1 - x;
-      y = 1 - y;
-    }
-    result.row(static_cast<Eigen::Index>(i))
-      = (1 - x - y) * points.row(static_cast<Eigen::Index>(t[0]))
-        + x * points.row(static_cast<Eigen::Index>(t[1]))
-        + y * points.row(static_cast<Eigen::Index>(t[2]));
-  }
-  if(number_of_vertices <= number)
-    result.bottomRows(points.rows()) = points;
-  return result;
-}
-
-// Tells how near points are to components, and whether they are inside.
-class Component_neighborhood
-{
-public:
-  Component_neighborhood(const std::vector<Surface_component_3>& components,
-                         const std::vector<std::size_t>& indices)
-    : Component_neighborhood(joined_triangles(components, indices))
-  {}
-
-  double distance(const Eigen::RowVector3d& point) const { return m_surface.distance(point); }
-
-  // Caps close the holes.
-  bool surrounds(const Eigen::RowVector3d& point) const
-  {
-    return m_surface.winding_number(point) + (m_caps ? m_caps->winding_number(point) : 0) != 0;
-  }
-
-private:
-  explicit Component_neighborhood(const Joined_triangles& joined)
-    : m_surface(joined.points, joined.triangles)
-  {
-    Point_matrix points = joined.points;
-    normalize(points);
-    if(has_area(points, joined.caps))
-      m_caps.emplace(joined.points, joined.caps);
-  }
-
-  Triangle_tree m_surface;
-  std::optional<Triangle_tree> m_caps;
-};
-
 // Decides which of the components of an input follow others. A component follows another one if it
 // is small against it; if it is not large, and touches it; if it is in contact with it over a fair
 // share of its surface; if it lies inside it; or if it wraps it, like a dress. What is on a plane, or lies
@@ -193,7 +119,6 @@ public:
 private:
   static constexpr double SMALL_AREA = .05, SMALL_AREA_IN_TOUCH = .25; // of that of the largest
   static constexpr double SMALL_AREAS_IN_TOTAL = .5, AREAS_IN_TOUCH_IN_TOTAL = 3; // of that, too
-  static constexpr double CLOSENESS = .05;      // of the component's diameter
   static constexpr double SHARE_IN_TOUCH = .33; // of the component's area
   static constexpr double SHARE_INSIDE = .5;
   static constexpr double DEFORMED_SHARE = .67;       // in touch or inside, if not large
@@ -211,77 +136,6 @@ private:
     = .023; // between those of 43 and 44 equal components
   static constexpr std::size_t NUMBER_OF_SAMPLES = 256, SMALLEST_NUMBER_OF_SAMPLES = 16;
   static constexpr std::size_t NUMBER_OF_SAMPLES_IN_TOTAL = 20000;
-
-  // A component that may follow those around it.
-  class Candidate
-  {
-  public:
-    Candidate() = default;
-    Candidate(const Surface_component_3& surface, const std::size_t number_of_samples)
-      : m_diameter(Component_roles::diameter(surface.points)),
-        m_points(points_on_surface(surface.points, surface.triangles, number_of_samples)),
-        m_distances(static_cast<std::size_t>(m_points.rows()),
-                    std::numeric_limits<double>::infinity()),
-        m_is_inside(number_of_samples, 0)
-    {}
-
-    void approach(const Component_neighborhood& neighborhood)
-    {
-      for(std::size_t i = 0; i < m_distances.size(); ++i)
-      {
-        const Eigen::RowVector3d point = m_points.row(static_cast<Eigen::Index>(i));
-        m_distances[i] = (std::min)(m_distances[i], neighborhood.distance(point));
-        if(i < m_is_inside.size() && neighborhood.surrounds(point))
-          m_is_inside[i] = 1;
-      }
-    }
-
-    bool is_in_touch() const
-    {
-      return std::any_of(m_distances.begin(), m_distances.end(),
-                         [&](const double distance) { return is_close(distance); });
-    }
-
-    double share_in_touch() const
-    {
-      const auto number = static_cast<std::ptrdiff_t>(m_is_inside.size());
-      return static_cast<double>(
-               std::count_if(m_distances.begin(), m_distances.begin() + number,
-                             [&](const double distance) { return is_close(distance); }))
-             / static_cast<double>(number);
-    }
-
-    // Half of the area is farther away than that.
-    double median_distance() const
-    {
-      std::vector<double> distances(
-        m_distances.begin(), m_distances.begin() + static_cast<std::ptrdiff_t>(m_is_inside.size()));
-      const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
-      std::nth_element(distances.begin(), middle, distances.end());
-      return *middle;
-    }
-
-    double least_distance() const
-    {
-      return *std::min_element(m_distances.begin(), m_distances.end());
-    }
-
-    double diameter() const { return m_diameter; }
-
-    double share_inside() const
-    {
-      return static_cast<double>(std::count(m_is_inside.begin(), m_is_inside.end(), 1))
-             / static_cast<double>(m_is_inside.size());
-    }
-
-  private:
-    bool is_close(const double distance) const { return distance <= CLOSENESS * m_diameter; }
-
-    double m_diameter = 0;
-    Point_matrix m_points;
-    std::vector<double> m_distances;
-    std::vector<char> m_is_inside; // samples of the area
-  };
 
   Component_roles(const std::vector<Surface_component_3>& components,
                   const std::vector<bool>& is_fragment, const Options::Components mode)
@@ -310,7 +164,7 @@ private:
     m_largest = mode == Options::Components::AUTOMATIC ? *largest : m_candidates.front();
     m_candidates.erase(std::find(m_candidates.begin(), m_candidates.end(), m_largest));
     m_size_of_largest = root_of_area(components[m_largest].points, components[m_largest].triangles);
-    m_diameter_of_largest = diameter(components[m_largest].points);
+    m_diameter_of_largest = diameter_of(components[m_largest].points);
     m_is_largest_flat = is_flat(m_largest);
     double small_areas = 0;
     for(const std::size_t c : m_candidates)
@@ -342,14 +196,14 @@ private:
                    SMALLEST_NUMBER_OF_SAMPLES);
     const Point_matrix points_of_largest = points_on_surface(
       m_components[m_largest].points, m_components[m_largest].triangles, number_of_samples);
-    std::vector<Candidate> candidates(m_components.size());
+    std::vector<Following_candidate> candidates(m_components.size());
     std::vector<std::size_t> rest;
     for(const std::size_t c : m_candidates)
       if(is_small(c) && is_of_rigid_size(c) && is_tiny(c)) // the quick way for many
         m_roles[c].kind = Component_role::RIGID;
       else
       {
-        candidates[c] = Candidate(m_components[c], number_of_samples);
+        candidates[c] = Following_candidate(m_components[c], number_of_samples);
         rest.push_back(c);
       }
     std::vector<char> wraps(m_components.size(), 0);
@@ -371,7 +225,7 @@ private:
       std::vector<std::size_t> others;
       for(const std::size_t c : rest)
       {
-        const Candidate& candidate = candidates[c];
+        const Following_candidate& candidate = candidates[c];
         if(is_first)
           is_in_contact[c] = candidate.share_in_touch() >= SHARE_IN_TOUCH;
         const bool is_inside = candidate.share_inside() >= SHARE_INSIDE;
@@ -409,7 +263,7 @@ private:
         m_roles[c].kind = Component_role::POSED;
   }
 
-  bool is_apart(const std::size_t c, const Candidate& candidate) const
+  bool is_apart(const std::size_t c, const Following_candidate& candidate) const
   {
     if(is_tiny(c))
       return false;
@@ -429,7 +283,7 @@ private:
 
   bool is_of_tiny_size(const std::size_t c) const
   {
-    return diameter(m_components[c].points) <= TINY_SIZE * m_diameter_of_largest;
+    return diameter_of(m_components[c].points) <= TINY_SIZE * m_diameter_of_largest;
   }
 
   // Whether a component has this share of the triangles of the largest.
@@ -446,7 +300,7 @@ private:
   }
 
   // A sword that is held by a hand is not.
-  bool is_deformed(const std::size_t c, const Candidate& candidate) const
+  bool is_deformed(const std::size_t c, const Following_candidate& candidate) const
   {
     return !is_of_rigid_size(c)
            && (candidate.share_in_touch() >= (is_not_large(c) ? DEFORMED_SHARE : SHARE_IN_TOUCH)
@@ -470,7 +324,7 @@ private:
 
   bool is_of_rigid_size(const std::size_t c) const
   {
-    return diameter(m_components[c].points) <= RIGID_SIZE * m_size_of_largest;
+    return diameter_of(m_components[c].points) <= RIGID_SIZE * m_size_of_largest;
   }
 
   // What moves rigidly and touches a large thing that moves rigidly belongs to it, like the guard of a
@@ -495,7 +349,7 @@ private:
       {
         const Point_matrix& points = m_components[rigid[j]].points;
         const double gap = distance(points, thing);
-        touches[i][j] = gap <= GAP * diameter(points)
+        touches[i][j] = gap <= GAP * diameter_of(points)
                         && (gap < distance(points, body) || !is_of_rigid_size(rigid[j]));
       }
     });
@@ -541,12 +395,6 @@ private:
     for(Eigen::Index i = 0; i < points.rows(); ++i)
       result = (std::min)(result, neighborhood.distance(points.row(i)));
     return result;
-  }
-
-  static double diameter(const Point_matrix& points)
-  {
-    const Eigen::RowVector3d center = points.colwise().mean();
-    return 2 * (points.rowwise() - center).rowwise().norm().maxCoeff();
   }
 
   const std::vector<Surface_component_3>& m_components;

@@ -1,12 +1,11 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "Global_system.h"
 #include "Quasi_newton_direction.h"
 #include "Taubin_fairing.h"
 #include "../energy/Arap_energy.h"
 #include "../injective/Injective_repair.h"
-#include "../linear_algebra/Updated_factor.h"
-#include "../linear_algebra/low_rank_factors.h"
 #include "../linear_algebra/transposed_product.h"
 #include "../support/precondition.h"
 
@@ -30,7 +29,7 @@ namespace CGAL {
 namespace Canonical_pose_3 {
 namespace internal {
 
-// Energies, matrix and factor; local and global steps.
+// Energies; local and global steps.
 class Body_registration final : public Arap_registration
 {
 public:
@@ -40,10 +39,9 @@ public:
                     const Factor_maker factor_maker)
     : m_body(body), m_length_scale(checked_length_scale(length_scale)), m_options(options),
       m_weights(checked_matching_weights(body, matching_weights)),
-      m_embedding_transposed(body.embedding().transpose()),
       m_arap(body.points() / length_scale, body.cells(), body.cell_weights(),
              checked_stiffness(stiffness, body.cells().size()), rotations),
-      m_factor_maker(factor_maker), m_factor(factor_maker)
+      m_factor_maker(factor_maker), m_system(m_body, factor_maker)
   {
     m_options.check();
     if(m_options.fairing_passes > 0)
@@ -60,7 +58,7 @@ public:
       = options.detail_length != m_options.detail_length || options.tikhonov != m_options.tikhonov;
     m_options = options;
     if(changes_matrix)
-      forget_matrix();
+      m_system.forget_matrix();
   }
 
   void set_number_of_iterations(const int number_of_iterations) override
@@ -78,25 +76,17 @@ public:
 
   void add_constraint(std::unique_ptr<Registration_constraint_base> constraint) override
   {
-    m_constraints.push_back(std::move(constraint));
-    m_factored_revisions.reset();
+    m_system.add(std::move(constraint));
   }
 
-  void remove_constraint(const void* const constraint) override
-  {
-    const auto position = std::find_if(m_constraints.begin(), m_constraints.end(),
-                                       [&](const auto& c) { return c->is_model_of(constraint); });
-    CANONICAL_POSE_3_PRECONDITION(position != m_constraints.end());
-    m_constraints.erase(position);
-    m_factored_revisions.reset();
-  }
+  void remove_constraint(const void* const constraint) override { m_system.remove(constraint); }
 
   void set_target(const Point_matrix& target) override
   {
     CANONICAL_POSE_3_PRECONDITION(target.rows() == m_weights.size());
     check_finite(target);
     if(m_unfolding)
-      forget_matrix();
+      m_system.forget_matrix();
     m_unfolding.reset();
     m_target = target / m_length_scale;
     transposed_product(m_body.embedding(), m_weights.asDiagonal() * m_target, m_target_term);
@@ -107,28 +97,13 @@ public:
     unfolding.check();
     check_that_body_is_connected(m_body);
     if(!m_unfolding)
-      forget_matrix();
+      m_system.forget_matrix();
     m_unfolding = unfolding;
   }
 
   void factor() override
   {
-    std::vector<std::size_t> revisions;
-    for(const auto& constraint : m_constraints)
-      revisions.push_back(constraint->matrix_revision());
-    if(m_factored_revisions == revisions)
-      return;
-    m_factored_revisions.reset();
-    if(m_matrix.size() == 0)
-      m_matrix = assemble_matrix();
-    m_constraint_matrix = assemble_constraint_matrix();
-    if(!m_factor.is_factored() || !update_factor())
-    {
-      m_factor.factor(m_constraints.empty() ? m_matrix : constrained_matrix(),
-                      "the matrix of the registration");
-      m_factored_constraint_matrix = m_constraint_matrix;
-    }
-    m_factored_revisions = revisions;
+    m_system.factor([this] { return assemble_matrix(); });
   }
 
   Registration_summary register_to_target(Point_matrix& body_points,
@@ -139,7 +114,7 @@ public:
     CANONICAL_POSE_3_PRECONDITION(body_points.rows() == 0
                                   || body_points.rows() == m_body.points().rows());
     Registration_summary summary;
-    summary.solver = m_factor.name();
+    summary.solver = m_system.name();
     for(const char* stage : {"factorization", "local_steps", "global_steps"})
       summary.add_seconds(stage, 0);
     summary.body.vertices = static_cast<std::size_t>(m_body.points().rows());
@@ -184,10 +159,6 @@ public:
   }
 
 private:
-  // Beyond this rank, a factorization is cheaper than the solves for an update and the products
-  // with it in all iterations of a registration (measured on the armadillo in a body of TetGen).
-  static constexpr std::size_t MOST_RANK_OF_AN_UPDATE = 32;
-
   template <class Function>
   static void timed(Registration_summary& summary, const char* stage, const Function& f)
   {
@@ -195,13 +166,6 @@ private:
     timer.start();
     f();
     summary.add_seconds(stage, timer.time());
-  }
-
-  void forget_matrix()
-  {
-    m_matrix.resize(0, 0);
-    m_factor = Updated_factor(m_factor_maker);
-    m_factored_revisions.reset();
   }
 
   // The weight of the term that holds an iterate near the previous one. Without a target, it makes
@@ -223,61 +187,7 @@ private:
       entries.emplace_back(static_cast<int>(i), static_cast<int>(i),
                            ((m_unfolding ? 0 : 1) + proximal_weight()) * m_weights[i]);
     return m_arap.matrix(m_options.detail_length * m_options.detail_length)
-           + brought_to_body(surface_matrix(entries));
-  }
-
-  Eigen::SparseMatrix<double> assemble_constraint_matrix() const
-  {
-    std::vector<Eigen::Triplet<double>> entries;
-    for(const auto& constraint : m_constraints)
-      constraint->add_to_matrix(entries);
-    for(const Eigen::Triplet<double>& entry : entries)
-      for(const Eigen::Index row : {entry.row(), entry.col()})
-        if(row < 0 || row >= m_weights.size())
-          throw std::invalid_argument("a constraint names surface vertex " + std::to_string(row)
-                                      + ", but there are " + std::to_string(m_weights.size()));
-    return surface_matrix(entries);
-  }
-
-  Eigen::SparseMatrix<double> constrained_matrix() const
-  {
-    return m_matrix + brought_to_body(m_constraint_matrix);
-  }
-
-  Eigen::SparseMatrix<double>
-  surface_matrix(const std::vector<Eigen::Triplet<double>>& entries) const
-  {
-    Eigen::SparseMatrix<double> result(m_weights.size(), m_weights.size());
-    result.setFromTriplets(entries.begin(), entries.end());
-    return result;
-  }
-
-  Eigen::SparseMatrix<double> brought_to_body(const Eigen::SparseMatrix<double>& surface) const
-  {
-    const Eigen::SparseMatrix<double> surface_embedded = surface * m_body.embedding();
-    return m_embedding_transposed * surface_embedded;
-  }
-
-  // Updates the factor by the difference between the constraints at its factorization and the
-  // current ones. Returns false if a new factorization is cheaper or more accurate.
-  bool update_factor()
-  {
-    const Eigen::SparseMatrix<double> change = m_constraint_matrix - m_factored_constraint_matrix;
-    Eigen::SparseMatrix<double> v;
-    Eigen::VectorXd d;
-    const std::size_t most = MOST_RANK_OF_AN_UPDATE;
-    return low_rank_factors(change, 2 * most, v, d) // a spring has two rows
-           && d.size() <= static_cast<Eigen::Index>(most)
-           && m_factor.update(m_embedding_transposed * v, d);
-  }
-
-  // The right-hand sides of the constraints.
-  Point_matrix constraint_terms(const Point_matrix& points) const
-  {
-    Point_matrix result = Point_matrix::Zero(points.rows(), 3);
-    for(const auto& constraint : m_constraints)
-      constraint->add_to_right_hand_side(points, result);
-    return result;
+           + m_system.brought_to_body(m_system.surface_matrix(entries));
   }
 
   // Where the iteration starts if no positions are given.
@@ -286,23 +196,24 @@ private:
     if(m_unfolding)
       return m_body.points() / m_length_scale;
     Point_matrix right_hand_side = (1 + m_options.tikhonov) * m_target_term;
-    if(!m_constraints.empty())
+    if(m_system.has_constraints())
     {
       Point_matrix points = surface_points(m_body.points());
       for(Eigen::Index i = 0; i < m_weights.size(); ++i)
         if(m_weights[i] > 0)
           points.row(i) = m_target.row(i) * m_length_scale;
       Point_matrix term;
-      transposed_product(m_body.embedding(), constraint_terms(points) / m_length_scale, term);
+      transposed_product(m_body.embedding(), m_system.constraint_terms(points) / m_length_scale,
+                         term);
       right_hand_side += term;
     }
     Eigen::MatrixXd solution;
-    m_factor.solve(right_hand_side, solution);
+    m_system.solve(right_hand_side, solution);
     Point_matrix v = solution;
     for(Eigen::Index i = 0; i < m_weights.size(); ++i)
       if(m_weights[i] > 0)
       {
-        Eigen::SparseMatrix<double>::InnerIterator entry(m_embedding_transposed, i);
+        Eigen::SparseMatrix<double>::InnerIterator entry(m_system.embedding_transposed(), i);
         const Eigen::Index vertex = entry.row();
         if(entry.value() == 1 && !++entry)
           v.row(vertex) = m_target.row(i);
@@ -313,21 +224,17 @@ private:
   // Local step: computes surface, rotations and energies at v.
   void evaluate(const Point_matrix& v, Registration_summary& summary)
   {
-    transposed_product(m_embedding_transposed, v, m_surface);
+    transposed_product(m_system.embedding_transposed(), v, m_surface);
     const auto arap = m_arap.fit_rotations(v);
     summary.energy_match
       = m_unfolding ? -m_unfolding->weight
                         * m_weights.dot((m_surface.rowwise() - centroid()).rowwise().norm())
                     : ((m_surface - m_target).array().square().colwise() * m_weights.array()).sum();
     summary.energy_arap = m_options.detail_length * m_options.detail_length * arap.energy;
-    summary.energy_constraints = 0;
-    if(!m_constraints.empty())
-    {
-      const Point_matrix points = m_surface * m_length_scale;
-      for(const auto& constraint : m_constraints)
-        summary.energy_constraints
-          += constraint->energy(points) / (m_length_scale * m_length_scale);
-    }
+    summary.energy_constraints
+      = m_system.has_constraints()
+          ? m_system.constraint_energy(m_surface * m_length_scale, m_length_scale)
+          : 0;
     summary.energy = summary.energy_match + summary.energy_arap + summary.energy_constraints;
     summary.inverted = arap.inverted;
     summary.volume_ratio = arap.volume_ratio;
@@ -368,11 +275,11 @@ private:
       transposed_product(m_body.embedding(), half_growth(), m_right_hand_side);
     else
       m_right_hand_side = m_target_term;
-    if(proximal_weight() > 0 || !m_constraints.empty())
+    if(proximal_weight() > 0 || m_system.has_constraints())
     {
       const Point_matrix points = m_surface * m_length_scale;
-      Point_matrix sum = constraint_terms(points), term;
-      sum -= m_constraint_matrix * points;
+      Point_matrix sum = m_system.constraint_terms(points), term;
+      sum -= m_system.constraint_matrix() * points;
       transposed_product(
         m_body.embedding(),
         proximal_weight() * (m_weights.asDiagonal() * m_surface) + sum / m_length_scale, term);
@@ -383,7 +290,7 @@ private:
   // Computes half the gradient of the energy at v, the position of the last local step.
   void half_gradient(const Point_matrix& v, Point_matrix& result)
   {
-    transposed_product(m_matrix, v, result); // the matrix is symmetric
+    transposed_product(m_system.matrix(), v, result); // the matrix is symmetric
     result -= right_hand_side();
   }
 
@@ -392,10 +299,11 @@ private:
   {
     timed(summary, "global_steps", [&] {
       find_surface_terms();
-      Eigen::SparseMatrix<double> matrix = m_matrix;
-      if(!m_constraints.empty()) // they are part of the left-hand side
+      Eigen::SparseMatrix<double> matrix = m_system.matrix();
+      if(m_system.has_constraints()) // they are part of the left-hand side
       {
-        const Eigen::SparseMatrix<double> constraints = brought_to_body(m_constraint_matrix);
+        const Eigen::SparseMatrix<double> constraints
+          = m_system.brought_to_body(m_system.constraint_matrix());
         matrix += constraints;
         m_right_hand_side += constraints * v;
       }
@@ -420,7 +328,7 @@ private:
   double largest_move(const Eigen::MatrixXd& step) const
   {
     Point_matrix moves;
-    transposed_product(m_embedding_transposed, step, moves);
+    transposed_product(m_system.embedding_transposed(), step, moves);
     return std::sqrt(moves.rowwise().squaredNorm().maxCoeff());
   }
 
@@ -455,7 +363,7 @@ private:
     Eigen::MatrixXd step, solution;
     Point_matrix next, gradient, previous_gradient;
     const auto solve = [&](Eigen::MatrixXd& x) {
-      m_factor.solve(x, solution);
+      m_system.solve(x, solution);
       x.swap(solution);
     };
     const auto plain_move = [&] { // in the last iteration
@@ -525,16 +433,10 @@ private:
   double m_length_scale;
   Registration_options m_options;
   Eigen::VectorXd m_weights;
-  Eigen::SparseMatrix<double> m_embedding_transposed;
   Arap_energy m_arap;
   std::optional<Taubin_fairing> m_fairing;
-  std::vector<std::unique_ptr<Registration_constraint_base>> m_constraints;
-  std::optional<std::vector<std::size_t>> m_factored_revisions; // none: list of constraints changed
-  Eigen::SparseMatrix<double> m_matrix;                         // without constraints
-  // on the surface: current ones, and those in the factor without its update
-  Eigen::SparseMatrix<double> m_constraint_matrix, m_factored_constraint_matrix;
-  Factor_maker m_factor_maker;
-  Updated_factor m_factor;
+  const Factor_maker m_factor_maker;
+  Global_system m_system;
   Point_matrix m_target, m_target_term; // the target, and its term of the right-hand side
   std::optional<Unfolding> m_unfolding; // instead of the target
   Point_matrix m_surface, m_right_hand_side;
