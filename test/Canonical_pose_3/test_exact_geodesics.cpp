@@ -185,11 +185,4 @@ TEST(Exact_geodesics, bad_input)
   EXPECT_EQ(refusal(grid), "face 6 is not a triangle");
 }
 
-TEST(Exact_geodesics, landmarks_by_fronts_on_own_points)
-{
-  using CGAL::Canonical_pose_3::Exact_geodesics_3;
-  expect_fronts_on_own_points<Exact_geodesics_3<Mesh>,
-                              Exact_geodesics_3<Mesh, Mesh_with_points::Point_map>>();
-}
-
 } // namespace test_exact_geodesics

@@ -294,4 +294,33 @@ TEST(Heat_geodesics, any_mesh_and_kernel)
   EXPECT_EQ(distances(to_mesh<CGAL::Surface_mesh<CGAL::Epeck::Point_3>>(soup)), d);
 }
 
+TEST(Heat_geodesics, time_step_factors_out_of_bounds)
+{
+  const Mesh mesh = icosphere<Mesh>(1, 1.);
+  const double inf = std::numeric_limits<double>::infinity();
+  const auto said = [&](double factor) {
+    return message_of<std::invalid_argument>([&] { Heat(mesh, mesh.points(), Kernel(), factor); });
+  };
+  for(double factor : {0., -1., -inf, inf, std::numeric_limits<double>::quiet_NaN(), 1.1e6})
+  {
+    EXPECT_NE(said(factor).find("the time step factor is "), std::string::npos) << factor;
+    EXPECT_EQ(message_of<std::invalid_argument>([&] { Heat(mesh, factor); }), said(factor));
+  }
+  EXPECT_EQ(said(-1.), "the time step factor is -1, not positive and at most 1e6");
+  for(double factor : {std::numeric_limits<double>::denorm_min(), 1e6})
+    EXPECT_EQ(said(factor), "nothing");
+}
+
+// On a right triangle with legs 1 there is one face, no inner edge, and the gradient of the heat is
+// constant: the distance is a linear function that is 0 at the source and equal at the two others,
+// hence 1/sqrt(2).
+TEST(Heat_geodesics, one_triangle)
+{
+  const Mesh mesh = to_mesh<Mesh>({{{0, 0, 0}}, {{1, 0, 0}}, {{0, 1, 0}}}, {{{0, 1, 2}}});
+  const Eigen::VectorXd d = Heat(mesh).distances(vertex(mesh, 0));
+  EXPECT_EQ(d[0], 0.);
+  EXPECT_NEAR(d[1], std::sqrt(0.5), 1e-14);
+  EXPECT_NEAR(d[2], std::sqrt(0.5), 1e-14);
+}
+
 } // namespace test_heat_geodesics

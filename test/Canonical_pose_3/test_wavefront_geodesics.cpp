@@ -297,4 +297,12 @@ TEST(Wavefront_geodesics, any_mesh_kernel_and_map)
     EXPECT_EQ(written[v], static_cast<float>(d[static_cast<Eigen::Index>(own.index(v))]));
 }
 
+// One face has two legs of length 1 and no edge to cross.
+TEST(Wavefront_geodesics, one_triangle)
+{
+  const Mesh mesh = to_mesh<Mesh>({{{0, 0, 0}}, {{1, 0, 0}}, {{0, 1, 0}}}, {{{0, 1, 2}}});
+  const Eigen::VectorXd d = Wavefront(mesh).distances(vertex(mesh, 0));
+  EXPECT_EQ(d, Eigen::Vector3d(0., 1., 1.));
+}
+
 } // namespace test_wavefront_geodesics
