@@ -4,11 +4,14 @@
 #ifndef CGAL_CANONICAL_POSE_3_TOOL_READ_CLASSES_H
 #define CGAL_CANONICAL_POSE_3_TOOL_READ_CLASSES_H
 
-#include <fstream>
+#include "formats/Mesh_file.h"
+
+#include <cstddef>
 #include <map>
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace Canonical_pose_tool {
 
@@ -16,19 +19,23 @@ namespace Canonical_pose_tool {
 /// \throws std::invalid_argument if it cannot be read, or a line is different; the line is named.
 inline std::map<std::string, std::string> read_classes(const std::string& path)
 {
-  std::ifstream in(path);
-  if(!in)
-    throw std::invalid_argument("the classes '" + path + "' cannot be read");
-  std::map<std::string, std::string> result;
-  std::size_t number = 0;
-  for(std::string line; std::getline(in, line);)
+  std::vector<std::string> lines;
+  try
   {
-    ++number;
-    std::istringstream words(line);
+    lines = read_lines(path);
+  }
+  catch(const std::invalid_argument& error)
+  {
+    throw std::invalid_argument("the classes '" + path + "' cannot be read: " + error.what());
+  }
+  std::map<std::string, std::string> result;
+  for(std::size_t i = 0; i < lines.size(); ++i)
+  {
+    std::istringstream words(lines[i]);
     std::string stem, name, more;
     if(!(words >> stem))
       continue;
-    const auto where = [&] { return "'" + path + "', line " + std::to_string(number); };
+    const auto where = [&] { return "'" + path + "', line " + std::to_string(i + 1); };
     if(!(words >> name) || words >> more)
       throw std::invalid_argument(where() + " is not a stem and a class");
     if(!result.emplace(stem, name).second)

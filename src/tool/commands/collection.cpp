@@ -8,6 +8,7 @@
 #include "collection/Collection_database.h"
 #include "collection/Shape_job.h"
 #include "collection/run_jobs.h"
+#include "formats/Mesh_file.h"
 
 #include <boost/crc.hpp>
 
@@ -67,17 +68,15 @@ std::string normal_path(const std::string& path)
 }
 
 void add_list(const std::string& list, std::set<std::string>& paths)
+try
 {
-  std::ifstream in(list);
-  if(!in)
-    throw std::invalid_argument("the list '" + list + "' cannot be read");
-  for(std::string line; std::getline(in, line);)
-  {
-    if(!line.empty() && line.back() == '\r')
-      line.pop_back();
+  for(const std::string& line : read_lines(list))
     if(!line.empty())
       paths.insert(normal_path(line));
-  }
+}
+catch(const std::invalid_argument& error)
+{
+  throw std::invalid_argument("the list '" + list + "' cannot be read: " + error.what());
 }
 
 // The shapes, without duplicates.

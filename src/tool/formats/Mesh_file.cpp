@@ -70,7 +70,9 @@ Mesh_file read_mesh_file(const std::string& path)
   const Format format = format_of(path);
   if(format == Format::VTU)
     throw std::invalid_argument("files of VTK (.vtu) are written, but not read");
-  const std::string bytes = bytes_of_file(path);
+  std::string bytes = bytes_of_file(path);
+  if(format != Format::GLB && !(format == Format::STL && is_binary_stl(bytes)))
+    remove_byte_order_mark(bytes);
   Mesh_file mesh;
   switch(format)
   {
@@ -109,10 +111,24 @@ catch(const std::invalid_argument& error)
   throw std::invalid_argument("'" + path + "': " + error.what());
 }
 
+std::vector<std::string> read_lines(const std::string& path)
+{
+  std::string bytes = bytes_of_file(path);
+  remove_byte_order_mark(bytes);
+  std::vector<std::string> lines(1);
+  for(std::size_t i = 0; i < bytes.size(); ++i)
+    if(bytes[i] == '\n' || (bytes[i] == '\r' && (i + 1 == bytes.size() || bytes[i + 1] != '\n')))
+      lines.emplace_back();
+    else if(bytes[i] != '\r')
+      lines.back() += bytes[i];
+  return lines;
+}
+
 std::vector<double> read_numbers(const std::string& path)
 try
 {
-  const std::string bytes = bytes_of_file(path);
+  std::string bytes = bytes_of_file(path);
+  remove_byte_order_mark(bytes);
   std::vector<double> numbers;
   Text_cursor text(bytes);
   for(std::string_view word = text.word(); !word.empty(); word = text.word())

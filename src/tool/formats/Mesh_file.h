@@ -43,6 +43,10 @@ inline void check_is_surface(const Mesh_file& mesh)
     throw std::invalid_argument("a surface is needed, but this is a tetrahedral mesh");
 }
 
+// Returns the lines of a text, without their ends. Throws std::invalid_argument if the file cannot be
+// read, is empty, or is encoded in UTF-16.
+std::vector<std::string> read_lines(const std::string& path);
+
 // Reads numbers separated by blanks or line ends from a text file; '#' starts a comment. Throws
 // std::invalid_argument, which also names the file.
 std::vector<double> read_numbers(const std::string& path);

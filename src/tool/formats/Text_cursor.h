@@ -29,8 +29,17 @@ struct Element
   }
 };
 
+// Removes the mark that some editors write before a text. Throws if the text is in UTF-16.
+inline void remove_byte_order_mark(std::string& text)
+{
+  if(text.compare(0, 2, "\xFF\xFE") == 0 || text.compare(0, 2, "\xFE\xFF") == 0)
+    throw std::invalid_argument("the text is encoded in UTF-16; UTF-8 and ASCII are read");
+  if(text.compare(0, 3, "\xEF\xBB\xBF") == 0)
+    text.erase(0, 3);
+}
+
 // Reads words and numbers from a text, one after the other. '#' starts a comment, up to the end of
-// the line.
+// the line. Lines end in LF, CR LF, or CR alone.
 class Text_cursor
 {
 public:
@@ -42,8 +51,7 @@ public:
   // Returns the next word, on any line; empty at the end of the text.
   std::string_view word()
   {
-    while(m_position != m_end
-          && (is_blank(*m_position) || is_line_end(*m_position) || *m_position == '#'))
+    while(m_position != m_end && (is_blank(*m_position) || is_line_end() || *m_position == '#'))
       *m_position == '#' ? skip_line() : step();
     return rest_of_word();
   }
@@ -51,7 +59,7 @@ public:
   // Returns the next word on this line; empty at the end of the line.
   std::string_view word_on_line()
   {
-    while(m_position != m_end && is_blank(*m_position))
+    while(m_position != m_end && is_blank(*m_position) && !is_line_end())
       ++m_position;
     return m_position != m_end && *m_position == '#' ? std::string_view() : rest_of_word();
   }
@@ -59,7 +67,7 @@ public:
   // Goes to the end of this line.
   void skip_line()
   {
-    while(m_position != m_end && *m_position != '\n')
+    while(m_position != m_end && !is_line_end())
       ++m_position;
   }
 
@@ -157,11 +165,16 @@ private:
   {
     return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
   }
-  static bool is_line_end(const char c) { return c == '\n'; }
+  // Of a text that is not at its end.
+  bool is_line_end() const
+  {
+    return *m_position == '\n'
+           || (*m_position == '\r' && (m_position + 1 == m_end || m_position[1] != '\n'));
+  }
 
   void step()
   {
-    if(is_line_end(*m_position))
+    if(is_line_end())
       ++m_line;
     ++m_position;
   }
@@ -169,7 +182,7 @@ private:
   std::string_view rest_of_word()
   {
     const char* const begin = m_position;
-    while(m_position != m_end && !is_blank(*m_position) && !is_line_end(*m_position))
+    while(m_position != m_end && !is_blank(*m_position) && *m_position != '\n')
       ++m_position;
     return std::string_view(begin, static_cast<std::size_t>(m_position - begin));
   }

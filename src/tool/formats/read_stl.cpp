@@ -126,14 +126,16 @@ void read_ascii(const std::string& bytes, Mesh_file& mesh)
 
 } // namespace
 
+bool is_binary_stl(const std::string& bytes)
+{
+  return bytes.size() >= HEADER_SIZE
+         && bytes.size() == HEADER_SIZE + FACE_SIZE * number_of_binary_faces(bytes);
+}
+
 void read_stl(const std::string& bytes, Mesh_file& mesh)
 {
-  // The header of a binary file may also start with this word.
-  const bool has_binary_size
-    = bytes.size() >= HEADER_SIZE
-      && bytes.size() == HEADER_SIZE + FACE_SIZE * number_of_binary_faces(bytes);
   const std::size_t first = bytes.find_first_not_of(" \t\r\n");
-  if(!has_binary_size && bytes.compare(first, 5, "solid") == 0)
+  if(!is_binary_stl(bytes) && bytes.compare(first, 5, "solid") == 0)
     read_ascii(bytes, mesh);
   else
     read_binary(bytes, mesh);

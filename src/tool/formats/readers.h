@@ -18,6 +18,7 @@ void read_off(const std::string& bytes, Mesh_file& mesh);
 void read_obj(const std::string& bytes, Mesh_file& mesh);
 void read_ply(const std::string& bytes, Mesh_file& mesh);
 void read_stl(const std::string& bytes, Mesh_file& mesh);
+bool is_binary_stl(const std::string& bytes);
 void read_medit(const std::string& bytes, Mesh_file& mesh);
 // `path` is that of the file.
 void read_gltf(const std::string& bytes, const std::string& path, Mesh_file& mesh);

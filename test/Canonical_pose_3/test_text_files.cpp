@@ -1,0 +1,132 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "matchers.h"
+
+#include "collection/read_classes.h"
+#include "formats/Mesh_file.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstddef>
+#include <fstream>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace test_text_files {
+
+using namespace Canonical_pose_tool;
+
+std::string written(const std::string& name, const std::string& bytes)
+{
+  const std::string path = testing::TempDir() + "test_text_files_" + name;
+  std::ofstream(path, std::ios::binary) << bytes;
+  return path;
+}
+
+// With other line ends than LF.
+std::string with_line_ends(const std::string& text, const std::string& end)
+{
+  std::string result;
+  for(const char c : text)
+    result += c == '\n' ? end : std::string(1, c);
+  return result;
+}
+
+// In UTF-16, of ASCII.
+std::string in_utf_16(const std::string& text, const bool is_big_endian)
+{
+  std::string result = is_big_endian ? "\xFE\xFF" : "\xFF\xFE";
+  for(const char c : text)
+    result += is_big_endian ? std::string{'\0', c} : std::string{c, '\0'};
+  return result;
+}
+
+// A tetrahedron, as text of each format.
+const std::map<std::string, std::string> TEXTS = {
+  {"tetrahedron.off",
+   "OFF # one\n4 4 6\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n"},
+  {"tetrahedron.obj",
+   "v 0 0 0\nv 1 0 0\n# three and four\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n"},
+  {"tetrahedron.ply",
+   "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
+   "property float z\nelement face 4\nproperty list uchar int vertex_indices\nend_header\n"
+   "0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n"},
+  {"tetrahedron.stl",
+   "solid one\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n"
+   "endfacet\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 0 0 1\nvertex 1 0 0\nendloop\n"
+   "endfacet\nendsolid one\n"},
+  {"tetrahedron.mesh",
+   "MeshVersionFormatted 2\nDimension 3\nVertices\n4\n0 0 0 0\n1 0 0 0\n0 1 0 0\n0 0 1 0\n"
+   "Tetrahedra\n1\n1 2 3 4 1\nEnd\n"}};
+
+void expect_equal(const Mesh_file& mesh, const Mesh_file& expected)
+{
+  EXPECT_EQ(mesh.points, expected.points);
+  EXPECT_EQ(mesh.faces, expected.faces);
+  EXPECT_EQ(mesh.cells, expected.cells);
+}
+
+// A byte-order mark and the ends of lines do not change what a text says. With a mark, OBJ lost its
+// first vertex without a word; with CR alone, all but the first.
+TEST(Text_files, byte_order_marks_and_line_ends)
+{
+  for(const auto& [name, text] : TEXTS)
+  {
+    const Mesh_file expected = read_mesh_file(written(name, text));
+    ASSERT_GE(expected.points.size(), 4u) << name;
+    ASSERT_GE(expected.faces.size() + expected.cells.size(), 1u) << name;
+    for(const std::string& mark : {"", "\xEF\xBB\xBF"})
+      for(const std::string& end : {"\n", "\r\n", "\r"})
+      {
+        SCOPED_TRACE(name + (mark.empty() ? "" : " with a mark") + (end == "\r" ? ", CR" : ""));
+        expect_equal(read_mesh_file(written(name, mark + with_line_ends(text, end))), expected);
+      }
+    for(const bool is_big_endian : {false, true})
+      EXPECT_THROW_WITH(read_mesh_file(written(name, in_utf_16(text, is_big_endian))),
+                        std::invalid_argument,
+                        "the text is encoded in UTF-16; UTF-8 and ASCII are read");
+  }
+}
+
+// Lines of messages are those that an editor shows.
+TEST(Text_files, lines_of_messages)
+{
+  for(const std::string& end : {"\n", "\r\n", "\r"})
+    EXPECT_THROW_WITH(
+      read_mesh_file(written("wrong.obj", with_line_ends("v 0 0 0\n\nv 0 one 0\n", end))),
+      std::invalid_argument, "vertex 1: 'one' is not a number (line 3)");
+}
+
+// The header of a binary file is any text, and may begin like a mark.
+TEST(Text_files, binary_stl)
+{
+  for(const std::string& beginning : {"\xEF\xBB\xBF", "\xFF\xFE", "solid"})
+  {
+    std::string bytes = beginning + std::string(80 - beginning.size(), ' ');
+    bytes += std::string("\x01\x00\x00\x00", 4);
+    const std::array<float, 12> facet = {0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0};
+    bytes.append(reinterpret_cast<const char*>(facet.data()), sizeof(facet));
+    bytes += std::string(2, '\0');
+    EXPECT_EQ(read_mesh_file(written("binary.stl", bytes)).points.size(), 3u);
+  }
+}
+
+TEST(Text_files, numbers_lines_and_classes)
+{
+  const std::string mark = "\xEF\xBB\xBF";
+  for(const std::string& end : {"\n", "\r\n", "\r"})
+  {
+    EXPECT_EQ(read_numbers(written("numbers.txt", mark + with_line_ends("1\n2 # two\n3\n", end))),
+              (std::vector<double>{1, 2, 3}));
+    EXPECT_EQ(read_lines(written("lines.txt", mark + with_line_ends("a\nb c\n\nd", end))),
+              (std::vector<std::string>{"a", "b c", "", "d"}));
+    EXPECT_EQ(read_classes(written("classes.txt", mark + with_line_ends("a x\nb y\n", end))),
+              (std::map<std::string, std::string>{{"a", "x"}, {"b", "y"}}));
+  }
+}
+
+} // namespace test_text_files
