@@ -157,6 +157,8 @@ private:
 
 } // namespace detail
 
+extern template class Articulated_shape<detail::Quadruped>; // in Articulated_shapes.cpp
+
 /// A four-legged animal; its legs are straight in the rest pose.
 class Articulated_animal : public Articulated_shape<detail::Quadruped>
 {

@@ -176,6 +176,8 @@ private:
 
 } // namespace detail
 
+extern template class Articulated_shape<detail::Person>; // in Articulated_shapes.cpp
+
 /// A person; the arms are stretched sideways in the rest pose.
 class Articulated_figure : public Articulated_shape<detail::Person>
 {

@@ -212,7 +212,7 @@ TEST(Coarse_meshes, planar_meshes_remain_planar)
       const CP::internal::Principal_axes frame(points, Eigen::VectorXd::Ones(points.rows()));
       return std::sqrt(std::abs(frame.variances[2]) / frame.variances[0]);
     };
-    for(int level = 0; level < 4; ++level, soup = subdivided(soup))
+    for(int level = 0; level < 2; ++level, soup = subdivided(soup))
     {
       CP::Options options;
       options.return_landmark_fields = true;

@@ -1,5 +1,6 @@
 # Builds and runs a small external project that uses the package in three ways:
-# find_package() on an installation, add_subdirectory() and FetchContent.
+# find_package() on an installation, FetchContent, and add_subdirectory(), which is only configured. FetchContent does the
+# same, and builds the library again, which takes long: it has the label package.
 
 set(installation ${CMAKE_CURRENT_BINARY_DIR}/test_consumer/installation)
 add_test(NAME consumer.install
@@ -17,18 +18,22 @@ function(add_canonical_pose_consumer_test name way)
       --build-options -DWAY=${way} -DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER}
         -DCMAKE_CXX_FLAGS=${CMAKE_CXX_FLAGS} -DCGAL_DIR=${CGAL_DIR} ${ARGN}
       --test-command consumer)
-  set_tests_properties(consumer.${name} PROPERTIES LABELS consumer TIMEOUT 1200)
+  set_tests_properties(consumer.${name} PROPERTIES LABELS consumer TIMEOUT 1200 COST 200)
 endfunction()
 
 set(tetgen -DEXPECT_TETGEN=$<TARGET_EXISTS:Canonical_pose_3::tetgen>)
 add_canonical_pose_consumer_test(find_package find_package
   -DCMAKE_PREFIX_PATH=${installation} ${tetgen})
 set_tests_properties(consumer.find_package PROPERTIES FIXTURES_REQUIRED installation)
-add_canonical_pose_consumer_test(add_subdirectory add_subdirectory -DPACKAGE_DIRECTORY=${PROJECT_SOURCE_DIR}
-  -DWITH_CHOLMOD=${WITH_CHOLMOD} -DWITH_TBB=${WITH_TBB} -DWITH_TETGEN=${WITH_TETGEN} ${tetgen})
+add_test(NAME consumer.add_subdirectory COMMAND ${CMAKE_COMMAND}
+  -S ${CMAKE_CURRENT_SOURCE_DIR}/test_consumer -B ${CMAKE_CURRENT_BINARY_DIR}/test_consumer/add_subdirectory
+  -DWAY=add_subdirectory -DPACKAGE_DIRECTORY=${PROJECT_SOURCE_DIR} -DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER}
+  -DCGAL_DIR=${CGAL_DIR} -DWITH_CHOLMOD=${WITH_CHOLMOD} -DWITH_TBB=${WITH_TBB} -DWITH_TETGEN=${WITH_TETGEN} ${tetgen})
+set_tests_properties(consumer.add_subdirectory PROPERTIES LABELS consumer TIMEOUT 1200)
 # Nothing but CGAL and Eigen.
 add_canonical_pose_consumer_test(FetchContent FetchContent -DPACKAGE_DIRECTORY=${PROJECT_SOURCE_DIR}
   -DWITH_CHOLMOD=OFF -DWITH_TBB=OFF -DWITH_TETGEN=OFF)
+set_tests_properties(consumer.FetchContent PROPERTIES LABELS package)
 
 # The program in the installed README.
 add_test(NAME consumer.readme
@@ -50,5 +55,5 @@ if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
     COMMAND ${CMAKE_CXX_COMPILER} -std=c++17 "-I$<JOIN:${directories},;-I>" -o consumer_of_all_sources
       ${CMAKE_CURRENT_SOURCE_DIR}/test_consumer/consumer.cpp ${PROJECT_SOURCE_DIR}/src/engine/all.cpp -lgmp -lmpfr
     COMMAND_EXPAND_LISTS)
-  set_tests_properties(consumer.all_sources PROPERTIES LABELS consumer TIMEOUT 1200)
+  set_tests_properties(consumer.all_sources PROPERTIES LABELS consumer TIMEOUT 1200 COST 200)
 endif()
