@@ -129,7 +129,7 @@ Result registered_pose(const Surface_component_3& surface, const Coarse_surface_
                                                         first, options, before, is_in_plane));
       };
   Registration_summary before;
-  if(internal::is_posed_in_plane(surface, coarse, fields, options))
+  if(!target.is_given && internal::is_posed_in_plane(surface, coarse, fields, options))
   {
     const Eigen::VectorXd shares = vertex_area_shares(surface.points, surface.triangles);
     Target_3 flat = target;
