@@ -178,6 +178,18 @@ public:
     return target_handedness(target.points, m_surface.points, closed(m_surface), m_shares);
   }
 
+  // In the plane of its first two principal axes.
+  Target_3 flattened(Target_3 target) const
+  {
+    target.points = align_target(flattened(target.points), m_surface.points, m_shares);
+    return target;
+  }
+
+  Point_matrix flattened(const Point_matrix& pose) const
+  {
+    return internal::flattened(pose, m_shares);
+  }
+
   Target_3 mirrored(Target_3 target) const
   {
     target.points = align_target(target.points, m_surface.points, m_shares, true);

@@ -19,12 +19,8 @@
 #include <CGAL/Canonical_pose_3/Surface_body_3.h>
 #include <CGAL/Canonical_pose_3/Surface_component_3.h>
 #include <CGAL/Canonical_pose_3/Target_3.h>
-#include <CGAL/Canonical_pose_3/align_target.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 #include <CGAL/Canonical_pose_3/pose_steps.h>
-#include <CGAL/Canonical_pose_3/surface_measures.h>
-
-#include <Eigen/Core>
 
 #include <algorithm>
 #include <cstddef>
@@ -76,9 +72,8 @@ inline Registered_body refined_in_rounds(const Surface_registration& registratio
              : landmark_fields(posed, fields.landmarks, options);
   };
   const auto target_of = [&](const Landmark_fields_3& measured, const Point_matrix& pose) {
-    const Point_matrix start
-      = is_in_plane ? flattened(pose, vertex_area_shares(surface.points, surface.triangles)) : pose;
-    return refined_target(surface, coarse, measured, start, options);
+    return refined_target(surface, coarse, measured,
+                          is_in_plane ? registration.flattened(pose) : pose, options);
   };
   const auto refined = [&](const Point_matrix& pose, Registration_summary& times) {
     Rounds::Refined_target result;
@@ -131,10 +126,8 @@ Result registered_pose(const Surface_component_3& surface, const Coarse_surface_
   Registration_summary before;
   if(!target.is_given && internal::is_posed_in_plane(surface, coarse, fields, options))
   {
-    const Eigen::VectorXd shares = vertex_area_shares(surface.points, surface.triangles);
-    Target_3 flat = target;
-    flat.points = align_target(internal::flattened(target.points, shares), surface.points, shares);
-    const internal::Registered_body planar = registered(flat, before, true);
+    const internal::Registered_body planar
+      = registered(registration.flattened(target), before, true);
     const bool is_complete = internal::Surface_registration::is_complete(planar);
     if(!is_complete || registration.is_unfolded_in_plane(planar))
       return registration.result(planar, is_complete);

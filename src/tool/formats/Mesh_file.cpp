@@ -115,12 +115,15 @@ std::vector<std::string> read_lines(const std::string& path)
 {
   std::string bytes = bytes_of_file(path);
   remove_byte_order_mark(bytes);
-  std::vector<std::string> lines(1);
-  for(std::size_t i = 0; i < bytes.size(); ++i)
-    if(bytes[i] == '\n' || (bytes[i] == '\r' && (i + 1 == bytes.size() || bytes[i + 1] != '\n')))
-      lines.emplace_back();
-    else if(bytes[i] != '\r')
-      lines.back() += bytes[i];
+  std::vector<std::string> lines;
+  for(Text_cursor text(bytes); text.position() != text.end(); text.next_line())
+  {
+    const char* const begin = text.position();
+    text.skip_line();
+    lines.emplace_back(begin, text.position());
+    if(!lines.back().empty() && lines.back().back() == '\r')
+      lines.back().pop_back();
+  }
   return lines;
 }
 
