@@ -17,6 +17,7 @@
 #include "linear_algebra/leading_eigenvectors.cpp"
 #include "linear_algebra/make_default_factor.cpp"
 #include "linear_algebra/make_default_lane_factor.cpp"
+#include "linear_algebra/smallest_eigenpairs.cpp"
 #include "pipeline/body_of_surface.cpp"
 #include "pipeline/extrapolated_fields.cpp"
 #include "pipeline/geodesic_distances.cpp"

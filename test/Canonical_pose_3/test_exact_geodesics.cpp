@@ -166,23 +166,4 @@ TEST(Exact_geodesics, components_and_removed_vertices)
 
 // The same inputs as for the heat method are refused, and faces without area, which cannot be
 // unfolded.
-TEST(Exact_geodesics, bad_input)
-{
-  const auto refusal = [](const Mesh& mesh) {
-    return message_of<std::invalid_argument>([&] { Exact exact(mesh); });
-  };
-  EXPECT_EQ(refusal(Mesh()), "the mesh is empty: it has no face");
-  Mesh sphere = icosphere<Mesh>(1, 1.);
-  EXPECT_THROW(Exact(sphere).distances(Mesh::null_vertex()), CGAL::Precondition_exception);
-  sphere.point(vertex(sphere, 5)) = Kernel::Point_3(0., 0., INF);
-  EXPECT_EQ(refusal(sphere), "vertex 5 has a coordinate that is not finite");
-  Mesh grid = plane_grid<Mesh>(3, 1, 3., 1.);
-  grid.point(vertex(grid, 5)) = Kernel::Point_3(0.5, 0., 0.);
-  EXPECT_EQ(refusal(grid), "face 0 is degenerate");
-  const auto a = grid.add_vertex(Kernel::Point_3(4, 0, 0)),
-             b = grid.add_vertex(Kernel::Point_3(4, 1, 0));
-  grid.add_face(vertex(grid, 3), a, b, vertex(grid, 7));
-  EXPECT_EQ(refusal(grid), "face 6 is not a triangle");
-}
-
 } // namespace test_exact_geodesics
