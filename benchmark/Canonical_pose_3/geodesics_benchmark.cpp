@@ -23,6 +23,7 @@
 #include "../../examples/Canonical_pose_3/Articulated_figure.h"
 
 #include <CGAL/Canonical_pose_3/Heat_geodesics_3.h>
+#include <CGAL/Canonical_pose_3/call_with_threads.h>
 #include <CGAL/Canonical_pose_3/farthest_point_landmarks.h>
 #include <CGAL/Canonical_pose_3/front_landmarks.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -30,10 +31,6 @@
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 #include <CGAL/Real_timer.h>
 #include <CGAL/Surface_mesh.h>
-
-#ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/global_control.h>
-#endif
 
 #include <algorithm>
 #include <cstdio>
@@ -102,10 +99,9 @@ Seconds run_ours(const Mesh& mesh, const std::vector<Mesh::Vertex_index>& source
 
 Seconds run_ours_on_one_thread(const Mesh& mesh, const std::vector<Mesh::Vertex_index>& sources)
 {
-#ifdef CGAL_LINKED_WITH_TBB
-  const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
-#endif
-  return run_ours(mesh, sources);
+  Seconds result;
+  CGAL::Canonical_pose_3::call_with_threads(1, [&] { result = run_ours(mesh, sources); });
+  return result;
 }
 
 Seconds run_cgal(const Mesh& input, const std::vector<Mesh::Vertex_index>& sources)

@@ -5,6 +5,7 @@
 #define CGAL_CANONICAL_POSE_3_BENCHMARK_SETTING_H
 
 #include <CGAL/Canonical_pose_3/Default_factor_traits_d.h>
+#include <CGAL/Canonical_pose_3/library_configuration.h>
 
 #include <CGAL/version.h>
 
@@ -13,10 +14,6 @@
 #include <sstream>
 #include <string>
 #include <thread>
-
-#ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/task_arena.h>
-#endif
 
 // set by the build
 #ifndef CANONICAL_POSE_3_COMPILED_WITH
@@ -32,12 +29,8 @@ inline std::string setting()
   out << CANONICAL_POSE_3_COMPILED_WITH << "; CGAL " << CGAL_VERSION_STR << ", Eigen "
       << EIGEN_WORLD_VERSION << '.' << EIGEN_MAJOR_VERSION << '.' << EIGEN_MINOR_VERSION
       << "; solver " << CGAL::Canonical_pose_3::Default_factor_traits_d::name() << "; "
-      << std::thread::hardware_concurrency() << " cores, ";
-#ifdef CGAL_LINKED_WITH_TBB
-  out << tbb::this_task_arena::max_concurrency() << " threads of TBB";
-#else
-  out << "no TBB";
-#endif
+      << std::thread::hardware_concurrency() << " cores, "
+      << (CGAL::Canonical_pose_3::library_configuration().tbb ? "TBB" : "no TBB");
   return out.str();
 }
 

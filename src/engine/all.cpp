@@ -38,6 +38,7 @@
 #include "surface/diagnose.cpp"
 #include "surface/examine_surface.cpp"
 #include "surface/repair_surface.cpp"
+#include "support/call_with_threads.cpp"
 #include "support/configuration.cpp"
 #include "support/for_each_index.cpp"
 #include "target/Coarse_surface_3.cpp"

@@ -27,7 +27,9 @@ import tempfile
 import zipfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-VERSION = re.search(r"VERSION ([\d.]+)", (ROOT / "CMakeLists.txt").read_text().split("project(")[1])[1]
+VERSION = re.search(
+    r'_VERSION "(.+)"', (ROOT / "include/CGAL/Canonical_pose_3/library_configuration.h").read_text()
+)[1]
 NAME = f"canonical_pose-{VERSION}"
 METADATA = f"""\
 Metadata-Version: 2.1

@@ -17,17 +17,15 @@
 #include "exact_geodesics.h"
 #include "formats/Cgal_types.h"
 
+#include <CGAL/Canonical_pose_3/call_with_threads.h>
 #include <CGAL/Canonical_pose_3/geodesic_distances.h>
+#include <CGAL/Canonical_pose_3/library_configuration.h>
 #include <CGAL/Canonical_pose_3/pose_difference.h>
 
 #include <CGAL/assertions_behaviour.h>
 
 #include <pybind11/eigen.h>
 #include <pybind11/stl.h>
-
-#ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/task_arena.h>
-#endif
 
 #include <algorithm>
 #include <optional>
@@ -149,23 +147,18 @@ py::dict describe(const py::object& vertices, const py::object& faces,
   const Mesh_file surface = surface_of(vertices, faces);
   const Options options = options_of(keywords);
   std::optional<Point_matrix> pose = pose_of(given_pose, surface);
+  std::vector<Eigen::VectorXd> values;
   const auto describe_surface = [&] {
     const Point_matrix points = tool::matrix_of(tool::points_of(surface));
-    std::vector<Eigen::VectorXd> result;
     for(const tool::Descriptor& descriptor : chosen)
     {
       if(descriptor.needs_pose && !pose)
         pose = tool::compute_pose(surface, options).pose;
-      result.push_back(descriptor.values(descriptor.needs_pose ? *pose : points, surface.faces));
+      values.push_back(descriptor.values(descriptor.needs_pose ? *pose : points, surface.faces));
     }
-    return result;
   };
-  const std::vector<Eigen::VectorXd> values = without_lock([&] {
-#ifdef CGAL_LINKED_WITH_TBB
-    if(options.number_of_threads > 0) // descriptors have no options of their own
-      return tbb::task_arena(options.number_of_threads).execute(describe_surface);
-#endif
-    return describe_surface();
+  without_lock([&] {
+    CGAL::Canonical_pose_3::call_with_threads(options.number_of_threads, describe_surface);
   });
   py::dict result;
   for(std::size_t i = 0; i < chosen.size(); ++i)
@@ -199,7 +192,7 @@ PYBIND11_MODULE(_core, module)
 {
   CGAL::set_error_handler(do_not_print);
   CGAL::set_warning_handler(do_not_print);
-  module.attr("version") = CANONICAL_POSE_VERSION;
+  module.attr("version") = CGAL_CANONICAL_POSE_3_VERSION;
   module.def("pose", &pose);
   module.def("target", &target);
   module.def("geodesics", &geodesics);

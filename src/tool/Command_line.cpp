@@ -5,6 +5,8 @@
 #include "option_values.h"
 #include "formats/Mesh_file.h"
 
+#include <CGAL/Canonical_pose_3/library_configuration.h>
+
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
@@ -555,7 +557,7 @@ std::optional<int> parse_command_line(const int argc, char* argv[], Arguments& a
 {
   Raw_arguments raw;
   CLI::App app("Brings 3D shapes into their detail-preserving canonical pose.", "canonical-pose");
-  app.set_version_flag("--version", CANONICAL_POSE_VERSION);
+  app.set_version_flag("--version", CGAL_CANONICAL_POSE_3_VERSION);
   app.require_subcommand(1);
   app.failure_message([](const CLI::App*, const CLI::Error& error) { // one line for bad values
     return std::string("canonical-pose: ") + error.what()

@@ -3,22 +3,13 @@
 
 #include "Report.h"
 
-#include <CGAL/version.h>
-#ifdef CGAL_CANONICAL_POSE_3_USE_CHOLMOD
-#include <cholmod.h>
-#endif
-#ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/version.h>
-#endif
-
-#include <Eigen/Core>
-
-#include <boost/version.hpp>
+#include <CGAL/Canonical_pose_3/library_configuration.h>
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <ostream>
 #include <string>
 #include <sys/resource.h>
@@ -41,7 +32,9 @@ Json input_of(const Diagnosis_3& d)
           {"boundary_edges", d.boundary_edges},
           {"non_manifold", d.non_manifold_edges + d.non_manifold_vertices},
           {"degenerate_faces", d.degenerate_faces},
-          {"self_intersections", d.self_intersections ? Json(*d.self_intersections) : Json()}};
+          {"self_intersections", d.self_intersections                 ? Json(*d.self_intersections)
+                                 : d.has_searched_self_intersections ? Json()
+                                                                     : Json("not searched")}};
 }
 
 Json target_of(const Registration_summary& s)
@@ -104,28 +97,20 @@ std::size_t peak_memory_bytes()
 #endif
 }
 
-std::string dotted(const int major, const int minor, const int patch)
-{
-  return std::to_string(major) + '.' + std::to_string(minor) + '.' + std::to_string(patch);
-}
-
 Json versions()
 {
-  Json result
-    = {{"canonical_pose_3", CANONICAL_POSE_VERSION},
-       {"cgal", CGAL_VERSION_STR},
-       {"eigen", dotted(EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)},
-       {"boost", dotted(BOOST_VERSION / 100000, BOOST_VERSION / 100 % 1000, BOOST_VERSION % 100)},
-       {"cholmod", nullptr},
-       {"tbb", nullptr},
-       {"compiler", __VERSION__}};
-#ifdef CGAL_CANONICAL_POSE_3_USE_CHOLMOD
-  result["cholmod"] = dotted(CHOLMOD_MAIN_VERSION, CHOLMOD_SUB_VERSION, CHOLMOD_SUBSUB_VERSION);
-#endif
-#ifdef CGAL_LINKED_WITH_TBB
-  result["tbb"] = TBB_VERSION_STRING;
-#endif
-  return result;
+  const CGAL::Canonical_pose_3::Library_configuration c
+    = CGAL::Canonical_pose_3::library_configuration();
+  const auto optional = [](const std::optional<std::string>& version) {
+    return version ? Json(*version) : Json();
+  };
+  return {{"canonical_pose_3", c.canonical_pose_3},
+          {"cgal", c.cgal},
+          {"eigen", c.eigen},
+          {"boost", c.boost},
+          {"cholmod", optional(c.cholmod)},
+          {"tbb", optional(c.tbb)},
+          {"compiler", c.compiler}};
 }
 
 void write(std::ostream& out, Json report, const std::vector<Registration_summary::Stage>& stages,

@@ -6,13 +6,9 @@
 #include "exact_geodesics.h"
 #include "formats/Cgal_types.h"
 
-#ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/global_control.h>
-#endif
+#include <CGAL/Canonical_pose_3/call_with_threads.h>
 
 #include <algorithm>
-#include <cstddef>
-#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -45,21 +41,17 @@ void take_pose(const Mesh_file& input, const Arguments& arguments, Shape_descrip
 Shape_description describe_shape(const Mesh_file& input, const std::vector<Descriptor>& chosen,
                                  const Arguments& arguments, const bool needs_pose)
 {
-#ifdef CGAL_LINKED_WITH_TBB
-  std::optional<tbb::global_control> limit;
-  if(arguments.options.number_of_threads > 0)
-    limit.emplace(tbb::global_control::max_allowed_parallelism,
-                  static_cast<std::size_t>(arguments.options.number_of_threads));
-#endif
   check_is_surface(input);
   Shape_description shape;
   shape.points = matrix_of(points_of(input));
   if(needs_pose
      || std::any_of(chosen.begin(), chosen.end(), [](const Descriptor& d) { return d.needs_pose; }))
     take_pose(input, arguments, shape);
-  for(const Descriptor& d : chosen)
-    shape.descriptors.push_back(
-      {d.name, d.version, d.values(d.needs_pose ? shape.pose : shape.points, input.faces)});
+  CGAL::Canonical_pose_3::call_with_threads(arguments.options.number_of_threads, [&] {
+    for(const Descriptor& d : chosen)
+      shape.descriptors.push_back(
+        {d.name, d.version, d.values(d.needs_pose ? shape.pose : shape.points, input.faces)});
+  });
   return shape;
 }
 

@@ -94,7 +94,7 @@ TEST(Examine_surface, is_diagnosis_and_repair)
   {
     const Point_matrix points = to_matrix(soup.points);
     const CP::internal::Examined_surface both
-      = CP::internal::examine_surface(points, soup.polygons);
+      = CP::internal::examine_surface(points, soup.polygons, true);
     expect_same(both.diagnosis, CP::diagnose(points, soup.polygons));
     expect_same(both.surface, CP::repair_surface(points, soup.polygons));
   }
@@ -114,7 +114,7 @@ TEST(Examine_surface, refuses_what_they_refuse)
   for(const Polygon_soup& soup : {infinite, missing, empty, flat})
   {
     const Point_matrix points = to_matrix(soup.points);
-    EXPECT_EQ(message_of([&] { CP::internal::examine_surface(points, soup.polygons); }),
+    EXPECT_EQ(message_of([&] { CP::internal::examine_surface(points, soup.polygons, false); }),
               messages[i]);
     EXPECT_EQ(message_of([&] { CP::repair_surface(points, soup.polygons); }), messages[i]);
     EXPECT_EQ(message_of([&] { CP::diagnose(points, soup.polygons); }), i < 2 ? messages[i] : "");

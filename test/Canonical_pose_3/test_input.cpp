@@ -201,4 +201,24 @@ TEST(Bad_input, overflow_is_reported_by_the_summary)
   EXPECT_EQ(pose[0], untouched);
 }
 
+// Self-intersections do not change a pose: they are counted if this is requested, and for meshers, which refuse them.
+TEST(Self_intersections, are_counted_on_request)
+{
+  const Canonical_pose_test::Polygon_soup soup
+    = merged(Canonical_pose_test::ball(), Canonical_pose_test::ball(), .5);
+  std::vector<Kernel::Point_3> points, pose;
+  for(const auto& p : soup.points)
+    points.emplace_back(p[0], p[1], p[2]);
+  CP::Options options;
+  options.components = CP::Options::Components::EACH;
+  const CP::Result without = CGAL::canonical_pose_3(points, soup.polygons, pose, options);
+  EXPECT_FALSE(without.summary.input.has_searched_self_intersections);
+  EXPECT_FALSE(without.summary.input.self_intersections);
+  options.searches_self_intersections = true;
+  const CP::Result with = CGAL::canonical_pose_3(points, soup.polygons, pose, options);
+  EXPECT_TRUE(with.summary.input.has_searched_self_intersections);
+  EXPECT_GT(with.summary.input.self_intersections.value(), 0u);
+  EXPECT_EQ(with.pose, without.pose);
+}
+
 } // namespace test_input

@@ -154,6 +154,7 @@ Bad_values of_method()
                               [](Options& o) -> double& { return o.unfolding.weight; })},
     {"number_of_rounds", bad_numbers("number_of_rounds", {-1}, number_of_rounds)},
     {"takes_mirror_image", {}},
+    {"searches_self_intersections", {}},
     {"body", bad_enumerators("body", &O::body, O::Body::MESH_3)},
     {"make_body", {}},
     {"lattice_spacing",
@@ -375,7 +376,7 @@ TEST(Options_of_the_call, no_member_is_missing)
   EXPECT_MEMBERS(names_of(of_method()), CP::Method_options, geodesics, landmark_fields_function,
                  target_fields_function, number_of_coarse_vertices, number_of_landmarks,
                  random_seed, kernel, mds_kernel, target_mode, unfolding, number_of_rounds,
-                 takes_mirror_image, body, make_body, lattice_spacing, components, contacts, frame,
+                 takes_mirror_image, searches_self_intersections, body, make_body, lattice_spacing, components, contacts, frame,
                  registration, paper_weights, volume_ratio_limit, solver, linear_solver,
                  number_of_threads, visitor, return_landmark_fields);
   EXPECT_MEMBERS(names_of(of_paper_weights()), CP::Paper_weights, alpha, beta);

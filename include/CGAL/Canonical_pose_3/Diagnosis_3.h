@@ -76,9 +76,12 @@ struct Diagnosis_3
   std::size_t duplicate_faces = 0;
   /// number of pairs of faces that intersect without being neighbors, at most
   /// `MAXIMUM_NUMBER_OF_SELF_INTERSECTIONS`. Degenerate and duplicate faces are ignored. Empty if
-  /// the search was abandoned: there is no face, or the bounding boxes of far too many faces
-  /// overlap.
+  /// there was no search, or if it was abandoned: there is no face, or the bounding boxes of far too
+  /// many faces overlap.
   std::optional<std::size_t> self_intersections;
+  /// whether there was a search for them. `diagnose()` does; for `CGAL::canonical_pose_3()`, see
+  /// `Method_options::searches_self_intersections`.
+  bool has_searched_self_intersections = false;
   /// the defects, the worst first.
   std::vector<Defect> defects;
   /// message of the first defect; empty if there is none. Holes count as a defect here.

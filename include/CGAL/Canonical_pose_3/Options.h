@@ -205,6 +205,10 @@ struct Method_options
   /// `align_handedness()`.
   bool takes_mirror_image = false;
 
+  /// whether to count self-intersections for the summary, which takes as long as a third of the pose.
+  /// They are no obstacle, but for bodies of TetGen and Mesh_3, which search them in any case.
+  bool searches_self_intersections = false;
+
   /// the body of a surface; a complex is its own body.
   Body body = Body::AUTOMATIC;
 

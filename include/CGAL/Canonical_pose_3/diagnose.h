@@ -18,7 +18,7 @@ namespace Canonical_pose_3 {
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief examines a polygon soup.
+\brief examines a polygon soup, and searches self-intersections.
 
 \param points \f$ n \times 3 \f$, positions.
 \param polygons sequences of rows of `points`.

@@ -7,6 +7,7 @@
 #include "describe_fields.h"
 #include "pose_of_components.h"
 #include "refine_components.h"
+#include "../surface/examine_surface.h"
 #include "../surface/refined_surface.h"
 #include "../support/Thread_limit.h"
 
@@ -18,7 +19,6 @@
 #include <CGAL/Canonical_pose_3/Result.h>
 #include <CGAL/Canonical_pose_3/Surface_body_3.h>
 #include <CGAL/Canonical_pose_3/Surface_component_3.h>
-#include <CGAL/Canonical_pose_3/diagnose.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/poses.h>
 #include <CGAL/Canonical_pose_3/internal/registration/check_registration.h>
 #include <CGAL/Canonical_pose_3/internal/support/Indexed_vector.h>
@@ -86,8 +86,9 @@ prepared_complex(const Point_matrix& points, const std::vector<std::array<int, 4
   rows.vertex_of_row
     = Indexed_vector<Row_index, Vertex_index>::of_numbers(parts.boundary_vertices());
   rows.row_name = "boundary vertex";
-  Prepared_surface_3 result = prepared(diagnose(points, unsigned_cells), points,
-                                       std::move(surfaces), std::move(rows), roles, options);
+  Prepared_surface_3 result = prepared(
+    examine_boundary(points, unsigned_cells, options.searches_self_intersections), points,
+    std::move(surfaces), std::move(rows), roles, options);
   refine(result.components);
   const std::vector<std::size_t> posed = posed_components(roles);
   for(std::size_t c = 0; c < posed.size(); ++c)

@@ -33,14 +33,26 @@ namespace Canonical_pose_3 {
 
 namespace internal {
 
-// Polygons with the smallest corner first, like those of `index_polygons()`: so a soup and a mesh have
-// the same pose, bit for bit.
-inline std::vector<std::vector<std::size_t>>
-with_smallest_corners_first(std::vector<std::vector<std::size_t>> polygons)
+// Examines polygons with the smallest corner first, like those of `index_polygons()`: so a soup and a
+// mesh have the same pose, bit for bit.
+inline Examined_surface
+examine_polygons(const Point_matrix& points, const std::vector<std::vector<std::size_t>>& polygons,
+                 const bool searches_self_intersections)
 {
-  for(std::vector<std::size_t>& corners : polygons)
-    std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
-  return polygons;
+  const auto examine = [&](auto faces) {
+    for(auto& corners : faces)
+      std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+    return examine_surface(points, faces, searches_self_intersections);
+  };
+  std::vector<Index_triangle> triangles;
+  triangles.reserve(polygons.size());
+  for(const std::vector<std::size_t>& corners : polygons)
+  {
+    if(corners.size() != 3)
+      return examine(polygons);
+    triangles.push_back({corners[0], corners[1], corners[2]});
+  }
+  return examine(std::move(triangles));
 }
 
 // The components of a surface, in one pass over it.
@@ -122,19 +134,20 @@ Prepared_surface_3 prepare_surface(const Point_matrix& points,
     return limit.execute([&] { return prepare_surface(points, polygons, options); });
   internal::check_options(options, static_cast<std::size_t>(points.rows()));
   internal::check_factors(options.stiffness, points.rows(), "stiffness", "vertex", false);
-  const internal::Examined_surface examined
-    = internal::examine_surface(points, internal::with_smallest_corners_first(polygons));
+  const bool has_mesher = !options.make_body
+                          && (options.body == Options::Body::TETGEN
+                              || options.body == Options::Body::MESH_3);
+  const internal::Examined_surface examined = internal::examine_polygons(
+    points, polygons, has_mesher || options.searches_self_intersections);
   const Diagnosis_3& diagnosis = examined.diagnosis;
   const Repaired_surface_3& surface = examined.surface;
   std::vector<Surface_component_3> components = internal::components_of(surface);
-  const bool has_lattice = !options.make_body && options.body != Options::Body::TETGEN
-                           && options.body != Options::Body::MESH_3;
+  const bool has_lattice = !options.make_body && !has_mesher;
   const std::vector<internal::Component_role> roles = internal::Component_roles::find(
     components, internal::find_fragments(components, surface.representatives.size()),
     options.components, has_lattice);
   internal::check_roles(roles, diagnosis, components, options.components);
-  if(!options.make_body
-     && (options.body == Options::Body::TETGEN || options.body == Options::Body::MESH_3))
+  if(has_mesher)
   {
     if(!diagnosis.is_clean())
       throw std::invalid_argument(diagnosis.first_defect);

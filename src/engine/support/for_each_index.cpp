@@ -28,7 +28,6 @@ void for_each_index(const std::size_t n, const Index_function f)
 #endif
 }
 
-// Calls f(i) for all i < n, in parallel if TBB is available.
 } // namespace internal
 } // namespace Canonical_pose_3
 } // namespace CGAL

@@ -43,7 +43,7 @@ public:
     m_result.faces = m_faces.size();
   }
 
-  Diagnosis_3 run()
+  Diagnosis_3 run(const bool searches_self_intersections)
   {
     if(m_faces.empty())
       m_result.defects.push_back({"no_faces", 1, "face", {}, Checked_soup::NO_FACE});
@@ -52,7 +52,8 @@ public:
     examine_edges();
     find_non_manifold_vertices();
     find_components();
-    find_self_intersections();
+    if(searches_self_intersections)
+      find_self_intersections();
     find_holes();
     find_components_inside_out();
     find_duplicated_points();
@@ -89,6 +90,11 @@ private:
 
   bool has_no_area(const std::size_t f) const
   {
+    if(m_faces[f].size() == 3)
+    {
+      const Index_triangle t = {m_faces[f][0], m_faces[f][1], m_faces[f][2]};
+      return names_a_vertex_twice(t) || is_degenerate(m_points, t);
+    }
     std::vector<std::size_t> p(m_faces[f].begin(), m_faces[f].end());
     std::sort(p.begin(), p.end());
     if(p.size() < 3 || std::adjacent_find(p.begin(), p.end()) != p.end())
@@ -213,6 +219,7 @@ private:
   // Faces that were separated, as in an STL file, are neighbors here.
   void find_self_intersections()
   {
+    m_result.has_searched_self_intersections = true;
     if(m_faces.empty())
       return;
     Triangle_soup soup = m_topology.soup.triangles();
@@ -336,9 +343,10 @@ private:
 };
 
 template <class Faces>
-Diagnosis_3 diagnosis_of(const Soup_topology<Faces>& topology)
+Diagnosis_3 diagnosis_of(const Soup_topology<Faces>& topology,
+                         const bool searches_self_intersections)
 {
-  return Soup_diagnosis<Faces>(topology).run();
+  return Soup_diagnosis<Faces>(topology).run(searches_self_intersections);
 }
 
 } // namespace internal

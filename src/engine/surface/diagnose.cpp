@@ -3,6 +3,7 @@
 
 #include "Soup_diagnosis.h"
 #include "Soup_topology.h"
+#include "examine_surface.h"
 
 #include <CGAL/Canonical_pose_3/Diagnosis_3.h>
 #include <CGAL/Canonical_pose_3/diagnose.h>
@@ -15,6 +16,7 @@
 #include <cstddef>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -22,31 +24,21 @@ namespace Canonical_pose_3 {
 namespace internal {
 
 template <class Polygons>
-Diagnosis_3 diagnose_soup(const Point_matrix& points, const Polygons& polygons)
+Diagnosis_3 diagnose_soup(const Point_matrix& points, const Polygons& polygons,
+                          const bool searches_self_intersections)
 {
   const Checked_soup soup(points, polygons);
-  return soup.is_triangulated() ? diagnosis_of(Soup_topology(soup, soup.triangles().triangles))
-                                : diagnosis_of(Soup_topology(soup, polygons));
+  return soup.is_triangulated()
+           ? diagnosis_of(Soup_topology(soup, soup.triangles().triangles),
+                          searches_self_intersections)
+           : diagnosis_of(Soup_topology(soup, polygons), searches_self_intersections);
 }
 
-} // namespace internal
-
-Diagnosis_3 diagnose(const Point_matrix& points,
-                     const std::vector<std::vector<std::size_t>>& polygons)
+Diagnosis_3 examine_boundary(const Point_matrix& points,
+                             const std::vector<std::array<std::size_t, 4>>& cells,
+                             const bool searches_self_intersections)
 {
-  return internal::diagnose_soup(points, polygons);
-}
-
-Diagnosis_3 diagnose(const Point_matrix& points,
-                     const std::vector<std::array<std::size_t, 3>>& triangles)
-{
-  return internal::diagnose_soup(points, triangles);
-}
-
-Diagnosis_3 diagnose(const Point_matrix& points,
-                     const std::vector<std::array<std::size_t, 4>>& cells)
-{
-  internal::check_elements(cells, static_cast<std::size_t>(points.rows()), "cell");
+  check_elements(cells, static_cast<std::size_t>(points.rows()), "cell");
   std::vector<std::array<int, 4>> indexed(cells.size());
   for(std::size_t t = 0; t < cells.size(); ++t)
     for(std::size_t k = 0; k < 4; ++k)
@@ -55,7 +47,8 @@ Diagnosis_3 diagnose(const Point_matrix& points,
       if(std::count(cells[t].begin(), cells[t].end(), cells[t][k]) > 1)
         throw std::invalid_argument("cell " + std::to_string(t) + " names a vertex twice");
     }
-  Diagnosis_3 result = diagnose(points, internal::boundary_triangles(points, indexed));
+  Diagnosis_3 result
+    = diagnose_soup(points, boundary_triangles(points, indexed), searches_self_intersections);
   const auto is_of_inner_vertices
     = [](const Diagnosis_3::Defect& defect) { return defect.kind == "isolated_vertices"; };
   result.defects.erase(
@@ -64,6 +57,26 @@ Diagnosis_3 diagnose(const Point_matrix& points,
   result.vertices -= std::exchange(result.isolated_vertices, 0);
   result.first_defect = result.defects.empty() ? std::string() : result.defects.front().message;
   return result;
+}
+
+} // namespace internal
+
+Diagnosis_3 diagnose(const Point_matrix& points,
+                     const std::vector<std::vector<std::size_t>>& polygons)
+{
+  return internal::diagnose_soup(points, polygons, true);
+}
+
+Diagnosis_3 diagnose(const Point_matrix& points,
+                     const std::vector<std::array<std::size_t, 3>>& triangles)
+{
+  return internal::diagnose_soup(points, triangles, true);
+}
+
+Diagnosis_3 diagnose(const Point_matrix& points,
+                     const std::vector<std::array<std::size_t, 4>>& cells)
+{
+  return internal::examine_boundary(points, cells, true);
 }
 
 } // namespace Canonical_pose_3

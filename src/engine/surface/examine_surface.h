@@ -6,8 +6,10 @@
 
 #include <CGAL/Canonical_pose_3/Diagnosis_3.h>
 #include <CGAL/Canonical_pose_3/Repaired_surface_3.h>
+#include <CGAL/Canonical_pose_3/internal/surface/index_faces.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -23,7 +25,16 @@ struct Examined_surface
 
 // diagnose() and repair_surface() combined: their results, and their exceptions in this order.
 Examined_surface examine_surface(const Point_matrix& points,
-                                 const std::vector<std::vector<std::size_t>>& polygons);
+                                 const std::vector<std::vector<std::size_t>>& polygons,
+                                 bool searches_self_intersections);
+Examined_surface examine_surface(const Point_matrix& points,
+                                 const std::vector<Index_triangle>& triangles,
+                                 bool searches_self_intersections);
+
+// diagnose() for the boundary of a complex.
+Diagnosis_3 examine_boundary(const Point_matrix& points,
+                             const std::vector<std::array<std::size_t, 4>>& cells,
+                             bool searches_self_intersections);
 
 } // namespace internal
 } // namespace Canonical_pose_3

@@ -10,6 +10,8 @@
 #include "collection/run_jobs.h"
 #include "formats/Mesh_file.h"
 
+#include <CGAL/Canonical_pose_3/library_configuration.h>
+
 #include <boost/crc.hpp>
 
 #include <algorithm>
@@ -151,7 +153,7 @@ std::optional<Shape_job> job_of(const std::string& path, const Arguments& argume
                                 Collection_database& database)
 {
   Shape_job job;
-  job.key = {path, checksum_of(path), arguments.pose_options, CANONICAL_POSE_VERSION};
+  job.key = {path, checksum_of(path), arguments.pose_options, CGAL_CANONICAL_POSE_3_VERSION};
   job.limits = {arguments.time_limit, arguments.memory_limit};
   const std::optional<Shape_row> row = database.row_of(path);
   const bool is_current = row && row->key == job.key;

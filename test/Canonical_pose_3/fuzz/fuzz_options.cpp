@@ -157,6 +157,7 @@ Options any_options(Byte_source& bytes, const std::size_t vertices, const std::s
   options.number_of_rounds = 0;
   any(options.number_of_rounds);
   any(options.takes_mirror_image);
+  any(options.searches_self_intersections);
   any.choose(options.body, 4);
   options.lattice_spacing = 0.3; // few cells: the sanitizers are slow
   if(any.is_replaced())
