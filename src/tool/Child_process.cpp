@@ -3,13 +3,13 @@
 
 #include "Child_process.h"
 
-#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <fcntl.h>
+#include <fstream>
 #include <stdexcept>
 #include <string>
 #include <sys/mman.h>
@@ -46,6 +46,15 @@ std::string content_of(const int file)
   for(ssize_t n; (n = read(file, part.data(), part.size())) > 0;)
     result.append(part.data(), static_cast<std::size_t>(n));
   return result;
+}
+
+// A limit of the address space would include what is only reserved, and libraries wait for it without end.
+double resident_megabytes(const pid_t process)
+{
+  std::ifstream in("/proc/" + std::to_string(process) + "/statm");
+  double all = 0, resident = 0; // pages
+  in >> all >> resident;
+  return in ? resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / 1048576 : 0;
 }
 
 // One thread: libraries that start threads of their own are told so, too.
@@ -91,16 +100,9 @@ Child_process::Child_process(const std::vector<std::string>& arguments, const Li
     return;
 
   // Between fork() and exec(), only calls that are safe in a signal handler.
-  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  prctl(PR_SET_PDEATHSIG, SIGTERM); // on which it removes its files
   if(getppid() != parent)
     _exit(EXIT_FAILURE);
-  if(m_limits.megabytes > 0)
-  {
-    rlimit limit;
-    limit.rlim_cur = limit.rlim_max
-      = static_cast<rlim_t>((std::min)(m_limits.megabytes * 1048576, 9e18));
-    setrlimit(RLIMIT_AS, &limit);
-  }
   rlimit no_core_file = {0, 0};
   setrlimit(RLIMIT_CORE, &no_core_file);
   const int nothing = open("/dev/null", O_RDONLY);
@@ -122,6 +124,28 @@ Child_process::~Child_process()
   close(m_errors);
 }
 
+// First by a signal on which it removes its files, then by one that cannot be ignored.
+void Child_process::end_at_limits(const double seconds)
+{
+  constexpr double grace = 2, time_between_looks = .01;
+  if(m_timed_out || m_out_of_memory)
+  {
+    if(seconds > m_end_of_grace)
+      kill(m_process, SIGKILL);
+    return;
+  }
+  m_timed_out = m_limits.seconds > 0 && seconds > m_limits.seconds;
+  if(m_limits.megabytes > 0 && seconds >= m_next_look_at_memory)
+  {
+    m_out_of_memory = resident_megabytes(m_process) > m_limits.megabytes;
+    m_next_look_at_memory = seconds + time_between_looks;
+  }
+  if(!m_timed_out && !m_out_of_memory)
+    return;
+  m_end_of_grace = seconds + grace;
+  kill(m_process, SIGTERM);
+}
+
 std::optional<Child_process::Ending> Child_process::ending()
 {
   const double seconds = std::chrono::duration<double>(Clock::now() - m_start).count();
@@ -129,11 +153,7 @@ std::optional<Child_process::Ending> Child_process::ending()
   const pid_t ended = waitpid(m_process, &status, WNOHANG);
   if(ended == 0)
   {
-    if(m_limits.seconds > 0 && seconds > m_limits.seconds && !m_timed_out)
-    {
-      m_timed_out = true;
-      kill(m_process, SIGKILL);
-    }
+    end_at_limits(seconds);
     return std::nullopt;
   }
   if(ended < 0)
@@ -143,6 +163,7 @@ std::optional<Child_process::Ending> Child_process::ending()
   result.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 0;
   result.signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
   result.timed_out = m_timed_out;
+  result.out_of_memory = m_out_of_memory;
   result.output = content_of(m_output);
   result.errors = content_of(m_errors);
   result.seconds = seconds;

@@ -20,14 +20,14 @@ public:
   struct Limits
   {
     double seconds = 0;
-    double megabytes = 0;
+    double megabytes = 0; // of resident memory
   };
 
   struct Ending
   {
     int exit_code = 0; // if there is no signal
     int signal = 0;
-    bool timed_out = false;
+    bool timed_out = false, out_of_memory = false; // ended for that
     std::string output, errors;
     double seconds = 0;
   };
@@ -38,17 +38,20 @@ public:
   Child_process(const Child_process&) = delete;
   Child_process& operator=(const Child_process&) = delete;
 
-  // Returns how it ended, if it did; kills it at its time limit. Does not wait.
+  // Returns how it ended, if it did; ends it at its limits. Does not wait.
   std::optional<Ending> ending();
 
 private:
   using Clock = std::chrono::steady_clock;
 
+  void end_at_limits(double seconds);
+
   pid_t m_process = -1;
   int m_output = -1, m_errors = -1;
   Limits m_limits;
   Clock::time_point m_start = Clock::now();
-  bool m_timed_out = false;
+  bool m_timed_out = false, m_out_of_memory = false;
+  double m_end_of_grace = 0, m_next_look_at_memory = 0; // seconds since the start
 };
 
 } // namespace Canonical_pose_tool

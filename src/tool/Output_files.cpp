@@ -4,7 +4,9 @@
 #include "Output_files.h"
 
 #include <array>
+#include <atomic>
 #include <cerrno>
+#include <csignal>
 #include <cstring>
 #include <fcntl.h>
 #include <filesystem>
@@ -51,6 +53,44 @@ fs::path place_of(const std::string& path)
   return directory / place.filename();
 }
 
+// The files that a signal removes: a list from which nothing is taken, so that a handler can walk through it.
+struct Unfinished_file
+{
+  std::string path;
+  std::atomic<bool> exists;
+  Unfinished_file* next;
+};
+std::atomic<Unfinished_file*> unfinished_files{nullptr};
+std::atomic<bool> is_committing{false};
+std::atomic<int> signal_during_commit{0};
+
+void add_unfinished_file(const char* const path)
+{
+  auto* const file = new Unfinished_file{path, true, unfinished_files.load()};
+  unfinished_files.store(file);
+}
+
+void drop_unfinished_file(const fs::path& path)
+{
+  for(Unfinished_file* file = unfinished_files; file; file = file->next)
+    if(file->path == path.string())
+      file->exists = false;
+}
+
+// Only what is safe in a handler.
+extern "C" void remove_files_and_exit(const int signal)
+{
+  if(is_committing)
+  {
+    signal_during_commit = signal;
+    return;
+  }
+  for(Unfinished_file* file = unfinished_files; file; file = file->next)
+    if(file->exists)
+      unlink(file->path.c_str());
+  _exit(128 + signal);
+}
+
 // A name for another file in the same directory as `place`.
 fs::path beside(const fs::path& place, const int attempt)
 {
@@ -72,8 +112,12 @@ fs::path make_beside(const fs::path& place, const Make& make)
   for(int attempt = 0;; ++attempt)
   {
     fs::path name = beside(place, attempt);
+    add_unfinished_file(name.c_str());
     if(make(name.c_str()) >= 0)
       return name;
+    const int error = errno;
+    drop_unfinished_file(name);
+    errno = error;
     if(errno != EEXIST || attempt == most_attempts)
       return {};
   }
@@ -137,6 +181,19 @@ private:
 
 } // namespace
 
+void remove_files_on_signals()
+{
+  for(const int signal : {SIGINT, SIGTERM, SIGHUP, SIGXFSZ})
+  {
+    struct sigaction action = {};
+    sigaction(signal, nullptr, &action);
+    if(action.sa_handler != SIG_DFL)
+      continue;
+    action.sa_handler = remove_files_and_exit;
+    sigaction(signal, &action, nullptr);
+  }
+}
+
 Output_files::Output_files(const std::vector<std::string>& paths)
 {
   std::set<fs::path> places;
@@ -165,7 +222,13 @@ Output_files::~Output_files()
   for(const File& file : m_files)
     for(const fs::path& name : {file.beside, file.before})
       if(!name.empty())
+      {
         fs::remove(name, error);
+        drop_unfinished_file(name);
+      }
+  is_committing = false;
+  if(signal_during_commit != 0)
+    remove_files_and_exit(signal_during_commit);
 }
 
 void Output_files::write(const std::string& path,
@@ -193,6 +256,7 @@ void Output_files::write(const std::string& path,
 void Output_files::commit()
 {
   keep_what_is_there();
+  is_committing = true; // until the files that were there are removed
   for(std::size_t i = 0; i < m_files.size(); ++i)
   {
     std::error_code error;
@@ -202,6 +266,7 @@ void Output_files::commit()
       undo(i);
       throw std::runtime_error(cannot_write(m_files[i].path, error.message()));
     }
+    drop_unfinished_file(m_files[i].beside);
     m_files[i].beside.clear();
   }
 }

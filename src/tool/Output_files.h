@@ -14,6 +14,10 @@
 
 namespace Canonical_pose_tool {
 
+// On SIGINT, SIGTERM, SIGHUP and SIGXFSZ, unless they are ignored: removes the files that are not committed, and exits
+// with 128 plus the number of the signal. A signal during commit() waits for its end.
+void remove_files_on_signals();
+
 // The output files of a run: either all of them are written completely, or none. They are first
 // written to the same directories under unused names, and then renamed together. Symbolic links are
 // followed, whether or not their target exists.

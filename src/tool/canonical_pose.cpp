@@ -4,6 +4,7 @@
 // The command-line tool, see canonical_pose.md: parse, call, write.
 
 #include "Command_line.h"
+#include "Output_files.h"
 #include "commands/commands.h"
 
 #include <CGAL/assertions_behaviour.h>
@@ -12,6 +13,9 @@
 #include <cstdlib>
 #include <exception>
 #include <iostream>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 #include <new>
 #include <optional>
 #include <stdexcept>
@@ -37,6 +41,11 @@ void do_not_print(const char*, const char*, const char*, int, const char*) {}
 
 int main(int argc, char* argv[])
 {
+  remove_files_on_signals();
+#ifdef __GLIBC__ // otherwise large arrays come from the system, which clears them each time: a seventh of the time
+  mallopt(M_MMAP_MAX, 0);
+  mallopt(M_TRIM_THRESHOLD, -1);
+#endif
   CGAL::set_error_handler(do_not_print);
   CGAL::set_warning_handler(do_not_print);
   std::string subject;

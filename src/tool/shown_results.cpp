@@ -145,7 +145,9 @@ Shown_surface shown_pose(const Mesh_file& input, const CP::Result& result)
 void write_pose(std::ostream& out, const Format format, const Mesh_file& input,
                 const Point_matrix& pose)
 {
-  if(format == Format::VTU)
+  if(is_rewritable(input, format))
+    rewrite_mesh(out, input, with_points(input, pose).points, {{"strain", strains(input, pose)}});
+  else if(format == Format::VTU)
     write_vtu(out, with_points(input, pose), {{"strain", strains(input, pose)}});
   else if(format == Format::PLY)
   {

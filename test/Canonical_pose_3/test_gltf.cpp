@@ -312,10 +312,8 @@ TEST(Gltf, unsupported_content_is_refused_by_name)
   expect_refusal(primitive + "attributes", {{"POSITION", 77}},
                  "the accessor of POSITION does not exist");
   expect_refusal(primitive + "attributes", {{"NORMAL", 1}}, "has no attribute POSITION");
-  expect_refusal("/meshes/1", json_of(bytes)["meshes"][0], "there are 2 meshes, but one is needed");
-  expect_refusal("/meshes/0/primitives/1", json_of(bytes)["meshes"][0]["primitives"][0],
-                 "there are 2 primitives");
-  expect_refusal("/nodes/1", {{"mesh", 0}}, "the mesh occurs in nodes 0 and 1");
+  expect_refusal("/meshes", json::array(), "node 0 names mesh 0, but there are 0");
+  expect_refusal("/nodes/0/mesh", 1, "node 0 names mesh 1, but there are 1");
   expect_refusal("/nodes/0/children", {0}, "the nodes form a cycle");
   expect_refusal("/nodes/0/skin", 0, "the mesh has a skin");
   expect_refusal("/nodes/0",
@@ -363,6 +361,40 @@ TEST(Gltf, nodes_move_the_mesh)
     EXPECT_NEAR(moved.points[v][0], 11 - 3 * mesh.points[v][1], 1e-5);
     EXPECT_NEAR(moved.points[v][1], 22 + 2 * mesh.points[v][0], 1e-5);
     EXPECT_NEAR(moved.points[v][2], 33 + 4 * mesh.points[v][2], 1e-5);
+  }
+}
+
+// Meshes, and primitives of a mesh, are one surface: those that share vertices remain connected, and a mesh that several
+// nodes show is there several times. A node that mirrors turns the faces over, so that they remain outward.
+TEST(Gltf, several_meshes_and_primitives)
+{
+  const Mesh_file mesh = ball();
+  const std::string bytes = written(mesh);
+  const std::size_t n = mesh.points.size();
+  json model = json_of(bytes);
+  const json primitive = model["meshes"][0]["primitives"][0];
+  model["meshes"][0]["primitives"].push_back(primitive);
+  const Mesh_file twice = read(with_json(bytes, model));
+  EXPECT_EQ(twice.points.size(), n);
+  EXPECT_EQ(twice.faces.size(), 2 * mesh.faces.size());
+  EXPECT_EQ(twice.faces.back(), mesh.faces.back());
+
+  model = json_of(bytes);
+  model["meshes"].push_back(model["meshes"][0]);
+  model["nodes"] = {{{"mesh", 0}}, {{"mesh", 1}, {"scale", {1, 1, -1}}}, {{"mesh", 0}}};
+  const Mesh_file merged = read(with_json(bytes, model));
+  ASSERT_EQ(merged.points.size(), 3 * n);
+  ASSERT_EQ(merged.faces.size(), 3 * mesh.faces.size());
+  for(std::size_t v = 0; v < n; ++v)
+  {
+    EXPECT_EQ(merged.points[v], merged.points[v + 2 * n]);
+    EXPECT_EQ(merged.points[v + n][2], -merged.points[v][2]);
+  }
+  for(std::size_t f = 0; f < mesh.faces.size(); ++f)
+  {
+    const std::vector<std::size_t>& face = merged.faces[f];
+    EXPECT_EQ(merged.faces[f + mesh.faces.size()],
+              (std::vector<std::size_t>{face[0] + n, face[2] + n, face[1] + n}));
   }
 }
 

@@ -101,6 +101,15 @@ TEST(Text_files, lines_of_messages)
       std::invalid_argument, "vertex 1: 'one' is not a number (line 3)");
 }
 
+// An extension that lies is named.
+TEST(Text_files, content_of_another_format)
+{
+  EXPECT_THROW_WITH(read_mesh_file(written("lie.off", TEXTS.at("tetrahedron.ply"))),
+                    std::invalid_argument, "there is no keyword OFF; its content looks like PLY");
+  EXPECT_THROW_WITH(read_mesh_file(written("lie.ply", TEXTS.at("tetrahedron.stl"))),
+                    std::invalid_argument, "there is no keyword ply; its content looks like STL");
+}
+
 // The header of a binary file is any text, and may begin like a mark.
 TEST(Text_files, binary_stl)
 {

@@ -53,6 +53,11 @@ Shape_row Shape_job::row_of(const Child_process::Ending& ending) const
     row.outcome = Outcome::TIMED_OUT;
     row.message = "not done after " + Json(limits.seconds).dump() + " seconds";
   }
+  else if(ending.out_of_memory)
+  {
+    row.outcome = Outcome::OUT_OF_MEMORY;
+    row.message = "more than " + Json(limits.megabytes).dump() + " megabytes are needed";
+  }
   else if(ending.signal != 0)
   {
     row.outcome = Outcome::CRASHED;
@@ -97,8 +102,9 @@ void from_text(const std::string& text, std::vector<std::string>& arguments,
 std::string to_text(const Child_process::Ending& ending)
 {
   return Json{{"exit_code", ending.exit_code}, {"signal", ending.signal},
-              {"timed_out", ending.timed_out}, {"output", ending.output},
-              {"errors", ending.errors},       {"seconds", ending.seconds}}
+              {"timed_out", ending.timed_out}, {"out_of_memory", ending.out_of_memory},
+              {"output", ending.output},       {"errors", ending.errors},
+              {"seconds", ending.seconds}}
     .dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
@@ -109,6 +115,7 @@ Child_process::Ending ending_from_text(const std::string& text)
   result.exit_code = json.at("exit_code").get<int>();
   result.signal = json.at("signal").get<int>();
   result.timed_out = json.at("timed_out").get<bool>();
+  result.out_of_memory = json.at("out_of_memory").get<bool>();
   result.output = json.at("output").get<std::string>();
   result.errors = json.at("errors").get<std::string>();
   result.seconds = json.at("seconds").get<double>();

@@ -101,7 +101,7 @@ void run_pose(Arguments& arguments)
   check_formats(arguments);
   Output_files files({arguments.output, arguments.target, arguments.scene, arguments.report});
   say(arguments, "reading " + arguments.input);
-  const Mesh_file input = read_mesh_file(arguments.input);
+  const Mesh_file input = read_mesh_file(arguments.input, Source::KEPT);
   check_format_holds(format_of(arguments.output), input);
   if(!arguments.target.empty())
     check_format_holds(format_of(arguments.target), input);

@@ -8,6 +8,7 @@
 #include "commands.h"
 #include "describe_shape.h"
 #include "descriptors.h"
+#include "shown_results.h"
 #include "formats/Cgal_types.h"
 #include "formats/Mesh_file.h"
 
@@ -30,7 +31,8 @@ void run_shape(const Arguments& arguments)
   Output_files files({arguments.output});
   const std::vector<Descriptor> chosen
     = arguments.has_no_descriptor ? std::vector<Descriptor>() : descriptors(arguments.descriptors);
-  const Mesh_file input = read_mesh_file(arguments.input);
+  const Mesh_file input = read_mesh_file(
+    arguments.input, arguments.output.empty() ? Source::DROPPED : Source::KEPT);
   const double seconds_to_read = clock.lap();
   Shape_description shape
     = describe_shape(input, chosen, arguments, arguments.is_segmented || !arguments.output.empty());
@@ -42,7 +44,7 @@ void run_shape(const Arguments& arguments)
     parts = CP::consensus_segmentation_tree(shape.points, input.faces, shape.pose, options).parts();
   }
   files.write(arguments.output, [&](std::ostream& out) {
-    write_mesh(out, format_of(arguments.output), with_points(input, shape.pose));
+    write_pose(out, format_of(arguments.output), input, shape.pose);
   });
   files.commit();
 
@@ -56,10 +58,10 @@ void run_shape(const Arguments& arguments)
     write_report(report, CP::diagnose(shape.points, input.faces), {{"read", seconds_to_read}},
                  clock.total());
   write_descriptors(values, shape.descriptors);
-  using Json = nlohmann::ordered_json;
-  std::cout << Json{{"report", Json::parse(report.str())},
-                    {"descriptors", Json::parse(values.str())},
-                    {"parts", parts}};
+  std::cout << nlohmann::ordered_json{
+    {"report", nlohmann::ordered_json::parse(report.str())},
+    {"descriptors", nlohmann::ordered_json::parse(values.str())},
+    {"parts", parts}};
 }
 
 } // namespace Canonical_pose_tool

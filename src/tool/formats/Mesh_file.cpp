@@ -15,10 +15,11 @@
 #include <filesystem>
 #include <fstream>
 #include <ios>
-#include <map>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace Canonical_pose_tool {
@@ -44,60 +45,91 @@ std::string bytes_of_file(const std::string& path)
   return bytes;
 }
 
+// A format, and how to recognize and read it.
+struct Format_entry
+{
+  Format format;
+  const char* extension;
+  const char* name;
+  const char* beginning; // of a file
+  void (*read)(const std::string& bytes, const std::string& path, Mesh_file& mesh);
+};
+
+template <void (*READ)(const std::string&, Mesh_file&)>
+void read_alone(const std::string& bytes, const std::string&, Mesh_file& mesh)
+{
+  READ(bytes, mesh);
+}
+
+constexpr std::array<Format_entry, 8> FORMATS
+  = {{{Format::OFF, ".off", "OFF", "OFF", read_alone<read_off>},
+      {Format::OBJ, ".obj", "OBJ", nullptr, read_alone<read_obj>},
+      {Format::PLY, ".ply", "PLY", "ply", read_alone<read_ply>},
+      {Format::STL, ".stl", "STL", "solid", read_alone<read_stl>},
+      {Format::MEDIT, ".mesh", "MEDIT", "MeshVersionFormatted", read_alone<read_medit>},
+      {Format::GLB, ".glb", "binary glTF", "glTF", read_gltf},
+      {Format::GLTF, ".gltf", "glTF", "{", read_gltf},
+      {Format::VTU, ".vtu", "VTK", "<", nullptr}}};
+
+const Format_entry& entry_of(const Format format)
+{
+  return *std::find_if(FORMATS.begin(), FORMATS.end(),
+                       [&](const Format_entry& entry) { return entry.format == format; });
+}
+
+// What a file is, if it begins like that, and not like its extension says.
+std::string other_look(const std::string& bytes, const Format format)
+{
+  const std::size_t first = (std::min)(bytes.find_first_not_of(" \t\r\n"), bytes.size());
+  for(const Format_entry& entry : FORMATS)
+    if(entry.beginning && bytes.compare(first, std::strlen(entry.beginning), entry.beginning) == 0)
+      return entry.format == format ? "" : std::string("; its content looks like ") + entry.name;
+  return "";
+}
+
 } // namespace
 
 Format format_of(const std::string& path)
 {
-  static const std::map<std::string, Format> formats
-    = {{".off", Format::OFF},   {".obj", Format::OBJ},    {".ply", Format::PLY},
-       {".stl", Format::STL},   {".mesh", Format::MEDIT}, {".glb", Format::GLB},
-       {".gltf", Format::GLTF}, {".vtu", Format::VTU}};
   std::string extension = std::filesystem::path(path).extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](const unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  const auto found = formats.find(extension);
-  if(found == formats.end())
-    throw std::invalid_argument(
-      "the extension of '" + path
-      + "' is not one of .off, .obj, .ply, .stl, .mesh, .glb, .gltf, .vtu");
-  if((found->second == Format::GLB || found->second == Format::GLTF) && !is_gltf_available())
+  const auto found = std::find_if(FORMATS.begin(), FORMATS.end(), [&](const Format_entry& entry) {
+    return extension == entry.extension;
+  });
+  if(found == FORMATS.end())
+  {
+    std::string message = "the extension of '" + path + "' is not one of ";
+    for(const Format_entry& entry : FORMATS)
+      message += std::string(&entry == FORMATS.data() ? "" : ", ") + entry.extension;
+    throw std::invalid_argument(message);
+  }
+  if((found->format == Format::GLB || found->format == Format::GLTF) && !is_gltf_available())
     throw std::invalid_argument("'" + path + "' is glTF, but this program was built without it");
-  return found->second;
+  return found->format;
 }
 
-Mesh_file read_mesh_file(const std::string& path)
+Mesh_file read_mesh_file(const std::string& path, const Source source)
 {
   const Format format = format_of(path);
-  if(format == Format::VTU)
-    throw std::invalid_argument("files of VTK (.vtu) are written, but not read");
+  const Format_entry& entry = entry_of(format);
+  if(!entry.read)
+    throw std::invalid_argument("files of " + std::string(entry.name) + " (" + entry.extension
+                                + ") are written, but not read");
   std::string bytes = bytes_of_file(path);
   if(format != Format::GLB && !(format == Format::STL && is_binary_stl(bytes)))
     remove_byte_order_mark(bytes);
   Mesh_file mesh;
-  switch(format)
+  try
   {
-  case Format::OFF:
-    read_off(bytes, mesh);
-    break;
-  case Format::OBJ:
-    read_obj(bytes, mesh);
-    break;
-  case Format::PLY:
-    read_ply(bytes, mesh);
-    break;
-  case Format::STL:
-    read_stl(bytes, mesh);
-    break;
-  case Format::MEDIT:
-    read_medit(bytes, mesh);
-    break;
-  case Format::GLB:
-  case Format::GLTF:
-    read_gltf(bytes, path, mesh);
-    break;
-  case Format::VTU: // refused above
-    break;
+    entry.read(bytes, path, mesh);
   }
+  catch(const std::invalid_argument& error)
+  {
+    throw std::invalid_argument(error.what() + other_look(bytes, format));
+  }
+  if(source == Source::KEPT)
+    mesh.source = std::make_shared<const Source_file>(Source_file{format, std::move(bytes)});
   return mesh;
 }
 

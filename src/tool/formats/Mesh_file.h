@@ -7,11 +7,23 @@
 #include <array>
 #include <cstddef>
 #include <iosfwd>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace Canonical_pose_tool {
+
+struct Vertex_values;
+
+enum class Format { OFF, OBJ, PLY, STL, MEDIT, GLB, GLTF, VTU };
+
+// A file as it is.
+struct Source_file
+{
+  Format format;
+  std::string bytes;
+};
 
 // The contents of a file: a surface or, if is_tetrahedral, a tetrahedral mesh. Indices start at 0.
 struct Mesh_file
@@ -21,17 +33,17 @@ struct Mesh_file
   std::vector<std::vector<std::size_t>> faces;              // of a surface, polygons
   std::vector<std::array<std::size_t, 4>> cells;            // of a tetrahedral mesh
   std::vector<long long> point_references, cell_references; // MEDIT's labels
+  std::shared_ptr<const Source_file> source;                // if it was kept
 };
-
-enum class Format { OFF, OBJ, PLY, STL, MEDIT, GLB, GLTF, VTU };
 
 // Returns the format for the extension; throws std::invalid_argument if it is not supported.
 Format format_of(const std::string& path);
 
 // Reads a file. Afterward, coordinates are finite and indices in range; nothing else is checked.
 // Throws std::invalid_argument with the defect and the element. This is why CGAL's readers are not
-// used: they only report failure.
-Mesh_file read_mesh_file(const std::string& path);
+// used: they only report failure. With KEPT, the mesh can be written again as the file with other positions.
+enum class Source { DROPPED, KEPT };
+Mesh_file read_mesh_file(const std::string& path, Source source = Source::DROPPED);
 
 // The same, for a file other than the main input of a command: the message also names the file.
 Mesh_file read_other_mesh_file(const std::string& path);
@@ -50,6 +62,16 @@ std::vector<std::string> read_lines(const std::string& path);
 // Reads numbers separated by blanks or line ends from a text file; '#' starts a comment. Throws
 // std::invalid_argument, which also names the file.
 std::vector<double> read_numbers(const std::string& path);
+
+// Whether rewrite_mesh() writes this format: that of the file, which was kept.
+bool is_rewritable(const Mesh_file& mesh, Format format);
+
+// Writes the file of a mesh with other positions. Normals turn with their faces; colors, texture coordinates, materials,
+// groups, comments, encoding, and what else there is, stay. Values of vertices are properties of PLY: they replace those
+// of the same name.
+void rewrite_mesh(std::ostream& out, const Mesh_file& mesh,
+                  const std::vector<std::array<double, 3>>& points,
+                  const std::vector<Vertex_values>& values);
 
 // Throws std::invalid_argument if the format is only read, or cannot represent the mesh.
 void check_format_holds(Format format, const Mesh_file& mesh);

@@ -11,6 +11,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <type_traits>
 
 namespace Canonical_pose_tool {
 
@@ -24,10 +25,15 @@ std::invalid_argument on_line(const Text_cursor& text, const std::string& defect
 template <class T>
 Ply_number_type number_type()
 {
-  return {sizeof(T), [](const char* bytes) {
+  return {sizeof(T), std::is_integral_v<T>,
+          [](const char* bytes) {
             T value;
             std::memcpy(&value, bytes, sizeof(T));
             return static_cast<double>(value);
+          },
+          [](const double value, char* bytes) {
+            const auto stored = static_cast<T>(value);
+            std::memcpy(bytes, &stored, sizeof(T));
           }};
 }
 
@@ -136,6 +142,8 @@ void check(const Ply_header& header)
 }
 
 } // namespace
+
+Ply_number_type ply_number_type_of_double() { return number_type<double>(); }
 
 std::size_t coordinate_of(const Ply_property& property)
 {

@@ -16,8 +16,12 @@ namespace Canonical_pose_tool {
 struct Ply_number_type
 {
   std::size_t size;
+  bool is_integer;
   double (*convert)(const char* bytes);
+  void (*store)(double value, char* bytes);
 };
+
+Ply_number_type ply_number_type_of_double();
 
 struct Ply_property
 {

@@ -43,9 +43,13 @@ inline void remove_byte_order_mark(std::string& text)
 class Text_cursor
 {
 public:
+  // Whether a line goes on in the next one after a backslash, between words that are read by word_on_line().
+  enum class Lines { SINGLE, CONTINUED };
+
   // `text` must outlive the cursor.
-  explicit Text_cursor(const std::string& text)
-    : m_position(text.c_str()), m_end(m_position + text.size())
+  explicit Text_cursor(const std::string& text, const Lines lines = Lines::SINGLE)
+    : m_position(text.c_str()), m_end(m_position + text.size()),
+      m_is_continued(lines == Lines::CONTINUED)
   {}
 
   // Returns the next word, on any line; empty at the end of the text.
@@ -59,8 +63,16 @@ public:
   // Returns the next word on this line; empty at the end of the line.
   std::string_view word_on_line()
   {
-    while(m_position != m_end && is_blank(*m_position) && !is_line_end())
-      ++m_position;
+    while(m_position != m_end)
+      if(const std::size_t length = continuation())
+      {
+        m_position += length;
+        ++m_line;
+      }
+      else if(is_blank(*m_position) && !is_line_end())
+        ++m_position;
+      else
+        break;
     return m_position != m_end && *m_position == '#' ? std::string_view() : rest_of_word();
   }
 
@@ -97,6 +109,17 @@ public:
     if(end != word.data() + word.size())
       throw wrong(word, element, "is not a number");
     return result;
+  }
+
+  // Converts a word that need not be a number.
+  double number_or(const std::string_view word, const double otherwise) const
+  {
+    double result;
+    if(is_converted(word, result))
+      return result;
+    char* end = nullptr;
+    result = word.empty() ? otherwise : std::strtod(word.data(), &end);
+    return word.empty() || end != word.data() + word.size() ? otherwise : result;
   }
 
   long long integer(const std::string_view word, const Element& element) const
@@ -172,6 +195,19 @@ private:
            || (*m_position == '\r' && (m_position + 1 == m_end || m_position[1] != '\n'));
   }
 
+  // The length of a backslash with the end of line after it, if lines go on there.
+  std::size_t continuation() const
+  {
+    if(!m_is_continued || *m_position != '\\')
+      return 0;
+    const char* p = m_position + 1;
+    if(p != m_end && *p == '\r')
+      ++p;
+    if(p != m_end && *p == '\n')
+      ++p;
+    return p == m_position + 1 ? 0 : static_cast<std::size_t>(p - m_position);
+  }
+
   void step()
   {
     if(is_line_end())
@@ -182,7 +218,8 @@ private:
   std::string_view rest_of_word()
   {
     const char* const begin = m_position;
-    while(m_position != m_end && !is_blank(*m_position) && *m_position != '\n')
+    while(m_position != m_end && !is_blank(*m_position) && *m_position != '\n'
+          && continuation() == 0)
       ++m_position;
     return std::string_view(begin, static_cast<std::size_t>(m_position - begin));
   }
@@ -208,6 +245,7 @@ private:
 
   const char* m_position;
   const char* m_end;
+  bool m_is_continued;
   std::size_t m_line = 1;
 };
 

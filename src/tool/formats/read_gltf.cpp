@@ -12,9 +12,11 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace Canonical_pose_tool {
@@ -34,13 +36,6 @@ void check_extensions(const Model& model)
        && name.compare(0, 12, "KHR_texture_") != 0 && name.compare(0, 11, "KHR_lights_") != 0)
       throw std::invalid_argument("the extension " + Text_cursor::shown(name)
                                   + " is required, but not supported");
-}
-
-void check_counts(const std::size_t number, const std::string& what)
-{
-  if(number != 1)
-    throw std::invalid_argument("there are " + std::to_string(number) + " " + what
-                                + ", but one is needed");
 }
 
 void check_primitive(const Primitive& primitive)
@@ -81,54 +76,67 @@ Eigen::Affine3d own_transformation(const Node& node)
   return result;
 }
 
-// The transformation by the node of the mesh and those above it.
-Eigen::Affine3d transformation(const Model& model)
+// A mesh where a node shows it.
+struct Mesh_instance
+{
+  std::size_t mesh;
+  Eigen::Affine3d transformation; // by the node and those above it
+};
+
+std::vector<Mesh_instance> instances(const Model& model)
 {
   std::vector<std::size_t> parents(model.nodes.size(), NONE);
-  std::size_t node = NONE;
   for(std::size_t n = 0; n < model.nodes.size(); ++n)
-  {
     for(const int child : model.nodes[n].children)
       if(child >= 0 && static_cast<std::size_t>(child) < parents.size())
         parents[static_cast<std::size_t>(child)] = n;
-    if(model.nodes[n].mesh != 0)
-      continue;
-    if(node != NONE)
-      throw std::invalid_argument("the mesh occurs in nodes " + std::to_string(node) + " and "
-                                  + std::to_string(n) + ", but one is needed");
-    node = n;
-  }
-  Eigen::Affine3d result = Eigen::Affine3d::Identity();
-  if(node != NONE && model.nodes[node].skin >= 0)
-    throw std::invalid_argument("the mesh has a skin, which is not supported");
-  for(std::size_t steps = 0; node != NONE; node = parents[node])
+  std::vector<Mesh_instance> result;
+  for(std::size_t n = 0; n < model.nodes.size(); ++n)
   {
-    if(steps++ == parents.size())
-      throw std::invalid_argument("the nodes form a cycle");
-    result = own_transformation(model.nodes[node]) * result;
+    if(model.nodes[n].mesh < 0)
+      continue;
+    const auto mesh = static_cast<std::size_t>(model.nodes[n].mesh);
+    if(mesh >= model.meshes.size())
+      throw std::invalid_argument("node " + std::to_string(n) + " names mesh "
+                                  + std::to_string(mesh) + ", but there are "
+                                  + std::to_string(model.meshes.size()));
+    if(model.nodes[n].skin >= 0)
+      throw std::invalid_argument("the mesh has a skin, which is not supported");
+    result.push_back({mesh, Eigen::Affine3d::Identity()});
+    std::size_t steps = 0;
+    for(std::size_t node = n; node != NONE; node = parents[node])
+    {
+      if(steps++ == parents.size())
+        throw std::invalid_argument("the nodes form a cycle");
+      result.back().transformation
+        = own_transformation(model.nodes[node]) * result.back().transformation;
+    }
   }
+  if(result.empty() && model.meshes.size() == 1)
+    result.push_back({0, Eigen::Affine3d::Identity()});
+  if(result.empty())
+    throw std::invalid_argument(model.meshes.empty() ? "there is no mesh" : "no node has a mesh");
   return result;
 }
 
-void read_points(const Model& model, const Primitive& primitive, Mesh_file& mesh)
+void read_points(const Model& model, const int accessor, const Eigen::Affine3d& transformation,
+                 Mesh_file& mesh)
 {
-  const auto found = primitive.attributes.find("POSITION");
-  if(found == primitive.attributes.end())
-    throw std::invalid_argument("the primitive has no attribute POSITION");
-  const Gltf_numbers numbers(model, found->second, 3, "POSITION");
-  const Eigen::Affine3d transform = transformation(model);
-  for(Element v{"vertex", 0}; v.index < numbers.count(); ++v.index)
+  const Gltf_numbers numbers(model, accessor, 3, "POSITION");
+  for(std::size_t i = 0; i < numbers.count(); ++i)
   {
     const Eigen::Vector3d p
-      = transform * Eigen::Vector3d(numbers(v.index, 0), numbers(v.index, 1), numbers(v.index, 2));
+      = transformation * Eigen::Vector3d(numbers(i, 0), numbers(i, 1), numbers(i, 2));
     mesh.points.push_back({p[0], p[1], p[2]});
-    check_is_finite(mesh.points.back(), v);
+    check_is_finite(mesh.points.back(), Element{"vertex", mesh.points.size() - 1});
   }
 }
 
-void read_triangles(const Model& model, const Primitive& primitive, Mesh_file& mesh)
+// `first`: the vertex of the mesh that is the first one of the primitive, which has `count` of them.
+void read_triangles(const Model& model, const Primitive& primitive, const std::size_t first,
+                    const std::size_t count, const bool is_mirrored, Mesh_file& mesh)
 {
-  std::vector<std::size_t> corners(mesh.points.size());
+  std::vector<std::size_t> corners(count);
   std::iota(corners.begin(), corners.end(), std::size_t(0));
   if(primitive.indices != -1)
   {
@@ -137,14 +145,44 @@ void read_triangles(const Model& model, const Primitive& primitive, Mesh_file& m
       throw std::invalid_argument("the indices are not unsigned integers");
     corners.resize(numbers.count());
     for(std::size_t i = 0; i < corners.size(); ++i)
-      corners[i] = vertex_index(static_cast<long long>(numbers(i, 0)), mesh.points.size(),
-                                Element{"face", i / 3});
+      corners[i] = vertex_index(static_cast<long long>(numbers(i, 0)), count,
+                                Element{"face", mesh.faces.size() + i / 3});
   }
   if(corners.size() % 3 != 0)
     throw std::invalid_argument("the number of corners, " + std::to_string(corners.size())
                                 + ", is no multiple of 3");
   for(std::size_t i = 0; i < corners.size(); i += 3)
-    mesh.faces.push_back({corners[i], corners[i + 1], corners[i + 2]});
+  {
+    mesh.faces.push_back({first + corners[i], first + corners[i + 1], first + corners[i + 2]});
+    if(is_mirrored)
+      std::swap(mesh.faces.back()[1], mesh.faces.back()[2]);
+  }
+}
+
+// Primitives often share their vertices, and differ in material.
+void read_instance(const Model& model, const Mesh_instance& instance, Mesh_file& mesh)
+{
+  struct Vertices
+  {
+    std::size_t first, count;
+  };
+  std::map<int, Vertices> vertices; // of accessors
+  const bool is_mirrored = instance.transformation.linear().determinant() < 0;
+  for(const Primitive& primitive : model.meshes[instance.mesh].primitives)
+  {
+    check_primitive(primitive);
+    const auto position = primitive.attributes.find("POSITION");
+    if(position == primitive.attributes.end())
+      throw std::invalid_argument("the primitive has no attribute POSITION");
+    auto found = vertices.find(position->second);
+    if(found == vertices.end())
+    {
+      const std::size_t first = mesh.points.size();
+      read_points(model, position->second, instance.transformation, mesh);
+      found = vertices.emplace(position->second, Vertices{first, mesh.points.size() - first}).first;
+    }
+    read_triangles(model, primitive, found->second.first, found->second.count, is_mirrored, mesh);
+  }
 }
 
 // Merges vertices with the same number of _VERTEX, which are copies of one vertex, and sorts them by
@@ -195,13 +233,11 @@ void read_gltf(const std::string& bytes, const std::string& path, Mesh_file& mes
 {
   const Model model = load_gltf(bytes, path);
   check_extensions(model);
-  check_counts(model.meshes.size(), "meshes");
-  check_counts(model.meshes[0].primitives.size(), "primitives in the mesh");
-  const Primitive& primitive = model.meshes[0].primitives[0];
-  check_primitive(primitive);
-  read_points(model, primitive, mesh);
-  read_triangles(model, primitive, mesh);
-  merge_copies(model, primitive, mesh);
+  const std::vector<Mesh_instance> shown = instances(model);
+  for(const Mesh_instance& instance : shown)
+    read_instance(model, instance, mesh);
+  if(shown.size() == 1 && model.meshes[shown[0].mesh].primitives.size() == 1)
+    merge_copies(model, model.meshes[shown[0].mesh].primitives[0], mesh);
 }
 
 } // namespace Canonical_pose_tool

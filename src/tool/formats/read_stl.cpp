@@ -3,7 +3,9 @@
 
 #include "readers.h"
 
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <cstdint>
 #include <cstring>
 #include <map>
@@ -97,12 +99,27 @@ std::array<double, 3> read_point(Text_cursor& text, const Element& face)
   return point;
 }
 
+std::string in_lower_case(const std::string_view word)
+{
+  std::string result(word);
+  std::transform(result.begin(), result.end(), result.begin(),
+                 [](const unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return result;
+}
+
+// In any case, and "end loop" for "endloop".
+std::string keyword(Text_cursor& text)
+{
+  std::string word = in_lower_case(text.word());
+  return word == "end" ? word + in_lower_case(text.word_on_line()) : word;
+}
+
 void read_ascii(const std::string& bytes, Mesh_file& mesh)
 {
   Welder welder(mesh);
   Text_cursor text(bytes);
   bool is_in_solid = true;
-  for(std::string_view word = text.word(); !word.empty(); word = text.word())
+  for(std::string word = keyword(text); !word.empty(); word = keyword(text))
     if(word == "solid" || word == "endsolid")
     {
       welder.check_is_between_faces();
@@ -124,6 +141,18 @@ void read_ascii(const std::string& bytes, Mesh_file& mesh)
     throw std::invalid_argument("the file is truncated: it ends in " + welder.next_face().name());
 }
 
+// The header of a binary file may begin with "solid", too.
+bool is_ascii(const std::string& bytes)
+{
+  Text_cursor text(bytes);
+  if(in_lower_case(text.word()) != "solid")
+    return false;
+  text.skip_line();
+  const std::string next = in_lower_case(text.word());
+  return next.empty() || next == "facet" || next == "endsolid" || next == "end" || next == "solid"
+         || bytes.size() < HEADER_SIZE || bytes.find('\0') == std::string::npos;
+}
+
 } // namespace
 
 bool is_binary_stl(const std::string& bytes)
@@ -134,8 +163,7 @@ bool is_binary_stl(const std::string& bytes)
 
 void read_stl(const std::string& bytes, Mesh_file& mesh)
 {
-  const std::size_t first = bytes.find_first_not_of(" \t\r\n");
-  if(!is_binary_stl(bytes) && bytes.compare(first, 5, "solid") == 0)
+  if(!is_binary_stl(bytes) && is_ascii(bytes))
     read_ascii(bytes, mesh);
   else
     read_binary(bytes, mesh);

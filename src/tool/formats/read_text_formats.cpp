@@ -31,8 +31,14 @@ void check_keyword(const std::string_view keyword)
 void read_off(const std::string& bytes, Mesh_file& mesh)
 {
   Text_cursor text(bytes);
-  check_keyword(text.word());
   std::string_view word = text.word();
+  if(word.substr(0, 3) == "OFF" && word.size() > 3) // without a space, as in files of ModelNet
+    word = word.substr(3);
+  else
+  {
+    check_keyword(word);
+    word = text.word();
+  }
   if(word == "BINARY")
     throw std::invalid_argument("line 1: binary OFF is not supported");
   const std::size_t vertices = text.count(word, Element{"the number of vertices"});
@@ -54,7 +60,7 @@ void read_off(const std::string& bytes, Mesh_file& mesh)
     check_is_polygon(corners, f);
     std::vector<std::size_t> face;
     for(long long k = 0; k < corners; ++k)
-      face.push_back(vertex_index(text.integer(text.word_on_line(), f), mesh.points.size(), f));
+      face.push_back(vertex_index(text.integer(text.word(), f), mesh.points.size(), f));
     mesh.faces.push_back(std::move(face));
     text.skip_line();
   }
@@ -65,7 +71,7 @@ void read_off(const std::string& bytes, Mesh_file& mesh)
 
 void read_obj(const std::string& bytes, Mesh_file& mesh)
 {
-  Text_cursor text(bytes);
+  Text_cursor text(bytes, Text_cursor::Lines::CONTINUED);
   std::vector<std::vector<long long>> faces; // they may precede their vertices
   for(std::string_view word = text.word(); !word.empty(); text.skip_line(), word = text.word())
     if(word == "v")

@@ -1,0 +1,518 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "Ply_header.h"
+#include "Shortest_numbers.h"
+#include "Shown_surface.h"
+#include "readers.h"
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <optional>
+#include <ostream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace Canonical_pose_tool {
+
+namespace {
+
+using Points = std::vector<std::array<double, 3>>;
+
+Eigen::Vector3d vector_of(const std::array<double, 3>& p) { return {p[0], p[1], p[2]}; }
+
+// Normals turn with the faces that have them.
+class Face_rotations
+{
+public:
+  Face_rotations(const Mesh_file& mesh, const Points& points)
+  {
+    for(const std::vector<std::size_t>& face : mesh.faces)
+    {
+      const auto before = frame(face, mesh.points), after = frame(face, points);
+      m_rotations.push_back(before && after ? Eigen::Matrix3d(*after * before->transpose())
+                                            : Eigen::Matrix3d::Zero());
+    }
+  }
+
+  // What a face adds to the turned normal.
+  Eigen::Vector3d turned(const std::size_t face, const Eigen::Vector3d& normal) const
+  {
+    return m_rotations[face] * normal;
+  }
+
+  // The sum of what its faces added, with the length of the normal; itself if this has no direction.
+  static Eigen::Vector3d result(const Eigen::Vector3d& sum, const Eigen::Vector3d& normal)
+  {
+    const Eigen::Vector3d direction = sum.stableNormalized();
+    return direction.allFinite() && direction.squaredNorm() > .5
+             ? Eigen::Vector3d(direction * normal.stableNorm())
+             : normal;
+  }
+
+private:
+  // The direction of the first side that has one, and the normal; nothing if the face has no area.
+  static std::optional<Eigen::Matrix3d> frame(const std::vector<std::size_t>& face,
+                                              const Points& points)
+  {
+    const Eigen::Vector3d origin = vector_of(points[face[0]]);
+    Eigen::Vector3d side = Eigen::Vector3d::Zero(), normal = Eigen::Vector3d::Zero();
+    for(std::size_t k = 1; k < face.size(); ++k)
+    {
+      const Eigen::Vector3d q = vector_of(points[face[k]]) - origin;
+      if(side.isZero(0))
+        side = q;
+      if(k > 1)
+        normal += (vector_of(points[face[k - 1]]) - origin).cross(q);
+    }
+    const Eigen::Vector3d z = normal.stableNormalized(),
+                          x = (side - z.dot(side) * z).stableNormalized();
+    if(!z.allFinite() || !x.allFinite() || z.isZero(0) || x.isZero(0))
+      return std::nullopt;
+    Eigen::Matrix3d result;
+    result << x, z.cross(x), z;
+    return result;
+  }
+
+  std::vector<Eigen::Matrix3d> m_rotations; // 0 of faces without area
+};
+
+// Copies a text, with other words at some places.
+class Text_copy
+{
+public:
+  Text_copy(std::ostream& out, const std::string& bytes)
+    : m_out(out), m_position(bytes.data()), m_end(bytes.data() + bytes.size())
+  {
+    use_shortest_numbers(out);
+  }
+
+  void replace(const std::string_view word, const double number)
+  {
+    copy_to(word.data());
+    m_out << number;
+    m_position = word.data() + word.size();
+  }
+
+  void insert(const char* const position, const std::string& text)
+  {
+    copy_to(position);
+    m_out << text;
+  }
+
+  void finish() { copy_to(m_end); }
+
+private:
+  void copy_to(const char* const position)
+  {
+    m_out.write(m_position, position - m_position);
+    m_position = position;
+  }
+
+  std::ostream& m_out;
+  const char* m_position;
+  const char* m_end;
+};
+
+void rewrite_off(std::ostream& out, const std::string& bytes, const Points& points)
+{
+  Text_cursor text(bytes);
+  Text_copy copy(out, bytes);
+  if(text.word().back() == 'F') // otherwise with the first number
+    text.word();
+  text.skip_line();
+  for(const std::array<double, 3>& point : points)
+  {
+    copy.replace(text.word(), point[0]);
+    copy.replace(text.word_on_line(), point[1]);
+    copy.replace(text.word_on_line(), point[2]);
+    text.skip_line();
+  }
+  copy.finish();
+}
+
+// The normals of an OBJ file, turned, in their order.
+std::vector<Eigen::Vector3d> turned_normals_of_obj(const std::string& bytes, const Mesh_file& mesh,
+                                                   const Points& points)
+{
+  struct Use
+  {
+    std::size_t face;
+    long long normal;
+  };
+  std::vector<Eigen::Vector3d> normals;
+  std::vector<Use> uses;
+  Text_cursor text(bytes, Text_cursor::Lines::CONTINUED);
+  std::size_t face = 0;
+  for(std::string_view word = text.word(); !word.empty(); text.skip_line(), word = text.word())
+    if(word == "vn")
+    {
+      Eigen::Vector3d normal;
+      for(double& x : normal)
+        x = text.number_or(text.word_on_line(), 0);
+      normals.push_back(normal);
+    }
+    else if(word == "f")
+    {
+      for(word = text.word_on_line(); !word.empty(); word = text.word_on_line())
+      {
+        const std::size_t last = word.rfind('/');
+        if(last == std::string_view::npos || word.find('/') == last)
+          continue;
+        const auto n = static_cast<long long>(text.number_or(word.substr(last + 1), 0));
+        uses.push_back({face, n < 0 ? static_cast<long long>(normals.size()) + n : n - 1});
+      }
+      ++face;
+    }
+  if(normals.empty())
+    return normals;
+  const Face_rotations rotations(mesh, points);
+  std::vector<Eigen::Vector3d> sums(normals.size(), Eigen::Vector3d::Zero());
+  for(const Use& use : uses)
+    if(use.normal >= 0 && use.normal < static_cast<long long>(normals.size()))
+      sums[static_cast<std::size_t>(use.normal)]
+        += rotations.turned(use.face, normals[static_cast<std::size_t>(use.normal)]);
+  for(std::size_t i = 0; i < normals.size(); ++i)
+    normals[i] = Face_rotations::result(sums[i], normals[i]);
+  return normals;
+}
+
+void rewrite_obj(std::ostream& out, const std::string& bytes, const Mesh_file& mesh,
+                 const Points& points)
+{
+  const std::vector<Eigen::Vector3d> normals = turned_normals_of_obj(bytes, mesh, points);
+  Text_cursor text(bytes, Text_cursor::Lines::CONTINUED);
+  Text_copy copy(out, bytes);
+  std::size_t vertex = 0, normal = 0;
+  for(std::string_view word = text.word(); !word.empty(); text.skip_line(), word = text.word())
+    if(word == "v")
+    {
+      for(const double x : points[vertex])
+        copy.replace(text.word_on_line(), x);
+      ++vertex;
+    }
+    else if(word == "vn")
+    {
+      for(const double x : normals[normal])
+        if(const std::string_view number = text.word_on_line(); !number.empty())
+          copy.replace(number, x);
+      ++normal;
+    }
+  copy.finish();
+}
+
+void rewrite_medit(std::ostream& out, const std::string& bytes, const Points& points)
+{
+  Text_cursor text(bytes);
+  Text_copy copy(out, bytes);
+  while(text.word() != "Vertices")
+    ;
+  text.word(); // their number
+  for(const std::array<double, 3>& point : points)
+  {
+    for(const double x : point)
+      copy.replace(text.word(), x);
+    text.word(); // the reference
+  }
+  copy.finish();
+}
+
+void rewrite_stl(std::ostream& out, const std::string& bytes, const Mesh_file& mesh,
+                 const Points& points)
+{
+  constexpr std::size_t header_size = 84, face_size = 50;
+  std::string result = bytes;
+  for(std::size_t f = 0; f < mesh.faces.size(); ++f)
+  {
+    std::array<Eigen::Vector3d, 3> corners;
+    for(std::size_t k = 0; k < 3; ++k)
+      corners[k] = vector_of(points[mesh.faces[f][k]]);
+    const Eigen::Vector3d normal
+      = (corners[1] - corners[0]).cross(corners[2] - corners[0]).stableNormalized();
+    std::array<float, 12> numbers;
+    for(std::size_t k = 0; k < 3; ++k)
+    {
+      const auto i = static_cast<Eigen::Index>(k);
+      numbers[k] = std::isfinite(normal[i]) ? static_cast<float>(normal[i]) : 0;
+      for(std::size_t c = 0; c < 3; ++c)
+        numbers[3 * (c + 1) + k] = static_cast<float>(corners[c][i]);
+    }
+    std::memcpy(result.data() + header_size + face_size * f, numbers.data(), sizeof(numbers));
+  }
+  out << result;
+}
+
+// Rows of vertices are written with other numbers, and with more of them.
+class Ply_rewriter
+{
+public:
+  Ply_rewriter(std::ostream& out, const Mesh_file& mesh, const Points& points,
+               const std::vector<Vertex_values>& values)
+    : m_out(out), m_bytes(mesh.source->bytes), m_text(m_bytes), m_mesh(mesh), m_points(points),
+      m_values(values), m_header(read_ply_header(m_text)), m_byte(m_text.position())
+  {
+    use_shortest_numbers(out);
+    for(const Ply_element& element : m_header.elements)
+      if(element.is_vertex())
+        for(const Ply_property& property : element.properties)
+          m_has_normals = m_has_normals || normal_coordinate_of(property) < 3;
+    if(m_has_normals)
+      find_normals();
+  }
+
+  void run()
+  {
+    write_header();
+    for(const Ply_element& element : m_header.elements)
+      for(std::size_t i = 0; i < element.number; ++i)
+        copy_element(element, i);
+    m_out.write(m_byte, m_text.end() - m_byte);
+  }
+
+  static std::size_t normal_coordinate_of(const Ply_property& property)
+  {
+    const std::string& name = property.name;
+    return !property.is_list && name.size() == 2 && name[0] == 'n'
+             ? (std::min)(std::string_view("xyz").find(name[1]), std::size_t(3))
+             : 3;
+  }
+
+private:
+  // Where the value of a property comes from, if it is new.
+  const Vertex_values* values_of(const Ply_property& property) const
+  {
+    for(const Vertex_values& values : m_values)
+      if(values.name == property.name && !property.is_list)
+        return &values;
+    return nullptr;
+  }
+
+  bool is_added(const Ply_element& vertex, const Vertex_values& values) const
+  {
+    return std::none_of(vertex.properties.begin(), vertex.properties.end(),
+                        [&](const Ply_property& p) { return values_of(p) == &values; });
+  }
+
+  // With the properties that are added, after those of a vertex.
+  void write_header()
+  {
+    Text_cursor text(m_bytes);
+    Text_copy copy(m_out, m_bytes);
+    std::size_t element = 0;
+    for(std::string_view word = text.word(); word != "end_header"; word = text.word())
+    {
+      element += word == "element";
+      text.next_line();
+      if(element == 0 || !m_header.elements[element - 1].is_vertex())
+        continue;
+      Text_cursor next = text;
+      const std::string_view next_word = next.word();
+      if(next_word != "element" && next_word != "end_header")
+        continue;
+      for(const Vertex_values& values : m_values)
+        if(is_added(m_header.elements[element - 1], values))
+          copy.insert(text.position(), "property double " + values.name + line_end());
+    }
+    copy.insert(m_byte, "");
+  }
+
+  std::string line_end() const
+  {
+    const std::size_t end = m_bytes.find_first_of("\r\n");
+    return m_bytes.compare(end, 2, "\r\n") == 0 ? "\r\n" : m_bytes.substr(end, 1);
+  }
+
+  // Advances over a number.
+  double next_number(const Ply_number_type type)
+  {
+    if(!m_header.is_binary)
+    {
+      m_word = m_text.word();
+      return m_text.number_or(m_word, 0);
+    }
+    std::array<char, 8> bytes = {};
+    std::copy_n(m_byte, type.size, bytes.begin());
+    if(m_header.is_big_endian)
+      std::reverse(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(type.size));
+    m_byte += type.size;
+    return type.convert(bytes.data());
+  }
+
+  void write_binary(const Ply_number_type type, const double x)
+  {
+    std::array<char, 8> bytes = {};
+    type.store(x, bytes.data());
+    if(m_header.is_big_endian)
+      std::reverse(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(type.size));
+    m_out.write(bytes.data(), static_cast<std::streamsize>(type.size));
+  }
+
+  // Calls f(property, begin, end) for each, where its bytes are.
+  template <class Function>
+  void for_each_property(const Ply_element& element, const Function& f)
+  {
+    for(const Ply_property& property : element.properties)
+    {
+      const char* const begin = m_header.is_binary ? m_byte : nullptr;
+      double value = next_number(property.is_list ? property.count : property.value);
+      if(property.is_list)
+        for(auto n = static_cast<std::size_t>(value); n > 0; --n)
+          next_number(property.value);
+      f(property, value, begin);
+    }
+  }
+
+  std::optional<double> new_value(const Ply_property& property, const std::size_t v) const
+  {
+    if(property.is_list)
+      return std::nullopt;
+    if(const std::size_t k = coordinate_of(property); k < 3)
+      return m_points[v][k];
+    if(const std::size_t k = normal_coordinate_of(property); k < 3)
+      return m_normals[v][static_cast<Eigen::Index>(k)];
+    if(const Vertex_values* const values = values_of(property))
+      return values->values[static_cast<Eigen::Index>(v)];
+    return std::nullopt;
+  }
+
+  void copy_element(const Ply_element& element, const std::size_t i)
+  {
+    const bool is_vertex = element.is_vertex();
+    if(m_header.is_binary)
+    {
+      for_each_property(element,
+                        [&](const Ply_property& property, double, const char* const begin) {
+                          const auto value = is_vertex ? new_value(property, i) : std::nullopt;
+                          if(value)
+                            write_binary(property.value, *value);
+                          else
+                            m_out.write(begin, m_byte - begin);
+                        });
+      if(is_vertex)
+        for(const Vertex_values& values : m_values)
+          if(is_added(element, values))
+            write_binary(ply_number_type_of_double(), values.values[static_cast<Eigen::Index>(i)]);
+      return;
+    }
+    if(!is_vertex || element.properties.empty())
+    {
+      for_each_property(element, [](const Ply_property&, double, const char*) {});
+      m_out.write(m_byte, m_text.position() - m_byte);
+      m_byte = m_text.position();
+      return;
+    }
+    for_each_property(element, [&](const Ply_property& property, double, const char*) {
+      if(const auto value = new_value(property, i))
+      {
+        m_out.write(m_byte, m_word.data() - m_byte);
+        m_out << *value;
+        m_byte = m_word.data() + m_word.size();
+      }
+    });
+    m_out.write(m_byte, m_text.position() - m_byte);
+    m_byte = m_text.position();
+    for(const Vertex_values& values : m_values)
+      if(is_added(element, values))
+        m_out << ' ' << values.values[static_cast<Eigen::Index>(i)];
+  }
+
+  // Reads the normals, and turns them.
+  void find_normals()
+  {
+    const Text_cursor text = m_text;
+    const char* const byte = m_byte;
+    m_normals.assign(m_points.size(), Eigen::Vector3d::Zero());
+    for(const Ply_element& element : m_header.elements)
+      for(std::size_t i = 0; i < element.number; ++i)
+        for_each_property(element,
+                          [&](const Ply_property& property, const double value, const char*) {
+                            const std::size_t k = normal_coordinate_of(property);
+                            if(element.is_vertex() && k < 3)
+                              m_normals[i][static_cast<Eigen::Index>(k)] = value;
+                          });
+    m_text = text;
+    m_byte = byte;
+    const Face_rotations rotations(m_mesh, m_points);
+    std::vector<Eigen::Vector3d> sums(m_normals.size(), Eigen::Vector3d::Zero());
+    for(std::size_t f = 0; f < m_mesh.faces.size(); ++f)
+      for(const std::size_t v : m_mesh.faces[f])
+        sums[v] += rotations.turned(f, m_normals[v]);
+    for(std::size_t v = 0; v < sums.size(); ++v)
+      m_normals[v] = Face_rotations::result(sums[v], m_normals[v]);
+  }
+
+  std::ostream& m_out;
+  const std::string& m_bytes;
+  Text_cursor m_text;
+  const Mesh_file& m_mesh;
+  const Points& m_points;
+  const std::vector<Vertex_values>& m_values;
+  const Ply_header m_header;
+  const char* m_byte; // the next one that is not yet copied
+  std::string_view m_word;
+  bool m_has_normals = false;
+  std::vector<Eigen::Vector3d> m_normals; // turned
+};
+
+// Integers cannot hold any position.
+bool holds_positions(const std::string& bytes)
+{
+  Text_cursor text(bytes);
+  for(const Ply_element& element : read_ply_header(text).elements)
+    if(element.is_vertex())
+      for(const Ply_property& property : element.properties)
+        if((coordinate_of(property) < 3 || Ply_rewriter::normal_coordinate_of(property) < 3)
+           && property.value.is_integer)
+          return false;
+  return true;
+}
+
+} // namespace
+
+bool is_rewritable(const Mesh_file& mesh, const Format format)
+{
+  if(!mesh.source || mesh.source->format != format)
+    return false;
+  switch(format)
+  {
+  case Format::OFF:
+  case Format::OBJ:
+  case Format::MEDIT:
+    return true;
+  case Format::PLY:
+    return holds_positions(mesh.source->bytes);
+  case Format::STL:
+    return is_binary_stl(mesh.source->bytes);
+  default:
+    return false;
+  }
+}
+
+void rewrite_mesh(std::ostream& out, const Mesh_file& mesh, const Points& points,
+                  const std::vector<Vertex_values>& values)
+{
+  const std::string& bytes = mesh.source->bytes;
+  switch(mesh.source->format)
+  {
+  case Format::OFF:
+    return rewrite_off(out, bytes, points);
+  case Format::OBJ:
+    return rewrite_obj(out, bytes, mesh, points);
+  case Format::MEDIT:
+    return rewrite_medit(out, bytes, points);
+  case Format::PLY:
+    return Ply_rewriter(out, mesh, points, values).run();
+  default:
+    return rewrite_stl(out, bytes, mesh, points);
+  }
+}
+
+} // namespace Canonical_pose_tool

@@ -1,0 +1,204 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "formats/Mesh_file.h"
+#include "formats/Shown_surface.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstddef>
+#include <cstring>
+#include <fstream>
+#include <regex>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace test_rewritten_files {
+
+// A file is written again with all positions turned by a quarter around the x axis, which is exact: what is neither a
+// position nor a normal keeps its bytes, and normals turn likewise, up to rounding.
+
+using namespace Canonical_pose_tool;
+
+using Points = std::vector<std::array<double, 3>>;
+
+Mesh_file read(const std::string& name, const std::string& bytes)
+{
+  const std::string path = testing::TempDir() + "test_rewritten_files_" + name;
+  std::ofstream(path, std::ios::binary) << bytes;
+  return read_mesh_file(path, Source::KEPT);
+}
+
+std::array<double, 3> turned(const std::array<double, 3>& p) { return {p[0], -p[2], p[1]}; }
+
+Points turned_points(const Mesh_file& mesh)
+{
+  Points result;
+  for(const std::array<double, 3>& p : mesh.points)
+    result.push_back(turned(p));
+  return result;
+}
+
+std::string rewritten(const Mesh_file& mesh, const std::vector<Vertex_values>& values = {})
+{
+  EXPECT_TRUE(is_rewritable(mesh, mesh.source->format));
+  std::ostringstream out;
+  rewrite_mesh(out, mesh, turned_points(mesh), values);
+  return out.str();
+}
+
+// Numbers may differ by rounding.
+void expect_same_text(const std::string& text, const std::string& expected)
+{
+  static const std::regex number("[-+]?[0-9]+([.][0-9]+)?(e[-+][0-9]+)?");
+  EXPECT_EQ(std::regex_replace(text, number, "#"), std::regex_replace(expected, number, "#"));
+  const std::sregex_iterator end;
+  std::sregex_iterator a(text.begin(), text.end(), number),
+    b(expected.begin(), expected.end(), number);
+  for(; a != end && b != end; ++a, ++b)
+    EXPECT_NEAR(std::stod(a->str()), std::stod(b->str()), 1e-15);
+  EXPECT_TRUE(a == end && b == end) << text;
+}
+
+TEST(Rewritten_files, texts)
+{
+  struct Case
+  {
+    std::string name, text, expected;
+  };
+  const std::vector<Case> cases
+    = {{"a.off", "COFF # colors\n4 2 0\n\n0 0 0 255 0 0\n1 0 0 9 9 9\n0 1 0 8 8 8\n0 0 1 7 7 7 # last\n3 0 1 2 1 0 0\n"
+                 "3 0 3 1\n",
+        "COFF # colors\n4 2 0\n\n0 -0 0 255 0 0\n1 -0 0 9 9 9\n0 -0 1 8 8 8\n0 -1 0 7 7 7 # last\n3 0 1 2 1 0 0\n"
+        "3 0 3 1\n"},
+       {"glued.off", "OFF3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0\n1 2\n", "OFF3 1 0\n0 -0 0\n1 -0 0\n0 -0 1\n3 0\n1 2\n"},
+       {"a.obj",
+        "# C:\\made by hand\\\nmtllib a.mtl\no thing\nv 0 0 0 1 0 0\nv 1 0 0 .5 .5 0\nv 0 1 0\nvt 0 .25\nvn 0 0 2\n"
+        "g one\nusemtl red\ns 1\nf 1/1/1 2/1/1 \\\n  3/1/-1\nv 0 0 1\nvn 1 0 0\nf 1//2 4//2 2//2\nl 1 2\n",
+        "# C:\\made by hand\\\nmtllib a.mtl\no thing\nv 0 -0 0 1 0 0\nv 1 -0 0 .5 .5 0\nv 0 -0 1\nvt 0 .25\nvn 0 -2 0\n"
+        "g one\nusemtl red\ns 1\nf 1/1/1 2/1/1 \\\n  3/1/-1\nv 0 -1 0\nvn 1 0 0\nf 1//2 4//2 2//2\nl 1 2\n"},
+       {"a.mesh",
+        "MeshVersionFormatted 2\nDimension 3\nVertices\n4\n0 0 0 5\n1 0 0 6\n0 1 0 7\n0 0 1 8\nTriangles 1\n1 2 3 9\n"
+        "Tetrahedra\n1\n1 2 3 4 1\nEnd\n",
+        "MeshVersionFormatted 2\nDimension 3\nVertices\n4\n0 -0 0 5\n1 -0 0 6\n0 -0 1 7\n0 -1 0 8\nTriangles 1\n1 2 3 9\n"
+        "Tetrahedra\n1\n1 2 3 4 1\nEnd\n"},
+       {"a.ply",
+        "ply\nformat ascii 1.0\ncomment by hand\nelement vertex 3\nproperty float nx\nproperty float ny\n"
+        "property float nz\nproperty double x\nproperty double y\nproperty double z\nproperty uchar red\n"
+        "element face 1\nproperty list uchar int vertex_indices\nproperty list uchar float texcoord\n"
+        "element material 1\nproperty int shine\nend_header\n0 0 1 0 0 0 255\n0 0 1 1 0 0 254\n0 0 1 0 1 0 253\n"
+        "3 0 1 2 2 .5 .5\n77\n",
+        "ply\nformat ascii 1.0\ncomment by hand\nelement vertex 3\nproperty float nx\nproperty float ny\n"
+        "property float nz\nproperty double x\nproperty double y\nproperty double z\nproperty uchar red\n"
+        "element face 1\nproperty list uchar int vertex_indices\nproperty list uchar float texcoord\n"
+        "element material 1\nproperty int shine\nend_header\n0 -1 0 0 -0 0 255\n0 -1 0 1 -0 0 254\n0 -1 0 0 -0 1 253\n"
+        "3 0 1 2 2 .5 .5\n77\n"}};
+  for(const Case& c : cases)
+  {
+    SCOPED_TRACE(c.name);
+    const Mesh_file mesh = read(c.name, c.text);
+    expect_same_text(rewritten(mesh), c.expected);
+    EXPECT_EQ(read(c.name, rewritten(mesh)).points, turned_points(mesh));
+  }
+}
+
+// Values of vertices are added, or replace those of the same name.
+TEST(Rewritten_files, values_in_ply)
+{
+  Eigen::VectorXd values(3);
+  values << .5, .25, .125;
+  const std::string text = "ply\r\nformat ascii 1.0\r\nelement vertex 3\r\nproperty float x\r\nproperty float y\r\n"
+                           "property float z\r\nelement face 1\r\nproperty list uchar int vertex_indices\r\nend_header\r\n"
+                           "0 0 0\r\n1 0 0\r\n0 1 0\r\n3 0 1 2\r\n",
+                    expected = "ply\r\nformat ascii 1.0\r\nelement vertex 3\r\nproperty float x\r\nproperty float y\r\n"
+                               "property float z\r\nproperty double strain\r\nelement face 1\r\n"
+                               "property list uchar int vertex_indices\r\nend_header\r\n"
+                               "0 -0 0 .5\r\n1 -0 0 .25\r\n0 -0 1 .125\r\n3 0 1 2\r\n";
+  const std::string once = rewritten(read("values.ply", text), {{"strain", values}});
+  expect_same_text(once, std::regex_replace(expected, std::regex(" \\."), " 0."));
+  const std::string twice = rewritten(read("values.ply", once), {{"strain", 2 * values}});
+  EXPECT_NE(twice.find(" 0.5\r\n"), std::string::npos) << twice;
+  EXPECT_EQ(twice.find("strain"), twice.rfind("strain"));
+}
+
+template <class T>
+std::string bytes_of(const std::vector<T>& values, const bool is_big_endian = false)
+{
+  std::string result;
+  for(const T& value : values)
+  {
+    std::string bytes(reinterpret_cast<const char*>(&value), sizeof(T));
+    result += is_big_endian ? std::string(bytes.rbegin(), bytes.rend()) : bytes;
+  }
+  return result;
+}
+
+// Binary PLY keeps its encoding and the types of its numbers.
+TEST(Rewritten_files, binary_ply)
+{
+  for(const bool is_big_endian : {false, true})
+  {
+    const auto text = [&](const Points& points, const bool has_strain) {
+      std::string result = std::string("ply\nformat binary_") + (is_big_endian ? "big" : "little")
+                           + "_endian 1.0\nelement vertex 3\nproperty uchar red\nproperty float x\n"
+                             "property float y\nproperty float z\n"
+                           + (has_strain ? "property double strain\n" : "")
+                           + "element face 1\nproperty list uchar int vertex_indices\nproperty ushort label\n"
+                             "end_header\n";
+      for(std::size_t v = 0; v < 3; ++v)
+      {
+        result += static_cast<char>(200 + v);
+        for(const double x : points[v])
+          result += bytes_of<float>({static_cast<float>(x)}, is_big_endian);
+        if(has_strain)
+          result += bytes_of<double>({.5}, is_big_endian);
+      }
+      return result + '\3' + bytes_of<int>({0, 1, 2}, is_big_endian)
+             + bytes_of<unsigned short>({777}, is_big_endian) + "\n";
+    };
+    const Mesh_file mesh = read("binary.ply", text({{{0, 0, 0}}, {{1, 0, 0}}, {{0, 1, .5}}}, false));
+    EXPECT_EQ(rewritten(mesh), text(turned_points(mesh), false));
+    EXPECT_EQ(rewritten(mesh, {{"strain", Eigen::VectorXd::Constant(3, .5)}}),
+              text(turned_points(mesh), true));
+  }
+}
+
+// Integers cannot hold a pose.
+TEST(Rewritten_files, positions_that_are_integers)
+{
+  const Mesh_file mesh
+    = read("integers.ply", "ply\nformat ascii 1.0\nelement vertex 3\nproperty int x\nproperty int y\nproperty int z\n"
+                           "element face 1\nproperty list uchar int vertex_indices\nend_header\n"
+                           "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+  EXPECT_FALSE(is_rewritable(mesh, Format::PLY));
+  EXPECT_FALSE(is_rewritable(read("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"), Format::PLY));
+}
+
+// Header and attributes stay, and the normal is that of the triangle.
+TEST(Rewritten_files, binary_stl)
+{
+  const auto bytes = [](const std::vector<float>& numbers) {
+    return "solid, nevertheless binary" + std::string(54, '\0') + bytes_of<unsigned>({1})
+           + bytes_of(numbers) + "\x12\x34" + "rest";
+  };
+  const Mesh_file mesh = read("a.stl", bytes({9, 9, 9, 0, 0, 0, 1, 0, 0, 0, 1, 0}).substr(0, 134));
+  EXPECT_EQ(rewritten(mesh), bytes({0, -1, 0, 0, -0.f, 0, 1, -0.f, 0, 0, -0.f, 1}).substr(0, 134));
+}
+
+// What other programs write.
+TEST(Rewritten_files, stl_in_other_words)
+{
+  const std::string text = "SOLID one\nFACET NORMAL 0 0 1\nOUTER LOOP\nVERTEX 0 0 0\nVERTEX 1 0 0\nVERTEX 0 1 0\nEND LOOP\n"
+                           "END FACET\nENDSOLID\n";
+  const Mesh_file mesh = read("capitals.stl", text);
+  EXPECT_EQ(mesh.points.size(), 3u);
+  EXPECT_EQ(mesh.faces.size(), 1u);
+  EXPECT_FALSE(is_rewritable(mesh, Format::STL)); // a text has nothing else to keep
+  std::string binary = "solid, nevertheless binary" + std::string(54, '\0') + bytes_of<unsigned>({1})
+                       + bytes_of<float>({0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0}) + std::string(2, '\0');
+  EXPECT_EQ(read("followed.stl", binary + "three more words").faces.size(), 1u);
+}
+
+} // namespace test_rewritten_files
