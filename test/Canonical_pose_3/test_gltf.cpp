@@ -14,9 +14,11 @@
 #include "matchers.h"
 #include "shapes.h"
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <memory>
 #include <numeric>
 #include <random>
 #include <sstream>
@@ -396,6 +398,69 @@ TEST(Gltf, several_meshes_and_primitives)
     EXPECT_EQ(merged.faces[f + mesh.faces.size()],
               (std::vector<std::size_t>{face[0] + n, face[2] + n, face[1] + n}));
   }
+}
+
+// A pose of a file is the same scene with other positions: nodes, materials, and all that is not named here stay.
+TEST(Gltf, rewritten)
+{
+  const std::string bytes = written(ball());
+  json model = json_of(bytes);
+  const double half = std::sqrt(.5);
+  model["nodes"]
+    = {{{"children", {1}}, {"translation", {1, 2, 3}}, {"name", "above"}},
+       {{"mesh", 0}, {"rotation", {0, half, 0, half}}, {"scale", {2, 1, -1}}, {"extras", {{"a", 1}}}}};
+  model["materials"] = {{{"name", "red"}, {"pbrMetallicRoughness", {{"baseColorFactor", {1, 0, 0, 1}}}}}};
+  model["meshes"][0]["primitives"][0]["material"] = 0;
+  const std::string file = with_json(bytes, model);
+  model = json_of(file);
+  Mesh_file mesh = read(file), turned = mesh;
+  mesh.source = std::make_shared<const Source_file>(Source_file{Format::GLB, file});
+  for(std::array<double, 3>& p : turned.points)
+    p = {p[0], -p[2], p[1]}; // by a quarter around the x axis
+  ASSERT_TRUE(is_rewritable(mesh, Format::GLB));
+  std::ostringstream out;
+  rewrite_mesh(out, mesh, turned.points, {});
+  expect_near(read(out.str()), turned, 1e-5);
+  EXPECT_EQ(number_at(out.str(), 8), out.str().size());
+
+  json changed = json_of(out.str());
+  for(json* const scene : {&model, &changed})
+    for(json& accessor : (*scene)["accessors"])
+    {
+      accessor.erase("min");
+      accessor.erase("max");
+    }
+  EXPECT_EQ(changed, model);
+  // In the scene, normals of the rest pose are those of an ellipsoid; they turn as the positions do.
+  const std::vector<float> before = numbers<float>(file, "NORMAL"),
+                           after = numbers<float>(out.str(), "NORMAL");
+  const auto in_scene = [&](const std::vector<float>& normals, const std::size_t v) {
+    // inverse transpose of the scale, then a quarter around the y axis
+    const Eigen::Vector3d n(normals[3 * v] / 2, normals[3 * v + 1], -normals[3 * v + 2]);
+    return Eigen::Vector3d(n[2], n[1], -n[0]).normalized().eval();
+  };
+  for(std::size_t v = 0; v < mesh.points.size(); ++v)
+  {
+    const Eigen::Vector3d n = in_scene(before, v);
+    EXPECT_LT((in_scene(after, v) - Eigen::Vector3d(n[0], -n[2], n[1])).norm(), 1e-5) << v;
+  }
+
+  // A mesh that is shown twice has two poses.
+  model = json_of(file);
+  model["nodes"].push_back({{"mesh", 0}});
+  mesh = read(with_json(file, model));
+  mesh.source
+    = std::make_shared<const Source_file>(Source_file{Format::GLB, with_json(file, model)});
+  turned = mesh;
+  for(std::size_t v = 0; v < mesh.points.size(); ++v)
+    turned.points[v][2] += v < mesh.points.size() / 2 ? 1 : -2;
+  ASSERT_TRUE(is_rewritable(mesh, Format::GLB));
+  std::ostringstream twice;
+  rewrite_mesh(twice, mesh, turned.points, {});
+  expect_near(read(twice.str()), turned, 1e-5);
+  changed = json_of(twice.str());
+  EXPECT_EQ(changed["meshes"].size(), 2u);
+  EXPECT_EQ(changed["meshes"][1]["primitives"][0]["material"], 0);
 }
 
 } // namespace test_gltf

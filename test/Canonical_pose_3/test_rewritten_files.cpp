@@ -195,7 +195,8 @@ TEST(Rewritten_files, stl_in_other_words)
   const Mesh_file mesh = read("capitals.stl", text);
   EXPECT_EQ(mesh.points.size(), 3u);
   EXPECT_EQ(mesh.faces.size(), 1u);
-  EXPECT_FALSE(is_rewritable(mesh, Format::STL)); // a text has nothing else to keep
+  expect_same_text(rewritten(mesh), "SOLID one\nFACET NORMAL 0 -1 0\nOUTER LOOP\nVERTEX 0 -0 0\nVERTEX 1 -0 0\nVERTEX 0 -0 1\n"
+                                    "END LOOP\nEND FACET\nENDSOLID\n");
   std::string binary = "solid, nevertheless binary" + std::string(54, '\0') + bytes_of<unsigned>({1})
                        + bytes_of<float>({0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0}) + std::string(2, '\0');
   EXPECT_EQ(read("followed.stl", binary + "three more words").faces.size(), 1u);

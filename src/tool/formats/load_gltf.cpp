@@ -4,6 +4,8 @@
 #include "load_gltf.h"
 #include "Text_cursor.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -164,6 +166,25 @@ std::string shortened(std::string text)
   return text.substr(0, text.find_last_not_of(' ') + 1);
 }
 
+Eigen::Affine3d own_transformation(const tinygltf::Node& node)
+{
+  Eigen::Affine3d result = Eigen::Affine3d::Identity();
+  if(node.matrix.size() == 16)
+  {
+    result.matrix() = Eigen::Matrix4d::Map(node.matrix.data());
+    return result;
+  }
+  if(node.translation.size() == 3)
+    result.translate(Eigen::Vector3d::Map(node.translation.data()));
+  if(node.rotation.size() == 4)
+    result.rotate(
+      Eigen::Quaterniond(node.rotation[3], node.rotation[0], node.rotation[1], node.rotation[2])
+        .normalized());
+  if(node.scale.size() == 3)
+    result.scale(Eigen::Vector3d::Map(node.scale.data()));
+  return result;
+}
+
 } // namespace
 
 tinygltf::Model load_gltf(const std::string& bytes, const std::string& path)
@@ -201,6 +222,43 @@ tinygltf::Model load_gltf(const std::string& bytes, const std::string& path)
     throw std::invalid_argument(
       !files.defect().empty() ? files.defect() : "this is not valid glTF: " + shortened(error));
   return model;
+}
+
+std::vector<Mesh_instance> mesh_instances(const tinygltf::Model& model)
+{
+  constexpr std::size_t none = std::size_t(-1);
+  std::vector<std::size_t> parents(model.nodes.size(), none);
+  for(std::size_t n = 0; n < model.nodes.size(); ++n)
+    for(const int child : model.nodes[n].children)
+      if(child >= 0 && static_cast<std::size_t>(child) < parents.size())
+        parents[static_cast<std::size_t>(child)] = n;
+  std::vector<Mesh_instance> result;
+  for(std::size_t n = 0; n < model.nodes.size(); ++n)
+  {
+    if(model.nodes[n].mesh < 0)
+      continue;
+    const auto mesh = static_cast<std::size_t>(model.nodes[n].mesh);
+    if(mesh >= model.meshes.size())
+      throw std::invalid_argument("node " + std::to_string(n) + " names mesh "
+                                  + std::to_string(mesh) + ", but there are "
+                                  + std::to_string(model.meshes.size()));
+    if(model.nodes[n].skin >= 0)
+      throw std::invalid_argument("the mesh has a skin, which is not supported");
+    result.push_back({mesh, Eigen::Affine3d::Identity(), n});
+    std::size_t steps = 0;
+    for(std::size_t node = n; node != none; node = parents[node])
+    {
+      if(steps++ == parents.size())
+        throw std::invalid_argument("the nodes form a cycle");
+      result.back().transformation
+        = own_transformation(model.nodes[node]) * result.back().transformation;
+    }
+  }
+  if(result.empty() && model.meshes.size() == 1)
+    result.push_back({0, Eigen::Affine3d::Identity(), std::nullopt});
+  if(result.empty())
+    throw std::invalid_argument(model.meshes.empty() ? "there is no mesh" : "no node has a mesh");
+  return result;
 }
 
 } // namespace Canonical_pose_tool

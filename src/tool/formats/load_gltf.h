@@ -6,7 +6,12 @@
 
 #include <tiny_gltf.h>
 
+#include <Eigen/Geometry>
+
+#include <cstddef>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace Canonical_pose_tool {
 
@@ -14,6 +19,18 @@ namespace Canonical_pose_tool {
 // external buffers are. Images are not read. Nothing is checked that the JSON states about arrays.
 // Throws std::invalid_argument.
 tinygltf::Model load_gltf(const std::string& bytes, const std::string& path);
+
+// A mesh where a node shows it.
+struct Mesh_instance
+{
+  std::size_t mesh;
+  Eigen::Affine3d transformation; // by the node and those above it
+  std::optional<std::size_t> node;
+};
+
+// The meshes of all nodes, in the order of the nodes; or the only mesh, if no node shows it. Throws std::invalid_argument
+// if there is none, or a node is wrong.
+std::vector<Mesh_instance> mesh_instances(const tinygltf::Model& model);
 
 } // namespace Canonical_pose_tool
 

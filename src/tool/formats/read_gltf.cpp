@@ -24,10 +24,7 @@ namespace Canonical_pose_tool {
 namespace {
 
 using tinygltf::Model;
-using tinygltf::Node;
 using tinygltf::Primitive;
-
-const std::size_t NONE = (std::numeric_limits<std::size_t>::max)();
 
 void check_extensions(const Model& model)
 {
@@ -55,68 +52,6 @@ void check_primitive(const Primitive& primitive)
       throw std::invalid_argument("the primitive is compressed by "
                                   + Text_cursor::shown(extension.first)
                                   + ", which is not supported");
-}
-
-Eigen::Affine3d own_transformation(const Node& node)
-{
-  Eigen::Affine3d result = Eigen::Affine3d::Identity();
-  if(node.matrix.size() == 16)
-  {
-    result.matrix() = Eigen::Matrix4d::Map(node.matrix.data());
-    return result;
-  }
-  if(node.translation.size() == 3)
-    result.translate(Eigen::Vector3d::Map(node.translation.data()));
-  if(node.rotation.size() == 4)
-    result.rotate(
-      Eigen::Quaterniond(node.rotation[3], node.rotation[0], node.rotation[1], node.rotation[2])
-        .normalized());
-  if(node.scale.size() == 3)
-    result.scale(Eigen::Vector3d::Map(node.scale.data()));
-  return result;
-}
-
-// A mesh where a node shows it.
-struct Mesh_instance
-{
-  std::size_t mesh;
-  Eigen::Affine3d transformation; // by the node and those above it
-};
-
-std::vector<Mesh_instance> instances(const Model& model)
-{
-  std::vector<std::size_t> parents(model.nodes.size(), NONE);
-  for(std::size_t n = 0; n < model.nodes.size(); ++n)
-    for(const int child : model.nodes[n].children)
-      if(child >= 0 && static_cast<std::size_t>(child) < parents.size())
-        parents[static_cast<std::size_t>(child)] = n;
-  std::vector<Mesh_instance> result;
-  for(std::size_t n = 0; n < model.nodes.size(); ++n)
-  {
-    if(model.nodes[n].mesh < 0)
-      continue;
-    const auto mesh = static_cast<std::size_t>(model.nodes[n].mesh);
-    if(mesh >= model.meshes.size())
-      throw std::invalid_argument("node " + std::to_string(n) + " names mesh "
-                                  + std::to_string(mesh) + ", but there are "
-                                  + std::to_string(model.meshes.size()));
-    if(model.nodes[n].skin >= 0)
-      throw std::invalid_argument("the mesh has a skin, which is not supported");
-    result.push_back({mesh, Eigen::Affine3d::Identity()});
-    std::size_t steps = 0;
-    for(std::size_t node = n; node != NONE; node = parents[node])
-    {
-      if(steps++ == parents.size())
-        throw std::invalid_argument("the nodes form a cycle");
-      result.back().transformation
-        = own_transformation(model.nodes[node]) * result.back().transformation;
-    }
-  }
-  if(result.empty() && model.meshes.size() == 1)
-    result.push_back({0, Eigen::Affine3d::Identity()});
-  if(result.empty())
-    throw std::invalid_argument(model.meshes.empty() ? "there is no mesh" : "no node has a mesh");
-  return result;
 }
 
 void read_points(const Model& model, const int accessor, const Eigen::Affine3d& transformation,
@@ -233,7 +168,7 @@ void read_gltf(const std::string& bytes, const std::string& path, Mesh_file& mes
 {
   const Model model = load_gltf(bytes, path);
   check_extensions(model);
-  const std::vector<Mesh_instance> shown = instances(model);
+  const std::vector<Mesh_instance> shown = mesh_instances(model);
   for(const Mesh_instance& instance : shown)
     read_instance(model, instance, mesh);
   if(shown.size() == 1 && model.meshes[shown[0].mesh].primitives.size() == 1)

@@ -161,12 +161,17 @@ bool is_binary_stl(const std::string& bytes)
          && bytes.size() == HEADER_SIZE + FACE_SIZE * number_of_binary_faces(bytes);
 }
 
+bool is_binary_stl_content(const std::string& bytes)
+{
+  return is_binary_stl(bytes) || !is_ascii(bytes);
+}
+
 void read_stl(const std::string& bytes, Mesh_file& mesh)
 {
-  if(!is_binary_stl(bytes) && is_ascii(bytes))
-    read_ascii(bytes, mesh);
-  else
+  if(is_binary_stl_content(bytes))
     read_binary(bytes, mesh);
+  else
+    read_ascii(bytes, mesh);
 }
 
 } // namespace Canonical_pose_tool

@@ -9,7 +9,9 @@
 
 #include <array>
 #include <cstddef>
+#include <iosfwd>
 #include <string>
+#include <vector>
 
 namespace Canonical_pose_tool {
 
@@ -18,10 +20,18 @@ void read_off(const std::string& bytes, Mesh_file& mesh);
 void read_obj(const std::string& bytes, Mesh_file& mesh);
 void read_ply(const std::string& bytes, Mesh_file& mesh);
 void read_stl(const std::string& bytes, Mesh_file& mesh);
+// Whether a file has the size that its header announces; and whether it is read as binary.
 bool is_binary_stl(const std::string& bytes);
+bool is_binary_stl_content(const std::string& bytes);
 void read_medit(const std::string& bytes, Mesh_file& mesh);
 // `path` is that of the file.
 void read_gltf(const std::string& bytes, const std::string& path, Mesh_file& mesh);
+
+// The part of rewrite_mesh() for binary glTF with one buffer, in the file. A mesh that several nodes show becomes several.
+// Morph targets and animations, which belong to other positions, are left out.
+bool is_rewritable_glb(const Mesh_file& mesh);
+void rewrite_glb(std::ostream& out, const Mesh_file& mesh,
+                 const std::vector<std::array<double, 3>>& points);
 
 // Whether this program was built with glTF.
 bool is_gltf_available();

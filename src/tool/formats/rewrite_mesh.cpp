@@ -4,6 +4,7 @@
 #include "Ply_header.h"
 #include "Shortest_numbers.h"
 #include "Shown_surface.h"
+#include "Vertex_rotations.h"
 #include "readers.h"
 
 #include <Eigen/Core>
@@ -11,7 +12,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <cctype>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -24,66 +25,6 @@
 namespace Canonical_pose_tool {
 
 namespace {
-
-using Points = std::vector<std::array<double, 3>>;
-
-Eigen::Vector3d vector_of(const std::array<double, 3>& p) { return {p[0], p[1], p[2]}; }
-
-// Normals turn with the faces that have them.
-class Face_rotations
-{
-public:
-  Face_rotations(const Mesh_file& mesh, const Points& points)
-  {
-    for(const std::vector<std::size_t>& face : mesh.faces)
-    {
-      const auto before = frame(face, mesh.points), after = frame(face, points);
-      m_rotations.push_back(before && after ? Eigen::Matrix3d(*after * before->transpose())
-                                            : Eigen::Matrix3d::Zero());
-    }
-  }
-
-  // What a face adds to the turned normal.
-  Eigen::Vector3d turned(const std::size_t face, const Eigen::Vector3d& normal) const
-  {
-    return m_rotations[face] * normal;
-  }
-
-  // The sum of what its faces added, with the length of the normal; itself if this has no direction.
-  static Eigen::Vector3d result(const Eigen::Vector3d& sum, const Eigen::Vector3d& normal)
-  {
-    const Eigen::Vector3d direction = sum.stableNormalized();
-    return direction.allFinite() && direction.squaredNorm() > .5
-             ? Eigen::Vector3d(direction * normal.stableNorm())
-             : normal;
-  }
-
-private:
-  // The direction of the first side that has one, and the normal; nothing if the face has no area.
-  static std::optional<Eigen::Matrix3d> frame(const std::vector<std::size_t>& face,
-                                              const Points& points)
-  {
-    const Eigen::Vector3d origin = vector_of(points[face[0]]);
-    Eigen::Vector3d side = Eigen::Vector3d::Zero(), normal = Eigen::Vector3d::Zero();
-    for(std::size_t k = 1; k < face.size(); ++k)
-    {
-      const Eigen::Vector3d q = vector_of(points[face[k]]) - origin;
-      if(side.isZero(0))
-        side = q;
-      if(k > 1)
-        normal += (vector_of(points[face[k - 1]]) - origin).cross(q);
-    }
-    const Eigen::Vector3d z = normal.stableNormalized(),
-                          x = (side - z.dot(side) * z).stableNormalized();
-    if(!z.allFinite() || !x.allFinite() || z.isZero(0) || x.isZero(0))
-      return std::nullopt;
-    Eigen::Matrix3d result;
-    result << x, z.cross(x), z;
-    return result;
-  }
-
-  std::vector<Eigen::Matrix3d> m_rotations; // 0 of faces without area
-};
 
 // Copies a text, with other words at some places.
 class Text_copy
@@ -145,7 +86,7 @@ std::vector<Eigen::Vector3d> turned_normals_of_obj(const std::string& bytes, con
 {
   struct Use
   {
-    std::size_t face;
+    std::size_t face, corner;
     long long normal;
   };
   std::vector<Eigen::Vector3d> normals;
@@ -162,26 +103,27 @@ std::vector<Eigen::Vector3d> turned_normals_of_obj(const std::string& bytes, con
     }
     else if(word == "f")
     {
-      for(word = text.word_on_line(); !word.empty(); word = text.word_on_line())
+      std::size_t corner = 0;
+      for(word = text.word_on_line(); !word.empty(); word = text.word_on_line(), ++corner)
       {
         const std::size_t last = word.rfind('/');
         if(last == std::string_view::npos || word.find('/') == last)
           continue;
         const auto n = static_cast<long long>(text.number_or(word.substr(last + 1), 0));
-        uses.push_back({face, n < 0 ? static_cast<long long>(normals.size()) + n : n - 1});
+        uses.push_back({face, corner, n < 0 ? static_cast<long long>(normals.size()) + n : n - 1});
       }
       ++face;
     }
   if(normals.empty())
     return normals;
-  const Face_rotations rotations(mesh, points);
+  const Vertex_rotations rotations(mesh, points);
   std::vector<Eigen::Vector3d> sums(normals.size(), Eigen::Vector3d::Zero());
   for(const Use& use : uses)
     if(use.normal >= 0 && use.normal < static_cast<long long>(normals.size()))
-      sums[static_cast<std::size_t>(use.normal)]
-        += rotations.turned(use.face, normals[static_cast<std::size_t>(use.normal)]);
+      sums[static_cast<std::size_t>(use.normal)] += rotations.turned(
+        mesh.faces[use.face][use.corner], normals[static_cast<std::size_t>(use.normal)]);
   for(std::size_t i = 0; i < normals.size(); ++i)
-    normals[i] = Face_rotations::result(sums[i], normals[i]);
+    normals[i] = Vertex_rotations::result(sums[i], normals[i]);
   return normals;
 }
 
@@ -225,6 +167,50 @@ void rewrite_medit(std::ostream& out, const std::string& bytes, const Points& po
   copy.finish();
 }
 
+Eigen::Vector3d normal_of(const std::array<Eigen::Vector3d, 3>& corners)
+{
+  const Eigen::Vector3d normal
+    = (corners[1] - corners[0]).cross(corners[2] - corners[0]).stableNormalized();
+  return normal.allFinite() ? normal : Eigen::Vector3d(Eigen::Vector3d::Zero());
+}
+
+std::array<Eigen::Vector3d, 3> corners_of(const Points& points,
+                                          const std::vector<std::size_t>& face)
+{
+  return {vector_of(points[face[0]]), vector_of(points[face[1]]), vector_of(points[face[2]])};
+}
+
+// With its solids, and their names.
+void rewrite_stl_text(std::ostream& out, const std::string& bytes, const Mesh_file& mesh,
+                      const Points& points)
+{
+  Text_cursor text(bytes);
+  Text_copy copy(out, bytes);
+  std::size_t corner = 0;
+  for(std::string_view word = text.word(); !word.empty(); word = text.word())
+    switch(std::tolower(static_cast<unsigned char>(word[0])))
+    {
+    case 's': // solid, and its name
+      text.skip_line();
+      break;
+    case 'e': // only the end of a solid has a name
+      if(word.size() == 8 || word.size() == 3)
+        text.skip_line();
+      break;
+    case 'n':
+      for(const double x : normal_of(corners_of(points, mesh.faces[corner / 3])))
+        if(const std::string_view number = text.word_on_line(); !number.empty())
+          copy.replace(number, x);
+      break;
+    case 'v':
+      for(const double x : points[mesh.faces[corner / 3][corner % 3]])
+        copy.replace(text.word(), x);
+      ++corner;
+      break;
+    }
+  copy.finish();
+}
+
 void rewrite_stl(std::ostream& out, const std::string& bytes, const Mesh_file& mesh,
                  const Points& points)
 {
@@ -232,16 +218,13 @@ void rewrite_stl(std::ostream& out, const std::string& bytes, const Mesh_file& m
   std::string result = bytes;
   for(std::size_t f = 0; f < mesh.faces.size(); ++f)
   {
-    std::array<Eigen::Vector3d, 3> corners;
-    for(std::size_t k = 0; k < 3; ++k)
-      corners[k] = vector_of(points[mesh.faces[f][k]]);
-    const Eigen::Vector3d normal
-      = (corners[1] - corners[0]).cross(corners[2] - corners[0]).stableNormalized();
+    const std::array<Eigen::Vector3d, 3> corners = corners_of(points, mesh.faces[f]);
+    const Eigen::Vector3d normal = normal_of(corners);
     std::array<float, 12> numbers;
     for(std::size_t k = 0; k < 3; ++k)
     {
       const auto i = static_cast<Eigen::Index>(k);
-      numbers[k] = std::isfinite(normal[i]) ? static_cast<float>(normal[i]) : 0;
+      numbers[k] = static_cast<float>(normal[i]);
       for(std::size_t c = 0; c < 3; ++c)
         numbers[3 * (c + 1) + k] = static_cast<float>(corners[c][i]);
     }
@@ -440,13 +423,9 @@ private:
                           });
     m_text = text;
     m_byte = byte;
-    const Face_rotations rotations(m_mesh, m_points);
-    std::vector<Eigen::Vector3d> sums(m_normals.size(), Eigen::Vector3d::Zero());
-    for(std::size_t f = 0; f < m_mesh.faces.size(); ++f)
-      for(const std::size_t v : m_mesh.faces[f])
-        sums[v] += rotations.turned(f, m_normals[v]);
-    for(std::size_t v = 0; v < sums.size(); ++v)
-      m_normals[v] = Face_rotations::result(sums[v], m_normals[v]);
+    const Vertex_rotations rotations(m_mesh, m_points);
+    for(std::size_t v = 0; v < m_normals.size(); ++v)
+      m_normals[v] = Vertex_rotations::result(rotations.turned(v, m_normals[v]), m_normals[v]);
   }
 
   std::ostream& m_out;
@@ -490,7 +469,9 @@ bool is_rewritable(const Mesh_file& mesh, const Format format)
   case Format::PLY:
     return holds_positions(mesh.source->bytes);
   case Format::STL:
-    return is_binary_stl(mesh.source->bytes);
+    return true;
+  case Format::GLB:
+    return is_rewritable_glb(mesh);
   default:
     return false;
   }
@@ -510,8 +491,11 @@ void rewrite_mesh(std::ostream& out, const Mesh_file& mesh, const Points& points
     return rewrite_medit(out, bytes, points);
   case Format::PLY:
     return Ply_rewriter(out, mesh, points, values).run();
+  case Format::GLB:
+    return rewrite_glb(out, mesh, points);
   default:
-    return rewrite_stl(out, bytes, mesh, points);
+    return is_binary_stl_content(bytes) ? rewrite_stl(out, bytes, mesh, points)
+                                        : rewrite_stl_text(out, bytes, mesh, points);
   }
 }
 

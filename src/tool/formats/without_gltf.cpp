@@ -19,6 +19,13 @@ void read_gltf(const std::string&, const std::string&, Mesh_file&)
   throw std::invalid_argument("this program was built without glTF");
 }
 
+bool is_rewritable_glb(const Mesh_file&) { return false; }
+
+void rewrite_glb(std::ostream&, const Mesh_file&, const std::vector<std::array<double, 3>>&)
+{
+  throw std::invalid_argument("this program was built without glTF");
+}
+
 void write_glb(std::ostream&, const Shown_surface&)
 {
   throw std::invalid_argument("this program was built without glTF");

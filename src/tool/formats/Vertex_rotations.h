@@ -1,0 +1,102 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_CANONICAL_POSE_3_TOOL_VERTEX_ROTATIONS_H
+#define CGAL_CANONICAL_POSE_3_TOOL_VERTEX_ROTATIONS_H
+
+#include "Mesh_file.h"
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <numeric>
+#include <optional>
+#include <vector>
+
+namespace Canonical_pose_tool {
+
+using Points = std::vector<std::array<double, 3>>;
+
+inline Eigen::Vector3d vector_of(const std::array<double, 3>& p) { return {p[0], p[1], p[2]}; }
+
+// How normals turn with the faces at a vertex, from one position of the vertices to another. Vertices at the same position
+// belong together, so that normals along seams remain equal.
+class Vertex_rotations
+{
+public:
+  Vertex_rotations(const Mesh_file& mesh, const Points& points)
+    : m_place(places(mesh.points)), m_sums(mesh.points.size(), Eigen::Matrix3d::Zero())
+  {
+    for(const std::vector<std::size_t>& face : mesh.faces)
+    {
+      const auto before = frame(face, mesh.points), after = frame(face, points);
+      if(before && after)
+        for(const std::size_t v : face)
+          m_sums[m_place[v]] += *after * before->transpose();
+    }
+  }
+
+  // A multiple of the turned normal, 0 without faces.
+  Eigen::Vector3d turned(const std::size_t vertex, const Eigen::Vector3d& normal) const
+  {
+    return m_sums[m_place[vertex]] * normal;
+  }
+
+  // The turned normal, with the length of the normal; the normal itself if there is no direction.
+  static Eigen::Vector3d result(const Eigen::Vector3d& turned, const Eigen::Vector3d& normal)
+  {
+    const Eigen::Vector3d direction = turned.stableNormalized();
+    return direction.allFinite() && direction.squaredNorm() > .5
+             ? Eigen::Vector3d(direction * normal.stableNorm())
+             : normal;
+  }
+
+private:
+  // For each vertex, the first one at its position.
+  static std::vector<std::size_t> places(const Points& points)
+  {
+    std::vector<std::size_t> order(points.size());
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    std::vector<std::size_t> result = order;
+    std::stable_sort(order.begin(), order.end(), [&](const std::size_t v, const std::size_t w) {
+      return points[v] < points[w];
+    });
+    for(std::size_t i = 1; i < order.size(); ++i)
+      if(points[order[i]] == points[order[i - 1]])
+        result[order[i]] = result[order[i - 1]];
+    return result;
+  }
+
+  // The direction of the first side that has one, and the normal; nothing if the face has no area.
+  static std::optional<Eigen::Matrix3d> frame(const std::vector<std::size_t>& face,
+                                              const Points& points)
+  {
+    const Eigen::Vector3d origin = vector_of(points[face[0]]);
+    Eigen::Vector3d side = Eigen::Vector3d::Zero(), normal = Eigen::Vector3d::Zero();
+    for(std::size_t k = 1; k < face.size(); ++k)
+    {
+      const Eigen::Vector3d q = vector_of(points[face[k]]) - origin;
+      if(side.isZero(0))
+        side = q;
+      if(k > 1)
+        normal += (vector_of(points[face[k - 1]]) - origin).cross(q);
+    }
+    const Eigen::Vector3d z = normal.stableNormalized(),
+                          x = (side - z.dot(side) * z).stableNormalized();
+    if(!z.allFinite() || !x.allFinite() || z.isZero(0) || x.isZero(0))
+      return std::nullopt;
+    Eigen::Matrix3d result;
+    result << x, z.cross(x), z;
+    return result;
+  }
+
+  std::vector<std::size_t> m_place;
+  std::vector<Eigen::Matrix3d> m_sums; // of the rotations of faces
+};
+
+} // namespace Canonical_pose_tool
+
+#endif // CGAL_CANONICAL_POSE_3_TOOL_VERTEX_ROTATIONS_H

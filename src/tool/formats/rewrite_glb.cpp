@@ -1,0 +1,244 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "Gltf_numbers.h"
+#include "Vertex_rotations.h"
+#include "load_gltf.h"
+#include "readers.h"
+
+#include <nlohmann/json.hpp>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <ostream>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace Canonical_pose_tool {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::uint32_t number_at(const std::string& bytes, const std::size_t position)
+{
+  std::uint32_t number;
+  std::memcpy(&number, bytes.data() + position, sizeof(number));
+  return number;
+}
+
+std::string bytes_of(const std::size_t number)
+{
+  const auto value = static_cast<std::uint32_t>(number);
+  std::string result(sizeof(value), '\0');
+  std::memcpy(result.data(), &value, sizeof(value));
+  return result;
+}
+
+// Accessors into which numbers are written: those of the file, in its buffer, if they are in single precision and not yet
+// taken; otherwise new ones, after it.
+class Changed_accessors
+{
+public:
+  Changed_accessors(const tinygltf::Model& model, Json& json, std::string& buffer)
+    : m_model(model), m_json(json), m_buffer(buffer)
+  {}
+
+  // Writes `count` tuples, of which `tuple(i)` are the first three numbers; others are as in the accessor. Returns the index
+  // of the accessor.
+  template <class Function>
+  std::size_t write(const int accessor, const int components, const std::string& name,
+                    const Function& tuple)
+  {
+    const Gltf_numbers numbers(m_model, accessor, components, name);
+    const tinygltf::Accessor& a = m_model.accessors[static_cast<std::size_t>(accessor)];
+    const tinygltf::BufferView& view = m_model.bufferViews[static_cast<std::size_t>(a.bufferView)];
+    auto index = static_cast<std::size_t>(accessor);
+    std::size_t begin = view.byteOffset + a.byteOffset,
+                stride = static_cast<std::size_t>(a.ByteStride(view));
+    if(a.componentType != TINYGLTF_COMPONENT_TYPE_FLOAT || !m_taken.insert(accessor).second)
+    {
+      stride = static_cast<std::size_t>(components) * sizeof(float);
+      begin = (m_buffer.size() + 3) / 4 * 4;
+      m_buffer.resize(begin + numbers.count() * stride);
+      Json& views = m_json["bufferViews"];
+      views.push_back({{"buffer", 0},
+                       {"byteOffset", begin},
+                       {"byteLength", numbers.count() * stride},
+                       {"target", TINYGLTF_TARGET_ARRAY_BUFFER}});
+      Json& accessors = m_json["accessors"];
+      index = accessors.size();
+      accessors.push_back({{"bufferView", views.size() - 1},
+                           {"componentType", TINYGLTF_COMPONENT_TYPE_FLOAT},
+                           {"count", numbers.count()},
+                           {"type", components == 3 ? "VEC3" : "VEC4"}});
+    }
+    Eigen::Vector3f low = Eigen::Vector3f::Constant((std::numeric_limits<float>::max)()),
+                    high = -low;
+    for(std::size_t i = 0; i < numbers.count(); ++i)
+    {
+      const Eigen::Vector3f p
+        = tuple(i, Eigen::Vector3d(numbers(i, 0), numbers(i, 1), numbers(i, 2)))
+            .template cast<float>();
+      low = low.cwiseMin(p);
+      high = high.cwiseMax(p);
+      char* const bytes = m_buffer.data() + begin + i * stride;
+      std::memcpy(bytes, p.data(), 3 * sizeof(float));
+      if(components == 4)
+      {
+        const auto last = static_cast<float>(numbers(i, 3));
+        std::memcpy(bytes + 3 * sizeof(float), &last, sizeof(last));
+      }
+    }
+    Json& changed = m_json["accessors"][index];
+    changed.erase("min");
+    changed.erase("max");
+    if(name == "POSITION")
+    {
+      changed["min"] = {low[0], low[1], low[2]};
+      changed["max"] = {high[0], high[1], high[2]};
+    }
+    return index;
+  }
+
+private:
+  const tinygltf::Model& m_model;
+  Json& m_json;
+  std::string& m_buffer;
+  std::set<int> m_taken;
+};
+
+// Changes the primitives of a mesh that a node shows, whose first vertex is `first`; adds the number of its vertices to that.
+void change_instance(const tinygltf::Model& model, const Mesh_instance& instance, Json& mesh,
+                     const Points& points, const Vertex_rotations& rotations, std::size_t& first,
+                     Changed_accessors& changed)
+{
+  const Eigen::Affine3d &to_scene = instance.transformation, from_scene = to_scene.inverse();
+  const Eigen::Matrix3d normals_to_scene = from_scene.linear().transpose();
+  std::map<int, std::size_t> first_of_positions;
+  std::map<std::pair<int, int>, std::size_t> new_accessors; // by positions and the attribute
+  const auto& primitives = model.meshes[instance.mesh].primitives;
+  for(std::size_t p = 0; p < primitives.size(); ++p)
+  {
+    const auto& attributes = primitives[p].attributes;
+    const int positions = attributes.at("POSITION");
+    const std::size_t count = model.accessors[static_cast<std::size_t>(positions)].count;
+    const auto [found, is_new] = first_of_positions.emplace(positions, first);
+    if(is_new)
+      first += count;
+    const std::size_t begin = found->second;
+    for(const std::string name : {"POSITION", "NORMAL", "TANGENT"})
+    {
+      const auto attribute = attributes.find(name);
+      if(attribute == attributes.end())
+        continue;
+      const auto [accessor, is_unknown]
+        = new_accessors.emplace(std::make_pair(positions, attribute->second), 0);
+      const Eigen::Matrix3d there = name == "NORMAL" ? normals_to_scene : to_scene.linear(),
+                            back = there.inverse();
+      if(is_unknown)
+        accessor->second = changed.write(
+          attribute->second, name == "TANGENT" ? 4 : 3, name,
+          [&](const std::size_t i, const Eigen::Vector3d& before) -> Eigen::Vector3d {
+            if(name == "POSITION")
+              return from_scene * vector_of(points[begin + i]);
+            const Eigen::Vector3d direction = there * before;
+            return (back
+                    * Vertex_rotations::result(rotations.turned(begin + i, direction), direction))
+              .normalized();
+          });
+      mesh["primitives"][p]["attributes"][name] = accessor->second;
+    }
+  }
+}
+
+} // namespace
+
+bool is_rewritable_glb(const Mesh_file& mesh)
+try
+{
+  const tinygltf::Model model = load_gltf(mesh.source->bytes, "");
+  if(model.buffers.size() != 1 || !model.buffers[0].uri.empty())
+    return false;
+  for(const Mesh_instance& instance : mesh_instances(model))
+  {
+    if(std::abs(instance.transformation.linear().determinant())
+       < (std::numeric_limits<double>::min)())
+      return false;
+    for(const tinygltf::Primitive& primitive : model.meshes[instance.mesh].primitives)
+    {
+      const std::size_t count
+        = Gltf_numbers(model, primitive.attributes.at("POSITION"), 3, "POSITION").count();
+      for(const char* const name : {"NORMAL", "TANGENT"})
+        if(const auto found = primitive.attributes.find(name);
+           found != primitive.attributes.end()
+           && Gltf_numbers(model, found->second, std::strcmp(name, "NORMAL") == 0 ? 3 : 4, name)
+                  .count()
+                != count)
+          return false;
+      if(primitive.attributes.count("_VERTEX") > 0)
+        return false;
+    }
+  }
+  return true;
+}
+catch(const std::invalid_argument&) // of external buffers, or attributes that are not read
+{
+  return false;
+}
+
+void rewrite_glb(std::ostream& out, const Mesh_file& mesh, const Points& points)
+{
+  const std::string& bytes = mesh.source->bytes;
+  const tinygltf::Model model = load_gltf(bytes, "");
+  constexpr std::size_t header = 12, chunk_header = 8;
+  const std::size_t end_of_json = header + chunk_header + number_at(bytes, header),
+                    end_of_buffer = end_of_json + chunk_header + number_at(bytes, end_of_json);
+  Json json = Json::parse(bytes.substr(header + chunk_header, number_at(bytes, header)));
+  std::string buffer = bytes.substr(end_of_json + chunk_header, number_at(bytes, end_of_json));
+  for(Json& changed : json["meshes"])
+  {
+    changed.erase("weights");
+    for(Json& primitive : changed["primitives"])
+      primitive.erase("targets");
+  }
+  json.erase("animations");
+
+  const Vertex_rotations rotations(mesh, points);
+  Changed_accessors changed(model, json, buffer);
+  const Json meshes = json["meshes"];
+  std::set<std::size_t> shown;
+  std::size_t first = 0;
+  for(const Mesh_instance& instance : mesh_instances(model))
+  {
+    std::size_t index = instance.mesh;
+    if(!shown.insert(index).second) // by an earlier node, which has other positions now
+    {
+      index = json["meshes"].size();
+      json["meshes"].push_back(meshes[instance.mesh]);
+      json["nodes"][*instance.node]["mesh"] = index;
+    }
+    change_instance(model, instance, json["meshes"][index], points, rotations, first, changed);
+  }
+  buffer.resize((buffer.size() + 3) / 4 * 4);
+  json["buffers"][0]["byteLength"] = buffer.size();
+
+  std::string text = json.dump();
+  text.resize((text.size() + 3) / 4 * 4, ' ');
+  const std::string rest = bytes.substr(end_of_buffer);
+  out << "glTF" << bytes_of(2)
+      << bytes_of(header + 2 * chunk_header + text.size() + buffer.size() + rest.size())
+      << bytes_of(text.size()) << "JSON" << text << bytes_of(buffer.size())
+      << std::string("BIN\0", 4) << buffer << rest;
+}
+
+} // namespace Canonical_pose_tool
