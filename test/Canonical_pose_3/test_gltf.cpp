@@ -431,6 +431,7 @@ TEST(Gltf, rewritten)
       accessor.erase("max");
     }
   EXPECT_EQ(changed, model);
+  EXPECT_EQ(attributes_of_file(mesh), (std::vector<std::string>{"normals", "materials"}));
   // In the scene, normals of the rest pose are those of an ellipsoid; they turn as the positions do.
   const std::vector<float> before = numbers<float>(file, "NORMAL"),
                            after = numbers<float>(out.str(), "NORMAL");

@@ -104,6 +104,22 @@ TEST(Rewritten_files, texts)
   }
 }
 
+// What a pose in another format lacks is named.
+TEST(Rewritten_files, attributes)
+{
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(attributes_of_file(read("a.off", "CNOFF\n3 1 0\n0 0 0 0 0 1 9 9 9\n1 0 0 0 0 1 9 9 9\n0 1 0 0 0 1 9 9 9\n3 0 1 2\n")),
+            (Names{"colors", "normals"}));
+  EXPECT_EQ(attributes_of_file(read("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")), Names());
+  EXPECT_EQ(attributes_of_file(read("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nusemtl a\nf 1/1 2/1 3/1\n")),
+            (Names{"texture coordinates", "materials"}));
+  EXPECT_EQ(attributes_of_file(read("a.ply", "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+                                             "property float z\nproperty uchar red\nelement face 1\n"
+                                             "property list uchar int vertex_indices\nelement edge 0\nproperty int v\n"
+                                             "end_header\n0 0 0 9\n1 0 0 9\n0 1 0 9\n3 0 1 2\n")),
+            (Names{"the element edge", "the property red"}));
+}
+
 // Values of vertices are added, or replace those of the same name.
 TEST(Rewritten_files, values_in_ply)
 {

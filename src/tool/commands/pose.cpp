@@ -79,6 +79,19 @@ CGAL::Canonical_pose_3::Landmark_fields_3 given_fields(const std::string& path,
   }
 }
 
+// Names what INPUT has, and POSE has not.
+void warn_of_losses(const Mesh_file& input, const std::string& output,
+                    CGAL::Canonical_pose_3::Registration_summary& summary)
+{
+  const bool is_rewritten = is_rewritable(input, format_of(output));
+  std::string lost;
+  for(const std::string& name : attributes_of_file(input))
+    if(!is_rewritten || name == "animations" || name == "morph targets")
+      lost += (lost.empty() ? "" : ", ") + name;
+  if(!lost.empty())
+    summary.warnings.push_back("the pose in '" + output + "' lacks " + lost + " of the input");
+}
+
 // Shows the iterations on a terminal.
 Result compute_watched_pose(const Mesh_file& input, const Arguments& arguments)
 {
@@ -129,6 +142,7 @@ void run_pose(Arguments& arguments)
     const Mesh_file surface = input.is_tetrahedral ? boundary_of(input) : input;
     write_mesh(out, format_of(arguments.target), with_points(surface, *result.target));
   });
+  warn_of_losses(input, arguments.output, summary);
   files.write(arguments.scene,
               [&](std::ostream& out) { write_glb(out, shown_pose(input, result)); });
   summary.add_seconds("write", clock.lap());

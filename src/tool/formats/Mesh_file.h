@@ -66,6 +66,9 @@ std::vector<double> read_numbers(const std::string& path);
 // Whether rewrite_mesh() writes this format: that of the file, which was kept.
 bool is_rewritable(const Mesh_file& mesh, Format format);
 
+// What the file of a mesh holds beside positions and faces, for instance "texture coordinates".
+std::vector<std::string> attributes_of_file(const Mesh_file& mesh);
+
 // Writes the file of a mesh with other positions. Normals turn with their faces; colors, texture coordinates, materials,
 // groups, comments, encoding, and what else there is, stay. Values of vertices are properties of PLY: they replace those
 // of the same name.

@@ -33,6 +33,9 @@ bool is_rewritable_glb(const Mesh_file& mesh);
 void rewrite_glb(std::ostream& out, const Mesh_file& mesh,
                  const std::vector<std::array<double, 3>>& points);
 
+// What binary or text glTF holds beside positions and faces.
+std::vector<std::string> attributes_of_gltf(const Mesh_file& mesh);
+
 // Whether this program was built with glTF.
 bool is_gltf_available();
 

@@ -196,6 +196,38 @@ catch(const std::invalid_argument&) // of external buffers, or attributes that a
   return false;
 }
 
+std::vector<std::string> attributes_of_gltf(const Mesh_file& mesh)
+{
+  const std::string& bytes = mesh.source->bytes;
+  const bool is_binary = mesh.source->format == Format::GLB;
+  const Json json = Json::parse(is_binary ? bytes.substr(20, number_at(bytes, 12)) : bytes);
+  std::set<std::string> names;
+  for(const Json& shape : json.value("meshes", Json::array()))
+    for(const Json& primitive : shape.value("primitives", Json::array()))
+    {
+      const Json attributes = primitive.value("attributes", Json::object());
+      for(const auto& attribute : attributes.items())
+        names.insert(attribute.key().substr(0, 5));
+      if(primitive.contains("material"))
+        names.insert("material");
+      if(primitive.contains("targets"))
+        names.insert("targets");
+    }
+  std::vector<std::string> result;
+  const std::array<std::pair<const char*, const char*>, 5> texts
+    = {{{"NORMA", "normals"},
+        {"TEXCO", "texture coordinates"},
+        {"COLOR", "colors"},
+        {"material", "materials"},
+        {"targets", "morph targets"}}};
+  for(const auto& [name, text] : texts)
+    if(names.count(name) > 0)
+      result.push_back(text);
+  if(!json.value("animations", Json::array()).empty())
+    result.push_back("animations");
+  return result;
+}
+
 void rewrite_glb(std::ostream& out, const Mesh_file& mesh, const Points& points)
 {
   const std::string& bytes = mesh.source->bytes;

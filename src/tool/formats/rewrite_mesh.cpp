@@ -18,8 +18,10 @@
 #include <cstring>
 #include <optional>
 #include <ostream>
+#include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace Canonical_pose_tool {
@@ -454,7 +456,71 @@ bool holds_positions(const std::string& bytes)
   return true;
 }
 
+std::vector<std::string> attributes_of_obj(const std::string& bytes)
+{
+  std::set<std::string_view> words;
+  Text_cursor text(bytes);
+  for(std::string_view word = text.word(); !word.empty(); text.skip_line(), word = text.word())
+    words.insert(word);
+  std::vector<std::string> result;
+  const std::array<std::pair<const char*, const char*>, 5> texts = {{{"vn", "normals"},
+                                                                     {"vt", "texture coordinates"},
+                                                                     {"usemtl", "materials"},
+                                                                     {"g", "groups"},
+                                                                     {"o", "objects"}}};
+  for(const auto& [word, name] : texts)
+    if(words.count(word) > 0)
+      result.push_back(name);
+  return result;
+}
+
+std::vector<std::string> attributes_of_ply(const std::string& bytes)
+{
+  Text_cursor text(bytes);
+  std::vector<std::string> result;
+  for(const Ply_element& element : read_ply_header(text).elements)
+    if(!element.is_vertex() && !element.is_face())
+      result.push_back("the element " + element.name);
+    else
+      for(const Ply_property& property : element.properties)
+        if(element.is_vertex() ? coordinate_of(property) == 3 : !is_list_of_vertices(property))
+          result.push_back("the property " + property.name);
+  std::sort(result.begin(), result.end());
+  result.erase(std::unique(result.begin(), result.end()), result.end());
+  return result;
+}
+
+std::vector<std::string> attributes_of_off(const std::string& bytes)
+{
+  Text_cursor text(bytes);
+  const std::string_view keyword = text.word();
+  std::vector<std::string> result;
+  for(const char c : keyword.substr(0, keyword.find("OFF")))
+    result.push_back(c == 'N' ? "normals" : c == 'C' ? "colors" : "texture coordinates");
+  return result;
+}
+
 } // namespace
+
+std::vector<std::string> attributes_of_file(const Mesh_file& mesh)
+{
+  if(!mesh.source)
+    return {};
+  switch(mesh.source->format)
+  {
+  case Format::OFF:
+    return attributes_of_off(mesh.source->bytes);
+  case Format::OBJ:
+    return attributes_of_obj(mesh.source->bytes);
+  case Format::PLY:
+    return attributes_of_ply(mesh.source->bytes);
+  case Format::GLB:
+  case Format::GLTF:
+    return attributes_of_gltf(mesh);
+  default:
+    return {};
+  }
+}
 
 bool is_rewritable(const Mesh_file& mesh, const Format format)
 {
