@@ -13,8 +13,10 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <sstream>
 #include <string>
+#include <vector>
 
 using namespace Canonical_pose_tool;
 namespace CPF = Canonical_pose_fuzz;
@@ -55,6 +57,27 @@ void check_writer(const Reader& reader, const Mesh_file& mesh)
                "what is written is what is read again");
 }
 
+// A file with other positions is read again, with them: exactly, if they are text.
+void check_rewriter(const Reader& reader, const std::string& bytes, Mesh_file mesh)
+{
+  mesh.source = std::make_shared<const Source_file>(Source_file{reader.format, bytes});
+  attributes_of_file(mesh);
+  if(!is_rewritable(mesh, reader.format))
+    return;
+  std::vector<std::array<double, 3>> points = mesh.points;
+  for(std::array<double, 3>& p : points)
+    p = {p[1], -p[0], p[2]};
+  std::ostringstream out;
+  rewrite_mesh(out, mesh, points, {});
+  Mesh_file again;
+  CPF::require(CPF::is_accepted([&] { reader.read(out.str(), again); }), "what is rewritten is read");
+  if(reader.format == Format::STL)
+    return;
+  CPF::require(again.faces == mesh.faces && again.cells == mesh.cells, "faces and cells are the same");
+  CPF::require(reader.format == Format::PLY || reader.format == Format::GLB || again.points == points,
+               "the positions are those that are written");
+}
+
 } // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, const std::size_t size)
@@ -69,6 +92,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, const std::size_
   if(!CPF::is_accepted([&] { reader.read(bytes, mesh); }))
     return 0;
   check_writer(reader, mesh);
+  check_rewriter(reader, bytes, mesh);
   if(mesh.is_tetrahedral)
     CPF::is_accepted([&] {
       CGAL::Canonical_pose_3::complex_body(tetrahedra_of(mesh));
