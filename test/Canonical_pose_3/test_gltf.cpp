@@ -462,6 +462,17 @@ TEST(Gltf, rewritten)
   changed = json_of(twice.str());
   EXPECT_EQ(changed["meshes"].size(), 2u);
   EXPECT_EQ(changed["meshes"][1]["primitives"][0]["material"], 0);
+
+  // So have two accessors with the same bytes.
+  model["accessors"].push_back(model["accessors"][0]);
+  model["meshes"].push_back(model["meshes"][0]);
+  model["meshes"][1]["primitives"][0]["attributes"]["POSITION"] = model["accessors"].size() - 1;
+  model["nodes"][2]["mesh"] = 1;
+  mesh.source
+    = std::make_shared<const Source_file>(Source_file{Format::GLB, with_json(file, model)});
+  std::ostringstream aliased;
+  rewrite_mesh(aliased, mesh, turned.points, {});
+  expect_near(read(aliased.str()), turned, 1e-5);
 }
 
 } // namespace test_gltf

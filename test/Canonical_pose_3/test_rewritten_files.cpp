@@ -213,6 +213,8 @@ TEST(Rewritten_files, stl_in_other_words)
   EXPECT_EQ(mesh.faces.size(), 1u);
   expect_same_text(rewritten(mesh), "SOLID one\nFACET NORMAL 0 -1 0\nOUTER LOOP\nVERTEX 0 -0 0\nVERTEX 1 -0 0\nVERTEX 0 -0 1\n"
                                     "END LOOP\nEND FACET\nENDSOLID\n");
+  const std::string without_faces = "solid a\nfacet normal 0 0 1\nendsolid a\n";
+  EXPECT_EQ(rewritten(read("without_faces.stl", without_faces)), without_faces);
   std::string binary = "solid, nevertheless binary" + std::string(54, '\0') + bytes_of<unsigned>({1})
                        + bytes_of<float>({0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0}) + std::string(2, '\0');
   EXPECT_EQ(read("followed.stl", binary + "three more words").faces.size(), 1u);

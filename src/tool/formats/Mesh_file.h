@@ -14,8 +14,6 @@
 
 namespace Canonical_pose_tool {
 
-struct Vertex_values;
-
 enum class Format { OFF, OBJ, PLY, STL, MEDIT, GLB, GLTF, VTU };
 
 // A file as it is.
@@ -68,13 +66,6 @@ bool is_rewritable(const Mesh_file& mesh, Format format);
 
 // What the file of a mesh holds beside positions and faces, for instance "texture coordinates".
 std::vector<std::string> attributes_of_file(const Mesh_file& mesh);
-
-// Writes the file of a mesh with other positions. Normals turn with their faces; colors, texture coordinates, materials,
-// groups, comments, encoding, and what else there is, stay. Values of vertices are properties of PLY: they replace those
-// of the same name.
-void rewrite_mesh(std::ostream& out, const Mesh_file& mesh,
-                  const std::vector<std::array<double, 3>>& points,
-                  const std::vector<Vertex_values>& values);
 
 // Throws std::invalid_argument if the format is only read, or cannot represent the mesh.
 void check_format_holds(Format format, const Mesh_file& mesh);

@@ -11,6 +11,7 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <cstddef>
 #include <iosfwd>
 #include <optional>
@@ -59,6 +60,13 @@ struct Shown_surface
   std::vector<Figure> figures;
   std::vector<Other_shape> other_shapes; // the last one is that to which an animation leads
 };
+
+// Writes the file of a mesh with other positions. Normals turn with their faces; colors, texture coordinates, materials,
+// groups, comments, encoding, and what else there is, stay. Values of vertices are properties of PLY: they replace those
+// of the same name.
+void rewrite_mesh(std::ostream& out, const Mesh_file& mesh,
+                  const std::vector<std::array<double, 3>>& points,
+                  const std::vector<Vertex_values>& values);
 
 // Writes a surface as PLY, with its values, colors and parts as properties.
 void write_ply(std::ostream& out, const Shown_surface& surface);

@@ -149,8 +149,8 @@ bool is_ascii(const std::string& bytes)
     return false;
   text.skip_line();
   const std::string next = in_lower_case(text.word());
-  return next.empty() || next == "facet" || next == "endsolid" || next == "end" || next == "solid"
-         || bytes.size() < HEADER_SIZE || bytes.find('\0') == std::string::npos;
+  return next == "facet" || next == "endsolid" || next == "end" || next == "solid"
+         || bytes.find('\0') == std::string::npos;
 }
 
 } // namespace

@@ -22,6 +22,7 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace Canonical_pose_tool {
 
@@ -44,14 +45,50 @@ std::string bytes_of(const std::size_t number)
   return result;
 }
 
-// Accessors into which numbers are written: those of the file, in its buffer, if they are in single precision and not yet
-// taken; otherwise new ones, after it.
+// The bytes of an accessor: `size` of them at `begin`, at `begin` plus the stride, and so on before `end`.
+struct Byte_pattern
+{
+  Byte_pattern(const tinygltf::Model& model, const tinygltf::Accessor& a)
+  {
+    if(a.bufferView < 0 || static_cast<std::size_t>(a.bufferView) >= model.bufferViews.size())
+      return;
+    const tinygltf::BufferView& view = model.bufferViews[static_cast<std::size_t>(a.bufferView)];
+    const int stride_of_view = a.ByteStride(view);
+    if(stride_of_view <= 0 || a.count == 0)
+      return;
+    begin = view.byteOffset + a.byteOffset;
+    stride = static_cast<std::size_t>(stride_of_view);
+    size = static_cast<std::size_t>(
+      tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(a.componentType))
+      * tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(a.type)));
+    end = begin + (a.count - 1) * stride + size;
+  }
+
+  // Whether they have bytes in common; interleaved attributes have not.
+  bool overlaps(const Byte_pattern& other) const
+  {
+    if(end <= other.begin || other.end <= begin)
+      return false;
+    if(stride != other.stride)
+      return true;
+    const std::size_t after = (other.begin % stride + stride - begin % stride) % stride;
+    return after < size || after + other.size > stride;
+  }
+
+  std::size_t begin = 0, end = 0, stride = 0, size = 0;
+};
+
+// Accessors into which numbers are written: those of the file, in its buffer, if they are in single precision, not yet
+// taken, and no others have the same bytes; otherwise new ones, after it.
 class Changed_accessors
 {
 public:
   Changed_accessors(const tinygltf::Model& model, Json& json, std::string& buffer)
     : m_model(model), m_json(json), m_buffer(buffer)
-  {}
+  {
+    for(const tinygltf::Accessor& a : model.accessors)
+      m_patterns.emplace_back(model, a);
+  }
 
   // Writes `count` tuples, of which `tuple(i)` are the first three numbers; others are as in the accessor. Returns the index
   // of the accessor.
@@ -65,7 +102,8 @@ public:
     auto index = static_cast<std::size_t>(accessor);
     std::size_t begin = view.byteOffset + a.byteOffset,
                 stride = static_cast<std::size_t>(a.ByteStride(view));
-    if(a.componentType != TINYGLTF_COMPONENT_TYPE_FLOAT || !m_taken.insert(accessor).second)
+    if(a.componentType != TINYGLTF_COMPONENT_TYPE_FLOAT || !m_taken.insert(accessor).second
+       || has_common_bytes(accessor))
     {
       stride = static_cast<std::size_t>(components) * sizeof(float);
       begin = (m_buffer.size() + 3) / 4 * 4;
@@ -89,6 +127,9 @@ public:
       const Eigen::Vector3f p
         = tuple(i, Eigen::Vector3d(numbers(i, 0), numbers(i, 1), numbers(i, 2)))
             .template cast<float>();
+      if(!p.allFinite())
+        throw std::invalid_argument(
+          "the surface is too large for glTF, which has single precision");
       low = low.cwiseMin(p);
       high = high.cwiseMax(p);
       char* const bytes = m_buffer.data() + begin + i * stride;
@@ -111,9 +152,19 @@ public:
   }
 
 private:
+  bool has_common_bytes(const int accessor) const
+  {
+    const auto index = static_cast<std::size_t>(accessor);
+    for(std::size_t other = 0; other < m_patterns.size(); ++other)
+      if(other != index && m_patterns[index].overlaps(m_patterns[other]))
+        return true;
+    return false;
+  }
+
   const tinygltf::Model& m_model;
   Json& m_json;
   std::string& m_buffer;
+  std::vector<Byte_pattern> m_patterns; // of the accessors
   std::set<int> m_taken;
 };
 

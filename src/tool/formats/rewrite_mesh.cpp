@@ -200,10 +200,15 @@ void rewrite_stl_text(std::ostream& out, const std::string& bytes, const Mesh_fi
         text.skip_line();
       break;
     case 'n':
-      for(const double x : normal_of(corners_of(points, mesh.faces[corner / 3])))
-        if(const std::string_view number = text.word_on_line(); !number.empty())
+    {
+      const bool has_face = corner / 3 < mesh.faces.size(); // otherwise, a facet without corners
+      const Eigen::Vector3d normal
+        = has_face ? normal_of(corners_of(points, mesh.faces[corner / 3])) : Eigen::Vector3d();
+      for(const double x : normal)
+        if(const std::string_view number = text.word(); has_face && !number.empty())
           copy.replace(number, x);
       break;
+    }
     case 'v':
       for(const double x : points[mesh.faces[corner / 3][corner % 3]])
         copy.replace(text.word(), x);

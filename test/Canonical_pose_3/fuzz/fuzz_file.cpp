@@ -6,6 +6,7 @@
 
 #include "formats/Cgal_types.h"
 #include "checks.h"
+#include "formats/Shown_surface.h"
 #include "formats/readers.h"
 
 #include <CGAL/Canonical_pose_3/complex_body.h>
@@ -68,7 +69,8 @@ void check_rewriter(const Reader& reader, const std::string& bytes, Mesh_file me
   for(std::array<double, 3>& p : points)
     p = {p[1], -p[0], p[2]};
   std::ostringstream out;
-  rewrite_mesh(out, mesh, points, {});
+  if(!CPF::is_accepted([&] { rewrite_mesh(out, mesh, points, {}); }))
+    return; // what single precision cannot hold
   Mesh_file again;
   CPF::require(CPF::is_accepted([&] { reader.read(out.str(), again); }), "what is rewritten is read");
   if(reader.format == Format::STL)
