@@ -39,7 +39,7 @@
 #include "surface/examine_surface.cpp"
 #include "surface/repair_surface.cpp"
 #include "support/call_with_threads.cpp"
-#include "support/configuration.cpp"
+#include "support/library_configuration.cpp"
 #include "support/for_each_index.cpp"
 #include "target/Coarse_surface_3.cpp"
 #include "target/Smacof_target_builder_3.cpp"

@@ -120,6 +120,16 @@ TEST(Rewritten_files, attributes)
             (Names{"the element edge", "the property red"}));
 }
 
+// Normals that do not exist are left alone.
+TEST(Rewritten_files, wrong_normals)
+{
+  for(const std::string& index : {"9", "-9", "1e300", "-1e300", "nan", "x", ""})
+  {
+    const std::string text = "v 0 0 0\nv 1 0 0\nv 0 0 1\nvn 0 1 0\nf 1//1 2//" + index + " 3//1\n";
+    EXPECT_NE(rewritten(read("wrong.obj", text)).find("2//" + index + " 3//1"), std::string::npos);
+  }
+}
+
 // Values of vertices are added, or replace those of the same name.
 TEST(Rewritten_files, values_in_ply)
 {

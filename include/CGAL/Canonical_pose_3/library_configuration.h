@@ -22,17 +22,14 @@ namespace Canonical_pose_3 {
 */
 struct Library_configuration
 {
-  /// \name Versions
-  /// @{
-  std::string canonical_pose_3, cgal, eigen, boost;
-  /// @}
-  /// name and version of the compiler.
-  std::string compiler;
-  /// \name Versions of what is optional
-  /// Nothing if the library was compiled without it.
-  /// @{
-  std::optional<std::string> cholmod, tbb, spectra;
-  /// @}
+  std::string canonical_pose_3; ///< version of the package.
+  std::string cgal;             ///< version of CGAL.
+  std::string eigen;            ///< version of Eigen.
+  std::string boost;            ///< version of Boost.
+  std::string compiler;         ///< name and version of the compiler.
+  std::optional<std::string> cholmod; ///< version of CHOLMOD; nothing without it.
+  std::optional<std::string> tbb;     ///< version of TBB; nothing without it.
+  std::optional<std::string> spectra; ///< version of Spectra; nothing without it.
 };
 
 /*!

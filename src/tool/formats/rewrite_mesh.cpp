@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -111,7 +112,10 @@ std::vector<Eigen::Vector3d> turned_normals_of_obj(const std::string& bytes, con
         const std::size_t last = word.rfind('/');
         if(last == std::string_view::npos || word.find('/') == last)
           continue;
-        const auto n = static_cast<long long>(text.number_or(word.substr(last + 1), 0));
+        const double number = text.number_or(word.substr(last + 1), 0);
+        if(!(std::abs(number) <= static_cast<double>(bytes.size())))
+          continue;
+        const auto n = static_cast<long long>(number);
         uses.push_back({face, corner, n < 0 ? static_cast<long long>(normals.size()) + n : n - 1});
       }
       ++face;
