@@ -1,5 +1,6 @@
-# Public headers compile twice, in their order and in the reverse one, without warnings and without anything but CGAL and
-# Eigen; the latter with the other one of g++ and clang++, if present. With the label single_header: each alone.
+# Public headers compile twice in one source, in the reverse of their order, without warnings and without anything but CGAL
+# and Eigen, by the other one of g++ and clang++, if present: tests include them in their order by this one. With the label
+# single_header: in their order, and each alone.
 
 set(own_headers ${PROJECT_SOURCE_DIR}/include)
 file(GLOB_RECURSE public_headers CONFIGURE_DEPENDS RELATIVE ${own_headers} "${own_headers}/CGAL/*.h")
@@ -34,6 +35,7 @@ if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
     set_tests_properties(header.${name} PROPERTIES LABELS single_header)
   endforeach()
   add_canonical_pose_header_test(all ${CMAKE_CXX_COMPILER} ${public_headers})
+  set_tests_properties(header.all PROPERTIES LABELS single_header)
   set(reversed_headers ${public_headers})
   list(REVERSE reversed_headers)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
