@@ -248,6 +248,7 @@ catch(const std::invalid_argument&) // of external buffers, or attributes that a
 }
 
 std::vector<std::string> attributes_of_gltf(const Mesh_file& mesh)
+try
 {
   const std::string& bytes = mesh.source->bytes;
   const bool is_binary = mesh.source->format == Format::GLB;
@@ -277,6 +278,10 @@ std::vector<std::string> attributes_of_gltf(const Mesh_file& mesh)
   if(!json.value("animations", Json::array()).empty())
     result.push_back("animations");
   return result;
+}
+catch(const Json::exception&) // what is not as it should be was not read
+{
+  return {};
 }
 
 void rewrite_glb(std::ostream& out, const Mesh_file& mesh, const Points& points)

@@ -61,9 +61,12 @@ void check_writer(const Reader& reader, const Mesh_file& mesh)
 // A file with other positions is read again, with them: exactly, if they are text.
 void check_rewriter(const Reader& reader, const std::string& bytes, Mesh_file mesh)
 {
-  mesh.source = std::make_shared<const Source_file>(Source_file{reader.format, bytes});
+  const Format format = reader.format == Format::GLB && bytes.compare(0, 4, "glTF") != 0
+                          ? Format::GLTF
+                          : reader.format;
+  mesh.source = std::make_shared<const Source_file>(Source_file{format, bytes});
   attributes_of_file(mesh);
-  if(!is_rewritable(mesh, reader.format))
+  if(!is_rewritable(mesh, format))
     return;
   std::vector<std::array<double, 3>> points = mesh.points;
   for(std::array<double, 3>& p : points)
