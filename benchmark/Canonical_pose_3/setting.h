@@ -7,10 +7,6 @@
 #include <CGAL/Canonical_pose_3/Default_factor_traits_d.h>
 #include <CGAL/Canonical_pose_3/library_configuration.h>
 
-#include <CGAL/version.h>
-
-#include <Eigen/Core>
-
 #include <sstream>
 #include <string>
 #include <thread>
@@ -25,12 +21,13 @@ namespace Canonical_pose_benchmark {
 /// Describes in one line what the times depend on: compiler, flags, libraries, solver, threads.
 inline std::string setting()
 {
+  const CGAL::Canonical_pose_3::Library_configuration library
+    = CGAL::Canonical_pose_3::library_configuration();
   std::ostringstream out;
-  out << CANONICAL_POSE_3_COMPILED_WITH << "; CGAL " << CGAL_VERSION_STR << ", Eigen "
-      << EIGEN_WORLD_VERSION << '.' << EIGEN_MAJOR_VERSION << '.' << EIGEN_MINOR_VERSION
+  out << CANONICAL_POSE_3_COMPILED_WITH << "; CGAL " << library.cgal << ", Eigen " << library.eigen
       << "; solver " << CGAL::Canonical_pose_3::Default_factor_traits_d::name() << "; "
       << std::thread::hardware_concurrency() << " cores, "
-      << (CGAL::Canonical_pose_3::library_configuration().tbb ? "TBB" : "no TBB");
+      << (library.tbb ? "TBB" : "no TBB");
   return out.str();
 }
 

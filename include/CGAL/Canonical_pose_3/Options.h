@@ -205,7 +205,7 @@ struct Method_options
   /// `align_handedness()`.
   bool takes_mirror_image = false;
 
-  /// whether to count self-intersections for the summary, which takes as long as a third of the pose.
+  /// whether to count self-intersections for the summary, which takes a quarter to a third of the time without it.
   /// They are no obstacle, but for bodies of TetGen and Mesh_3, which search them in any case.
   bool searches_self_intersections = false;
 

@@ -83,9 +83,10 @@ CGAL::Canonical_pose_3::Landmark_fields_3 given_fields(const std::string& path,
 void warn_of_losses(const Mesh_file& input, const std::string& output,
                     CGAL::Canonical_pose_3::Registration_summary& summary)
 {
-  const bool is_rewritten = is_rewritable(input, format_of(output));
+  const std::vector<std::string> names = attributes_of_file(input);
+  const bool is_rewritten = !names.empty() && is_rewritable(input, format_of(output));
   std::string lost;
-  for(const std::string& name : attributes_of_file(input))
+  for(const std::string& name : names)
     if(!is_rewritten || name == "animations" || name == "morph targets")
       lost += (lost.empty() ? "" : ", ") + name;
   if(!lost.empty())

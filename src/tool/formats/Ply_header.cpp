@@ -4,6 +4,7 @@
 #include "Ply_header.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -154,6 +155,24 @@ std::size_t coordinate_of(const Ply_property& property)
 bool is_list_of_vertices(const Ply_property& property)
 {
   return property.is_list && (property.name == "vertex_indices" || property.name == "vertex_index");
+}
+
+double Ply_header::number_at(const char* const bytes, const Ply_number_type type) const
+{
+  std::array<char, 8> ordered = {};
+  std::copy_n(bytes, type.size, ordered.begin());
+  if(is_big_endian)
+    std::reverse(ordered.begin(), ordered.begin() + static_cast<std::ptrdiff_t>(type.size));
+  return type.convert(ordered.data());
+}
+
+std::string Ply_header::bytes_of(const double number, const Ply_number_type type) const
+{
+  std::string result(type.size, '\0');
+  type.store(number, result.data());
+  if(is_big_endian)
+    std::reverse(result.begin(), result.end());
+  return result;
 }
 
 Ply_header read_ply_header(Text_cursor& text)

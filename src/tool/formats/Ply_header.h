@@ -57,6 +57,10 @@ struct Ply_header
 {
   bool is_binary = false, is_big_endian = false;
   std::vector<Ply_element> elements;
+
+  // A number of binary data: from its bytes, and to them.
+  double number_at(const char* bytes, Ply_number_type type) const;
+  std::string bytes_of(double number, Ply_number_type type) const;
 };
 
 // Reads a header; afterward, `text` is at the first byte of the data. There is then one vertex

@@ -224,6 +224,23 @@ tinygltf::Model load_gltf(const std::string& bytes, const std::string& path)
   return model;
 }
 
+Glb_chunks chunks_of_glb(const std::string& bytes)
+{
+  std::size_t position = HEADER;
+  const auto next_chunk = [&] {
+    const std::string_view chunk
+      = std::string_view(bytes).substr(position + CHUNK_HEADER, number_at(bytes, position));
+    position += CHUNK_HEADER + chunk.size();
+    return chunk;
+  };
+  Glb_chunks result;
+  result.json = next_chunk();
+  if(position < bytes.size())
+    result.buffer = next_chunk();
+  result.rest = std::string_view(bytes).substr(position);
+  return result;
+}
+
 std::vector<Mesh_instance> mesh_instances(const tinygltf::Model& model)
 {
   constexpr std::size_t none = std::size_t(-1);

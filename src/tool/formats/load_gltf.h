@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace Canonical_pose_tool {
@@ -19,6 +20,13 @@ namespace Canonical_pose_tool {
 // external buffers are. Images are not read. Nothing is checked that the JSON states about arrays.
 // Throws std::invalid_argument.
 tinygltf::Model load_gltf(const std::string& bytes, const std::string& path);
+
+// The parts of a binary file that was read.
+struct Glb_chunks
+{
+  std::string_view json, buffer, rest;
+};
+Glb_chunks chunks_of_glb(const std::string& bytes);
 
 // A mesh where a node shows it.
 struct Mesh_instance

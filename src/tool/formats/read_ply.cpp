@@ -109,12 +109,9 @@ private:
       return m_text.number(m_text.word(), e);
     if(static_cast<std::size_t>(m_text.end() - m_byte) < type.size)
       throw std::invalid_argument("the file is truncated: it ends in " + e.name());
-    std::array<char, 8> bytes = {};
-    std::copy_n(m_byte, type.size, bytes.begin());
-    if(m_header.is_big_endian)
-      std::reverse(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(type.size));
+    const double number = m_header.number_at(m_byte, type);
     m_byte += type.size;
-    return type.convert(bytes.data());
+    return number;
   }
 
   // Line ends may follow binary data.

@@ -18,8 +18,6 @@ namespace Canonical_pose_tool {
 
 namespace {
 
-const std::size_t HEADER_SIZE = 84, FACE_SIZE = 50; // bytes of a binary file
-
 // Collects faces by the coordinates of their corners; equal corners become one vertex. Vertices are
 // in the order of appearance.
 class Welder
@@ -62,7 +60,7 @@ private:
 std::uint32_t number_of_binary_faces(const std::string& bytes)
 {
   std::uint32_t result = 0;
-  if(bytes.size() >= HEADER_SIZE)
+  if(bytes.size() >= STL_HEADER_SIZE)
     std::memcpy(&result, bytes.data() + 80, sizeof(result));
   return result;
 }
@@ -70,18 +68,18 @@ std::uint32_t number_of_binary_faces(const std::string& bytes)
 void read_binary(const std::string& bytes, Mesh_file& mesh)
 {
   const std::uint32_t faces = number_of_binary_faces(bytes);
-  if(bytes.size() < HEADER_SIZE + FACE_SIZE * faces || bytes.size() < HEADER_SIZE)
+  if(bytes.size() < STL_HEADER_SIZE + STL_FACE_SIZE * faces || bytes.size() < STL_HEADER_SIZE)
     throw std::invalid_argument(
       "the file is truncated: " + std::to_string(bytes.size()) + " bytes, but "
-      + (bytes.size() < HEADER_SIZE ? "a header" : std::to_string(faces) + " faces")
-      + " of binary STL need " + std::to_string(HEADER_SIZE + FACE_SIZE * faces));
-  const std::size_t rest = bytes.size() - HEADER_SIZE - FACE_SIZE * faces;
-  if(rest >= FACE_SIZE) // fewer bytes are not a face, and are ignored
+      + (bytes.size() < STL_HEADER_SIZE ? "a header" : std::to_string(faces) + " faces")
+      + " of binary STL need " + std::to_string(STL_HEADER_SIZE + STL_FACE_SIZE * faces));
+  const std::size_t rest = bytes.size() - STL_HEADER_SIZE - STL_FACE_SIZE * faces;
+  if(rest >= STL_FACE_SIZE) // fewer bytes are not a face, and are ignored
     throw std::invalid_argument("the file goes on for " + std::to_string(rest) + " bytes after the "
                                 + std::to_string(faces) + " faces announced");
   Welder welder(mesh);
-  const char* position = bytes.data() + HEADER_SIZE;
-  for(std::uint32_t f = 0; f < faces; ++f, position += FACE_SIZE)
+  const char* position = bytes.data() + STL_HEADER_SIZE;
+  for(std::uint32_t f = 0; f < faces; ++f, position += STL_FACE_SIZE)
   {
     float numbers[12]; // the normal comes first
     std::memcpy(numbers, position, sizeof(numbers));
@@ -157,8 +155,8 @@ bool is_ascii(const std::string& bytes)
 
 bool is_binary_stl(const std::string& bytes)
 {
-  return bytes.size() >= HEADER_SIZE
-         && bytes.size() == HEADER_SIZE + FACE_SIZE * number_of_binary_faces(bytes);
+  return bytes.size() >= STL_HEADER_SIZE
+         && bytes.size() == STL_HEADER_SIZE + STL_FACE_SIZE * number_of_binary_faces(bytes);
 }
 
 bool is_binary_stl_content(const std::string& bytes)

@@ -20,6 +20,8 @@ void read_off(const std::string& bytes, Mesh_file& mesh);
 void read_obj(const std::string& bytes, Mesh_file& mesh);
 void read_ply(const std::string& bytes, Mesh_file& mesh);
 void read_stl(const std::string& bytes, Mesh_file& mesh);
+// Bytes of a binary file.
+constexpr std::size_t STL_HEADER_SIZE = 84, STL_FACE_SIZE = 50;
 // Whether a file has the size that its header announces; and whether it is read as binary.
 bool is_binary_stl(const std::string& bytes);
 bool is_binary_stl_content(const std::string& bytes);

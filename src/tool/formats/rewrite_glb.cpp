@@ -21,6 +21,7 @@
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -29,13 +30,6 @@ namespace Canonical_pose_tool {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::uint32_t number_at(const std::string& bytes, const std::size_t position)
-{
-  std::uint32_t number;
-  std::memcpy(&number, bytes.data() + position, sizeof(number));
-  return number;
-}
 
 std::string bytes_of(const std::size_t number)
 {
@@ -252,7 +246,7 @@ try
 {
   const std::string& bytes = mesh.source->bytes;
   const bool is_binary = mesh.source->format == Format::GLB;
-  const Json json = Json::parse(is_binary ? bytes.substr(20, number_at(bytes, 12)) : bytes);
+  const Json json = Json::parse(is_binary ? chunks_of_glb(bytes).json : std::string_view(bytes));
   std::set<std::string> names;
   for(const Json& shape : json.value("meshes", Json::array()))
     for(const Json& primitive : shape.value("primitives", Json::array()))
@@ -288,11 +282,9 @@ void rewrite_glb(std::ostream& out, const Mesh_file& mesh, const Points& points)
 {
   const std::string& bytes = mesh.source->bytes;
   const tinygltf::Model model = load_gltf(bytes, "");
-  constexpr std::size_t header = 12, chunk_header = 8;
-  const std::size_t end_of_json = header + chunk_header + number_at(bytes, header),
-                    end_of_buffer = end_of_json + chunk_header + number_at(bytes, end_of_json);
-  Json json = Json::parse(bytes.substr(header + chunk_header, number_at(bytes, header)));
-  std::string buffer = bytes.substr(end_of_json + chunk_header, number_at(bytes, end_of_json));
+  const Glb_chunks chunks = chunks_of_glb(bytes);
+  Json json = Json::parse(chunks.json);
+  std::string buffer(chunks.buffer);
   for(Json& changed : json["meshes"])
   {
     changed.erase("weights");
@@ -322,11 +314,11 @@ void rewrite_glb(std::ostream& out, const Mesh_file& mesh, const Points& points)
 
   std::string text = json.dump();
   text.resize((text.size() + 3) / 4 * 4, ' ');
-  const std::string rest = bytes.substr(end_of_buffer);
+  constexpr std::size_t headers = 12 + 2 * 8; // of the file, and of two chunks
   out << "glTF" << bytes_of(2)
-      << bytes_of(header + 2 * chunk_header + text.size() + buffer.size() + rest.size())
+      << bytes_of(headers + text.size() + buffer.size() + chunks.rest.size())
       << bytes_of(text.size()) << "JSON" << text << bytes_of(buffer.size())
-      << std::string("BIN\0", 4) << buffer << rest;
+      << std::string("BIN\0", 4) << buffer << chunks.rest;
 }
 
 } // namespace Canonical_pose_tool

@@ -203,8 +203,7 @@ void rewrite_stl_text(std::ostream& out, const std::string& bytes, const Mesh_fi
       if(word.size() == 8 || word.size() == 3)
         text.skip_line();
       break;
-    case 'n':
-    {
+    case 'n': {
       const bool has_face = corner / 3 < mesh.faces.size(); // otherwise, a facet without corners
       const Eigen::Vector3d normal
         = has_face ? normal_of(corners_of(points, mesh.faces[corner / 3])) : Eigen::Vector3d();
@@ -225,7 +224,6 @@ void rewrite_stl_text(std::ostream& out, const std::string& bytes, const Mesh_fi
 void rewrite_stl(std::ostream& out, const std::string& bytes, const Mesh_file& mesh,
                  const Points& points)
 {
-  constexpr std::size_t header_size = 84, face_size = 50;
   std::string result = bytes;
   for(std::size_t f = 0; f < mesh.faces.size(); ++f)
   {
@@ -239,7 +237,8 @@ void rewrite_stl(std::ostream& out, const std::string& bytes, const Mesh_file& m
       for(std::size_t c = 0; c < 3; ++c)
         numbers[3 * (c + 1) + k] = static_cast<float>(corners[c][i]);
     }
-    std::memcpy(result.data() + header_size + face_size * f, numbers.data(), sizeof(numbers));
+    std::memcpy(result.data() + STL_HEADER_SIZE + STL_FACE_SIZE * f, numbers.data(),
+                sizeof(numbers));
   }
   out << result;
 }
@@ -332,31 +331,19 @@ private:
       m_word = m_text.word();
       return m_text.number_or(m_word, 0);
     }
-    std::array<char, 8> bytes = {};
-    std::copy_n(m_byte, type.size, bytes.begin());
-    if(m_header.is_big_endian)
-      std::reverse(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(type.size));
+    const double number = m_header.number_at(m_byte, type);
     m_byte += type.size;
-    return type.convert(bytes.data());
+    return number;
   }
 
-  void write_binary(const Ply_number_type type, const double x)
-  {
-    std::array<char, 8> bytes = {};
-    type.store(x, bytes.data());
-    if(m_header.is_big_endian)
-      std::reverse(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(type.size));
-    m_out.write(bytes.data(), static_cast<std::streamsize>(type.size));
-  }
-
-  // Calls f(property, begin, end) for each, where its bytes are.
+  // Calls f(property, value, begin) after each: its value, or the length of its list, and where its bytes begin.
   template <class Function>
   void for_each_property(const Ply_element& element, const Function& f)
   {
     for(const Ply_property& property : element.properties)
     {
       const char* const begin = m_header.is_binary ? m_byte : nullptr;
-      double value = next_number(property.is_list ? property.count : property.value);
+      const double value = next_number(property.is_list ? property.count : property.value);
       if(property.is_list)
         for(auto n = static_cast<std::size_t>(value); n > 0; --n)
           next_number(property.value);
@@ -386,14 +373,15 @@ private:
                         [&](const Ply_property& property, double, const char* const begin) {
                           const auto value = is_vertex ? new_value(property, i) : std::nullopt;
                           if(value)
-                            write_binary(property.value, *value);
+                            m_out << m_header.bytes_of(*value, property.value);
                           else
                             m_out.write(begin, m_byte - begin);
                         });
       if(is_vertex)
         for(const Vertex_values& values : m_values)
           if(is_added(element, values))
-            write_binary(ply_number_type_of_double(), values.values[static_cast<Eigen::Index>(i)]);
+            m_out << m_header.bytes_of(values.values[static_cast<Eigen::Index>(i)],
+                                       ply_number_type_of_double());
       return;
     }
     if(!is_vertex || element.properties.empty())
@@ -539,12 +527,11 @@ bool is_rewritable(const Mesh_file& mesh, const Format format)
   {
   case Format::OFF:
   case Format::OBJ:
+  case Format::STL:
   case Format::MEDIT:
     return true;
   case Format::PLY:
     return holds_positions(mesh.source->bytes);
-  case Format::STL:
-    return true;
   case Format::GLB:
     return is_rewritable_glb(mesh);
   default:
