@@ -42,7 +42,8 @@ void do_not_print(const char*, const char*, const char*, int, const char*) {}
 int main(int argc, char* argv[])
 {
   remove_files_on_signals();
-#ifdef __GLIBC__ // otherwise large arrays come from the system, which clears them each time: a sixth of the time of large meshes
+#ifdef __GLIBC__
+  // Otherwise large arrays come from the system, which clears them each time: a sixth of the time of large meshes.
   mallopt(M_MMAP_MAX, 0);
   mallopt(M_TRIM_THRESHOLD, -1);
 #endif
