@@ -1,6 +1,8 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "written_file.h"
+
 #include "formats/Mesh_file.h"
 #include "formats/Shown_surface.h"
 
@@ -9,7 +11,6 @@
 #include <array>
 #include <cstddef>
 #include <cstring>
-#include <fstream>
 #include <regex>
 #include <sstream>
 #include <string>
@@ -26,9 +27,7 @@ using Points = std::vector<std::array<double, 3>>;
 
 Mesh_file read(const std::string& name, const std::string& bytes)
 {
-  const std::string path = testing::TempDir() + "test_rewritten_files_" + name;
-  std::ofstream(path, std::ios::binary) << bytes;
-  return read_mesh_file(path, Source::KEPT);
+  return read_mesh_file(Canonical_pose_test::written_file(name, bytes), Source::KEPT);
 }
 
 std::array<double, 3> turned(const std::array<double, 3>& p) { return {p[0], -p[2], p[1]}; }

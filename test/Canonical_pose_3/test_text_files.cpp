@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "matchers.h"
+#include "written_file.h"
 
 #include "collection/read_classes.h"
 #include "formats/Mesh_file.h"
@@ -10,7 +11,6 @@
 
 #include <array>
 #include <cstddef>
-#include <fstream>
 #include <map>
 #include <stdexcept>
 #include <string>
@@ -19,13 +19,7 @@
 namespace test_text_files {
 
 using namespace Canonical_pose_tool;
-
-std::string written(const std::string& name, const std::string& bytes)
-{
-  const std::string path = testing::TempDir() + "test_text_files_" + name;
-  std::ofstream(path, std::ios::binary) << bytes;
-  return path;
-}
+using Canonical_pose_test::written_file;
 
 // With other line ends than LF.
 std::string with_line_ends(const std::string& text, const std::string& end)
@@ -76,17 +70,17 @@ TEST(Text_files, byte_order_marks_and_line_ends)
 {
   for(const auto& [name, text] : TEXTS)
   {
-    const Mesh_file expected = read_mesh_file(written(name, text));
+    const Mesh_file expected = read_mesh_file(written_file(name, text));
     ASSERT_GE(expected.points.size(), 4u) << name;
     ASSERT_GE(expected.faces.size() + expected.cells.size(), 1u) << name;
     for(const std::string& mark : {"", "\xEF\xBB\xBF"})
       for(const std::string& end : {"\n", "\r\n", "\r"})
       {
         SCOPED_TRACE(name + (mark.empty() ? "" : " with a mark") + (end == "\r" ? ", CR" : ""));
-        expect_equal(read_mesh_file(written(name, mark + with_line_ends(text, end))), expected);
+        expect_equal(read_mesh_file(written_file(name, mark + with_line_ends(text, end))), expected);
       }
     for(const bool is_big_endian : {false, true})
-      EXPECT_THROW_WITH(read_mesh_file(written(name, in_utf_16(text, is_big_endian))),
+      EXPECT_THROW_WITH(read_mesh_file(written_file(name, in_utf_16(text, is_big_endian))),
                         std::invalid_argument,
                         "the text is encoded in UTF-16; UTF-8 and ASCII are read");
   }
@@ -97,16 +91,16 @@ TEST(Text_files, lines_of_messages)
 {
   for(const std::string& end : {"\n", "\r\n", "\r"})
     EXPECT_THROW_WITH(
-      read_mesh_file(written("wrong.obj", with_line_ends("v 0 0 0\n\nv 0 one 0\n", end))),
+      read_mesh_file(written_file("wrong.obj", with_line_ends("v 0 0 0\n\nv 0 one 0\n", end))),
       std::invalid_argument, "vertex 1: 'one' is not a number (line 3)");
 }
 
 // An extension that lies is named.
 TEST(Text_files, content_of_another_format)
 {
-  EXPECT_THROW_WITH(read_mesh_file(written("lie.off", TEXTS.at("tetrahedron.ply"))),
+  EXPECT_THROW_WITH(read_mesh_file(written_file("lie.off", TEXTS.at("tetrahedron.ply"))),
                     std::invalid_argument, "there is no keyword OFF; its content looks like PLY");
-  EXPECT_THROW_WITH(read_mesh_file(written("lie.ply", TEXTS.at("tetrahedron.stl"))),
+  EXPECT_THROW_WITH(read_mesh_file(written_file("lie.ply", TEXTS.at("tetrahedron.stl"))),
                     std::invalid_argument, "there is no keyword ply; its content looks like STL");
 }
 
@@ -120,7 +114,7 @@ TEST(Text_files, binary_stl)
     const std::array<float, 12> facet = {0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0};
     bytes.append(reinterpret_cast<const char*>(facet.data()), sizeof(facet));
     bytes += std::string(2, '\0');
-    EXPECT_EQ(read_mesh_file(written("binary.stl", bytes)).points.size(), 3u);
+    EXPECT_EQ(read_mesh_file(written_file("binary.stl", bytes)).points.size(), 3u);
   }
 }
 
@@ -129,11 +123,11 @@ TEST(Text_files, numbers_lines_and_classes)
   const std::string mark = "\xEF\xBB\xBF";
   for(const std::string& end : {"\n", "\r\n", "\r"})
   {
-    EXPECT_EQ(read_numbers(written("numbers.txt", mark + with_line_ends("1\n2 # two\n3\n", end))),
+    EXPECT_EQ(read_numbers(written_file("numbers.txt", mark + with_line_ends("1\n2 # two\n3\n", end))),
               (std::vector<double>{1, 2, 3}));
-    EXPECT_EQ(read_lines(written("lines.txt", mark + with_line_ends("a\nb c\n\nd", end))),
+    EXPECT_EQ(read_lines(written_file("lines.txt", mark + with_line_ends("a\nb c\n\nd", end))),
               (std::vector<std::string>{"a", "b c", "", "d"}));
-    EXPECT_EQ(read_classes(written("classes.txt", mark + with_line_ends("a x\nb y\n", end))),
+    EXPECT_EQ(read_classes(written_file("classes.txt", mark + with_line_ends("a x\nb y\n", end))),
               (std::map<std::string, std::string>{{"a", "x"}, {"b", "y"}}));
   }
 }
