@@ -16,7 +16,6 @@
 #include "linear_algebra/Cholmod_factor_traits_d.cpp"
 #include "linear_algebra/leading_eigenvectors.cpp"
 #include "linear_algebra/make_default_factor.cpp"
-#include "linear_algebra/make_default_lane_factor.cpp"
 #include "linear_algebra/smallest_eigenpairs.cpp"
 #include "pipeline/body_of_surface.cpp"
 #include "pipeline/extrapolated_fields.cpp"

@@ -5,7 +5,6 @@
 #include "sparse_matrices.h"
 #include "engine/linear_algebra/Sparse_factor.h"
 
-#include <CGAL/Canonical_pose_3/internal/linear_algebra/Lane_factor.h>
 #ifdef CGAL_CANONICAL_POSE_3_USE_CHOLMOD
 #include "engine/linear_algebra/Cholmod_factor.h"
 #include <CGAL/Canonical_pose_3/Cholmod_factor_traits_d.h>
@@ -293,8 +292,6 @@ TEST(Cholmod_factor_traits, reports_lack_of_memory)
     const std::string expected = "there is not enough memory for the factor of a matrix with "
                                  + std::to_string(matrix.rows()) + " rows (CHOLMOD)";
     internal::Sparse_factor factor(internal::make_factor<Cholmod_factor_traits_d>);
-    const auto lane_factor = internal::make_lane_factor<Cholmod_factor_traits_d>();
-    lane_factor->analyze(matrix);
     functions->malloc_func
       = [](const std::size_t size) { return size > most_bytes ? nullptr : std::malloc(size); };
     functions->realloc_func = [](void* const pointer, const std::size_t size) {
@@ -304,12 +301,10 @@ TEST(Cholmod_factor_traits, reports_lack_of_memory)
       const Little_memory little;
       EXPECT_EQ(message_of<std::runtime_error>([&] { factor.factor(matrix, "the test matrix"); }),
                 expected);
-      EXPECT_EQ(message_of<std::runtime_error>([&] { lane_factor->factor(matrix); }), expected);
     }
     *functions = original;
     factor.factor(matrix, "the test matrix");
     EXPECT_TRUE(factor.is_factored());
-    EXPECT_TRUE(lane_factor->factor(matrix));
   }
 }
 #endif

@@ -25,7 +25,8 @@ class Cholmod_solver;
 \ingroup PkgCanonicalPose3Ref
 
 \brief The class `Cholmod_factor_traits_d` solves sparse symmetric positive definite systems with
-CHOLMOD of SuiteSparse, simplicial or supernodal, whichever is faster for the matrix.
+CHOLMOD of SuiteSparse; it factors column by column or in dense blocks, whichever is faster for the
+matrix.
 
 It exists if the library was built with CHOLMOD; otherwise, programs that use it do not link. It
 prints nothing. Copies share one factorization.

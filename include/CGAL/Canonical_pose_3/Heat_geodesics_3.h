@@ -7,7 +7,7 @@
 #include <CGAL/Canonical_pose_3/Mesh_distances_3.h>
 #include <CGAL/Canonical_pose_3/internal/heat/Heat_solver.h>
 #include <CGAL/Canonical_pose_3/internal/intrinsic/Intrinsic_triangulation.h>
-#include <CGAL/Canonical_pose_3/internal/linear_algebra/Lane_factor.h>
+#include <CGAL/Canonical_pose_3/internal/linear_algebra/Factor_base.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <CGAL/Default.h>
@@ -116,14 +116,14 @@ public:
   */
   Heat_geodesics_3(const TriangleMesh& tmesh, Vertex_point_map vertex_point_map,
                    const Geom_traits& traits = Geom_traits(), const double time_step_factor = 1)
-    : Heat_geodesics_3(tmesh, vertex_point_map, traits, internal::make_lane_factor<FactorTraits>,
+    : Heat_geodesics_3(tmesh, vertex_point_map, traits, internal::make_factor<FactorTraits>,
                        time_step_factor)
   {}
 
   /// \cond SKIP_IN_MANUAL
   // With a solver chosen at run time.
   Heat_geodesics_3(const TriangleMesh& tmesh, Vertex_point_map vertex_point_map,
-                   const Geom_traits& traits, const internal::Lane_factor_maker factor_maker,
+                   const Geom_traits& traits, const internal::Factor_maker factor_maker,
                    const double time_step_factor = 1)
     : Base(tmesh, vertex_point_map, traits,
            [&](const internal::Face_corners& corners, const Point_matrix& points) {

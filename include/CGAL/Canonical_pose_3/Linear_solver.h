@@ -5,7 +5,6 @@
 #define CGAL_CANONICAL_POSE_3_LINEAR_SOLVER_H
 
 #include <CGAL/Canonical_pose_3/internal/linear_algebra/Factor_base.h>
-#include <CGAL/Canonical_pose_3/internal/linear_algebra/Lane_factor.h>
 
 #include <memory>
 #include <type_traits>
@@ -33,19 +32,15 @@ public:
     std::enable_if_t<std::conjunction<std::negation<std::is_same<FactorTraits, Linear_solver>>,
                                       internal::Is_factor_traits<FactorTraits>>::value,
                      int> = 0>
-  explicit Linear_solver(const FactorTraits&)
-    : m_factor_maker(internal::make_factor<FactorTraits>),
-      m_lane_factor_maker(internal::make_lane_factor<FactorTraits>)
+  explicit Linear_solver(const FactorTraits&) : m_factor_maker(internal::make_factor<FactorTraits>)
   {}
 
   /// \cond SKIP_IN_MANUAL
   internal::Factor_maker factor_maker() const { return m_factor_maker; }
-  internal::Lane_factor_maker lane_factor_maker() const { return m_lane_factor_maker; }
   /// \endcond
 
 private:
   internal::Factor_maker m_factor_maker = internal::make_default_factor;
-  internal::Lane_factor_maker m_lane_factor_maker = internal::make_default_lane_factor;
 };
 
 } // namespace Canonical_pose_3

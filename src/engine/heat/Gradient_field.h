@@ -21,7 +21,7 @@ namespace internal {
 // A face in the plane with corners at (0,0), (base,0), (x,y).
 struct Face_in_plane
 {
-  std::array<int, 3> corners; // rows
+  std::array<int, 3> corners;
   double base, x, y;
 };
 
@@ -92,18 +92,17 @@ class Gradient_field
 public:
   Gradient_field() = default;
 
-  // `places`: the row of each vertex in the matrices.
-  Gradient_field(const Intrinsic_triangulation& triangulation, const std::vector<int>& places)
+  explicit Gradient_field(const Intrinsic_triangulation& triangulation)
   {
     m_faces.reserve(static_cast<std::size_t>(triangulation.number_of_faces()));
-    for(const int h : first_halfedges(triangulation, places))
+    for(const int h : first_halfedges(triangulation))
     {
       const auto [x, y] = triangulation.apex(h);
-      Face_in_plane face = {{}, triangulation.length(h), x, y};
-      for(int i = 0; i < 3; ++i)
-        face.corners[static_cast<std::size_t>(i)]
-          = places[static_cast<std::size_t>(triangulation.origin(h + i))];
-      m_faces.push_back(face);
+      m_faces.push_back(
+        {{triangulation.origin(h), triangulation.origin(h + 1), triangulation.origin(h + 2)},
+         triangulation.length(h),
+         x,
+         y});
     }
   }
 
@@ -116,16 +115,14 @@ public:
   }
 
 private:
-  // Faces in the order of their smallest rows, for locality of memory access.
-  static std::vector<int> first_halfedges(const Intrinsic_triangulation& triangulation,
-                                          const std::vector<int>& places)
+  // Faces in the order of their smallest vertices, for locality of memory access.
+  static std::vector<int> first_halfedges(const Intrinsic_triangulation& triangulation)
   {
-    const auto place
-      = [&](int h) { return places[static_cast<std::size_t>(triangulation.origin(h))]; };
     const auto smallest = [&](int h) {
-      return static_cast<std::size_t>((std::min)({place(h), place(h + 1), place(h + 2)}));
+      return static_cast<std::size_t>((std::min)(
+        {triangulation.origin(h), triangulation.origin(h + 1), triangulation.origin(h + 2)}));
     };
-    return Buckets<int>(places.size(),
+    return Buckets<int>(triangulation.number_of_vertices(),
                         [&](const auto& put) {
                           for(int h = 0; h < triangulation.number_of_halfedges(); h += 3)
                             put(smallest(h), h);

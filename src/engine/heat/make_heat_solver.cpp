@@ -9,7 +9,7 @@
 #include <CGAL/Canonical_pose_3/internal/heat/Heat_solver.h>
 #include <CGAL/Canonical_pose_3/internal/intrinsic/Delaunay_surface.h>
 #include <CGAL/Canonical_pose_3/internal/intrinsic/Intrinsic_triangulation.h>
-#include <CGAL/Canonical_pose_3/internal/linear_algebra/Lane_factor.h>
+#include <CGAL/Canonical_pose_3/internal/linear_algebra/Factor_base.h>
 #include <CGAL/Canonical_pose_3/internal/support/for_each_index.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
@@ -22,13 +22,11 @@
 #endif
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 #include <memory>
 #include <mutex>
-#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -39,30 +37,25 @@ namespace Canonical_pose_3 {
 namespace internal {
 
 // Both matrices are block diagonal over the components of the mesh, and each component has its own
-// time step, see heat_lengths(). They have the same sparsity pattern, which is analyzed once, and
-// are factored in parallel. Sources are processed in blocks of eight, one per lane, and blocks in
-// parallel.
+// time step, see heat_lengths(). They are factored in parallel. Sources are processed in blocks of
+// eight, one per lane, and blocks in parallel.
 class Intrinsic_heat_solver final : public Heat_solver
 {
 public:
   Intrinsic_heat_solver(const Face_corners& corners, const Point_matrix& points,
-                        const double time_step_factor, const Lane_factor_maker factor_maker)
-    : m_surface(corners, points), m_heat(factor_maker())
+                        const double time_step_factor, const Factor_maker factor_maker)
+    : m_surface(corners, points), m_heat(factor_maker()), m_poisson(factor_maker()),
+      m_field(triangulation())
   {
     const Eigen::SparseMatrix<double> laplacian = cotangent_laplacian(triangulation());
-    std::vector<double> lengths;
-    in_parallel([&] { m_heat->analyze(laplacian); },
-                [&] { lengths = heat_lengths(triangulation(), components(), time_step_factor); });
-    m_poisson = m_heat->copy();
-    m_places = m_heat->places();
     in_parallel(
       [&] {
-        const Eigen::SparseMatrix<double> heat = heat_matrix(laplacian, lengths);
+        const Eigen::SparseMatrix<double> heat
+          = heat_matrix(laplacian, heat_lengths(triangulation(), components(), time_step_factor));
         m_heat_diagonal = heat.diagonal();
         check(m_heat->factor(heat), "heat equation is not positive definite");
       },
       [&] {
-        m_field = Gradient_field(triangulation(), m_places);
         check(m_poisson->factor(pinned(laplacian)), "Poisson equation is not positive definite");
       });
   }
@@ -75,13 +68,8 @@ public:
   Eigen::MatrixXd distances(const std::vector<Eigen::Index>& sources) const override
   {
     Eigen::MatrixXd result(m_heat_diagonal.size(), static_cast<Eigen::Index>(sources.size()));
-    for_each_block_of_fields(sources, [&](std::size_t first, std::size_t width, Lane_rows& rows) {
-      for(Eigen::Index i = 0; i < result.rows(); ++i)
-      {
-        const double* const row = lanes(rows, i);
-        for(std::size_t k = 0; k < width; ++k)
-          result(i, static_cast<Eigen::Index>(first + k)) = row[k];
-      }
+    for_each_block_of_fields(sources, [&](const Eigen::Index first, const Eigen::MatrixXd& fields) {
+      result.middleCols(first, fields.cols()) = fields;
     });
     return result;
   }
@@ -90,13 +78,9 @@ public:
   {
     Eigen::VectorXd result = Eigen::VectorXd::Constant(m_heat_diagonal.size(), UNREACHED);
     std::mutex mutex;
-    for_each_block_of_fields(sources, [&](std::size_t, std::size_t width, Lane_rows& rows) {
+    for_each_block_of_fields(sources, [&](Eigen::Index, const Eigen::MatrixXd& fields) {
       const std::lock_guard<std::mutex> lock(mutex);
-      for(Eigen::Index i = 0; i < result.size(); ++i)
-      {
-        const double* const row = lanes(rows, i);
-        result[i] = (std::min)(result[i], *std::min_element(row, row + width));
-      }
+      result = result.cwiseMin(fields.rowwise().minCoeff());
     });
     return result;
   }
@@ -106,7 +90,8 @@ private:
 
   struct Workspace
   {
-    Lane_rows heat, potential;
+    Eigen::MatrixXd right_hand_sides, fields; // one per column
+    Lane_rows heat, divergence;
   };
 
   const Vertex_components& components() const { return m_surface.components(); }
@@ -152,14 +137,8 @@ private:
     return laplacian;
   }
 
-  double* lanes(Lane_rows& rows, Eigen::Index vertex) const
-  {
-    return rows.data()
-           + NUMBER_OF_LANES * static_cast<std::size_t>(m_places[static_cast<std::size_t>(vertex)]);
-  }
-
-  // Calls f(first, width, rows) with the distances from sources first .. first + width - 1 in the
-  // first lanes of rows, in any order and from several threads at once.
+  // Calls f(first, fields) with the distances from sources first, first + 1, ..., one per column, in
+  // any order and from several threads at once.
   template <class Function>
   void for_each_block_of_fields(const std::vector<Eigen::Index>& sources, const Function& f) const
   {
@@ -167,8 +146,8 @@ private:
     const auto call = [&](std::size_t block, Workspace& workspace) {
       const std::size_t first = block * NUMBER_OF_LANES;
       const std::size_t width = (std::min)(NUMBER_OF_LANES, sources.size() - first);
-      solve(sources.data() + first, width, workspace);
-      f(first, width, workspace.potential);
+      solve(sources.data() + first, static_cast<Eigen::Index>(width), workspace);
+      f(static_cast<Eigen::Index>(first), workspace.fields);
     };
 #ifdef CGAL_LINKED_WITH_TBB
     tbb::enumerable_thread_specific<Workspace> workspaces;
@@ -183,59 +162,58 @@ private:
 #endif
   }
 
-  void solve(const Eigen::Index* sources, std::size_t width, Workspace& workspace) const
+  void solve(const Eigen::Index* const sources, const Eigen::Index width,
+             Workspace& workspace) const
   {
-    const std::size_t size = NUMBER_OF_LANES * m_places.size();
-    workspace.heat.assign(size, 0.);
-    workspace.potential.assign(size, 0.);
-    for(std::size_t k = 0; k < width; ++k) // heat on the order of 1 at the source
-      lanes(workspace.heat, sources[k])[k] = m_heat_diagonal[sources[k]];
-    m_heat->solve(workspace.heat, width);
-    m_field.divergence_of_unit_descent(workspace.heat, workspace.potential);
-    m_poisson->solve(workspace.potential, width);
-    finish(sources, width, workspace.potential);
+    using Rows = Eigen::Matrix<double, Eigen::Dynamic, NUMBER_OF_LANES, Eigen::RowMajor>;
+    const Eigen::Index n = m_heat_diagonal.size();
+    auto& [right_hand_sides, fields, heat, divergence] = workspace;
+    heat.assign(NUMBER_OF_LANES * static_cast<std::size_t>(n), 0.);
+    divergence.assign(NUMBER_OF_LANES * static_cast<std::size_t>(n), 0.);
+    right_hand_sides.setZero(n, width);
+    for(Eigen::Index k = 0; k < width; ++k) // heat on the order of 1 at the source
+      right_hand_sides(sources[k], k) = m_heat_diagonal[sources[k]];
+    solve(*m_heat, "heat", right_hand_sides, fields);
+    Eigen::Map<Rows>(heat.data(), n, NUMBER_OF_LANES).leftCols(width) = fields;
+    m_field.divergence_of_unit_descent(heat, divergence);
+    right_hand_sides = Eigen::Map<Rows>(divergence.data(), n, NUMBER_OF_LANES).leftCols(width);
+    solve(*m_poisson, "Poisson", right_hand_sides, fields);
+    for(Eigen::Index k = 0; k < width; ++k)
+      finish(sources[k], fields.col(k));
   }
 
-  // Converts potentials to distances: 0 at the source, infinite on other components.
-  void finish(const Eigen::Index* sources, std::size_t width, Lane_rows& rows) const
+  static void solve(const Factor_base& factor, const char* const name,
+                    const Eigen::MatrixXd& right_hand_sides, Eigen::MatrixXd& solutions)
   {
-    std::array<double, NUMBER_OF_LANES> offsets = {};
-    for(std::size_t k = 0; k < width; ++k)
-      offsets[k] = lanes(rows, sources[k])[k];
+    if(!factor.solve(right_hand_sides, solutions) || !solutions.allFinite())
+      throw std::runtime_error("a solution for the matrix of the " + std::string(name)
+                               + " equation is not finite (" + factor.name() + ")");
+  }
+
+  // Converts a potential to distances: 0 at the source, infinite on other components.
+  void finish(const Eigen::Index source, Eigen::Ref<Eigen::VectorXd> field) const
+  {
+    field = (field.array() - field[source]).cwiseMax(0);
     const int exponent = m_surface.exponent();
     // two factors, since a single one may be out of range
-    const double first_factor = std::ldexp(1., exponent / 2);
-    const double second_factor = std::ldexp(1., exponent - exponent / 2);
-    std::array<double, NUMBER_OF_LANES> sums = {};
-    for(std::size_t i = 0; i < rows.size(); i += NUMBER_OF_LANES)
-      for(std::size_t k = 0; k < NUMBER_OF_LANES; ++k)
-      {
-        const double distance = (std::max)(rows[i + k] - offsets[k], 0.);
-        sums[k] += distance;
-        rows[i + k] = distance * first_factor * second_factor;
-      }
-    if(!std::isfinite(std::accumulate(sums.begin(), sums.end(), 0.)))
-      throw std::runtime_error(
-        std::string("a solution for the matrix of the Poisson equation is not finite (")
-        + m_heat->name() + ")");
+    field *= std::ldexp(1., exponent / 2);
+    field *= std::ldexp(1., exponent - exponent / 2);
     if(components().size() > 1)
-      for(Eigen::Index i = 0; i < m_heat_diagonal.size(); ++i)
-        for(std::size_t k = 0; k < width; ++k)
-          if(components()[i] != components()[sources[k]])
-            lanes(rows, i)[k] = UNREACHED;
+      for(Eigen::Index i = 0; i < field.size(); ++i)
+        if(components()[i] != components()[source])
+          field[i] = UNREACHED;
   }
 
   Delaunay_surface m_surface;
   Eigen::VectorXd m_heat_diagonal;
-  std::unique_ptr<Lane_factor_base> m_heat, m_poisson;
-  std::vector<int> m_places; // of the vertices among the rows of the factors
+  std::unique_ptr<Factor_base> m_heat, m_poisson;
   Gradient_field m_field;
 };
 
 std::unique_ptr<Heat_solver> make_heat_solver(const Face_corners& corners,
                                               const Point_matrix& points,
                                               const double time_step_factor,
-                                              const Lane_factor_maker factor_maker)
+                                              const Factor_maker factor_maker)
 {
   check_time_step_factor(time_step_factor);
   return std::make_unique<Intrinsic_heat_solver>(corners, points, time_step_factor, factor_maker);

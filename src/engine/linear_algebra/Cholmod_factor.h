@@ -7,7 +7,6 @@
 #include "Cholmod_workspace.h"
 #include "../support/state_of_the_process.h"
 
-#include <CGAL/Canonical_pose_3/internal/linear_algebra/Lanes.h>
 #include <CGAL/Canonical_pose_3/internal/linear_algebra/is_positive_pivot.h>
 
 #include <Eigen/Core>
@@ -33,6 +32,8 @@ inline Cholmod_factor_pointer own_cholmod_factor(cholmod_factor* factor)
   });
 }
 
+// Of factors, which may have more than 2^31 entries.
+using Factor_index = std::ptrdiff_t;
 using Cholmod_matrix = Eigen::SparseMatrix<double, Eigen::ColMajor, Factor_index>;
 static_assert(sizeof(Factor_index) == sizeof(SuiteSparse_long),
               "indices of CHOLMOD have another size");
@@ -96,33 +97,17 @@ inline bool factorize(cholmod_sparse& matrix, cholmod_factor* factor, Cholmod_co
   return is_factored && factor->minor == factor->n;
 }
 
-// `diagonal`: that of the matrix, in its original order.
+// `factor`: LDL', column by column; `diagonal`: that of the matrix, in its original order.
 inline bool has_positive_pivots(const cholmod_factor& factor, const Eigen::VectorXd& diagonal)
 {
   const auto* const values = static_cast<const double*>(factor.x);
   const auto* const order = static_cast<const Factor_index*>(factor.Perm);
   const auto is_positive
     = [&](Factor_index j, double pivot) { return is_positive_pivot(pivot, diagonal[order[j]]); };
-  if(!factor.is_super)
-  {
-    const auto* const starts = static_cast<const Factor_index*>(factor.p);
-    for(Factor_index j = 0; j < static_cast<Factor_index>(factor.n); ++j)
-      if(!is_positive(j, values[starts[j]]))
-        return false;
-    return true;
-  }
-  // LL' in dense blocks of columns: block s holds the columns super[s] .. super[s+1]-1
-  const auto* const super = static_cast<const Factor_index*>(factor.super);
-  const auto* const rows = static_cast<const Factor_index*>(factor.pi);
-  const auto* const blocks = static_cast<const Factor_index*>(factor.px);
-  for(std::size_t s = 0; s < factor.nsuper; ++s)
-    for(Factor_index j = super[s]; j < super[s + 1]; ++j)
-    {
-      const Factor_index in_block = j - super[s];
-      const double root = values[blocks[s] + in_block * (rows[s + 1] - rows[s]) + in_block];
-      if(!(root > 0) || !is_positive(j, root * root))
-        return false;
-    }
+  const auto* const starts = static_cast<const Factor_index*>(factor.p);
+  for(Factor_index j = 0; j < static_cast<Factor_index>(factor.n); ++j)
+    if(!is_positive(j, values[starts[j]]))
+      return false;
   return true;
 }
 

@@ -5,7 +5,6 @@
 
 #include "Cholmod_factor.h"
 #include "Cholmod_workspace.h"
-#include "Supernodal_column_solver.h"
 #include "../support/state_of_the_process.h"
 #include "../support/precondition.h"
 
@@ -24,26 +23,9 @@ namespace CGAL {
 namespace Canonical_pose_3 {
 namespace internal {
 
-class Cholmod_solver
+struct Cholmod_solver
 {
-public:
-  explicit Cholmod_solver(Cholmod_factor_pointer factor) : m_factor(std::move(factor))
-  {
-    if(m_factor->is_super)
-      m_columns = std::make_shared<const Supernodal_column_solver>(m_factor);
-  }
-
-  // Solves for up to three columns.
-  template <class Group, class Result>
-  bool solve(const Group& group, Result& result) const
-  {
-    return m_columns ? m_columns->solve(group, result)
-                     : Cholmod_workspace().solve(m_factor.get(), group, result);
-  }
-
-private:
-  Cholmod_factor_pointer m_factor;
-  std::shared_ptr<const Supernodal_column_solver> m_columns; // if the factor is supernodal
+  Cholmod_factor_pointer factor;
 };
 
 } // namespace internal
@@ -61,7 +43,7 @@ bool Cholmod_factor_traits_d::factor(const Matrix& matrix, NT& denominator)
   if(result == nullptr || !internal::factorize(view, result.get(), common)
      || !internal::has_positive_pivots(*result, compressed.diagonal()))
     return false;
-  m_solver = std::make_shared<const internal::Cholmod_solver>(result);
+  m_solver = std::make_shared<const internal::Cholmod_solver>(internal::Cholmod_solver{result});
   return true;
 }
 
@@ -72,15 +54,17 @@ bool Cholmod_factor_traits_d::linear_solver(
   const internal::Single_threaded_blas guard;
   solutions.resize(right_hand_sides.rows(), right_hand_sides.cols());
   std::atomic<bool> solved(true);
-  // CHOLMOD's simplicial solves sum in the same order for one to three columns.
-  constexpr Index width = internal::NUMBER_OF_COORDINATES;
+  // CHOLMOD sums in the same order for one to three columns.
+  constexpr Index width = 3;
   const Index number_of_groups = (right_hand_sides.cols() + width - 1) / width;
   internal::for_each_index(
     static_cast<std::size_t>(number_of_groups), [&](const std::size_t group) {
       const Index first = static_cast<Index>(group) * width;
       const Index columns = (std::min)(width, solutions.cols() - first);
       auto result = solutions.middleCols(first, columns);
-      if(!m_solver->solve(right_hand_sides.middleCols(first, columns), result))
+      internal::Cholmod_workspace workspace;
+      if(!workspace.solve(m_solver->factor.get(), right_hand_sides.middleCols(first, columns),
+                          result))
         solved = false;
     });
   return solved;

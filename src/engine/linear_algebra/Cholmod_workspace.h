@@ -26,11 +26,15 @@ public:
   {
     cholmod_l_start(&m_common);
     m_common.print = 0;
+    // Column by column also after factoring in dense blocks: solves with those are not faster for a few
+    // right-hand sides, and the bytes of a column depend on the others.
+    m_common.final_asis = 0;
     m_common.final_ll = 0;
+    m_common.final_super = 0;
     m_common.quick_return_if_not_posdef = 1;
-    // Operations per nonzero from which dense blocks are worthwhile. Measured (one thread):
-    // factoring is faster from about 150 on, solving is slower below 300; surfaces of 26 000 / 90
-    // 000 / 360 000 vertices have 69 / 164 / 306, volumes of 9 000 / 27 000 have 440 / 650.
+    // Operations per nonzero from which dense blocks are faster. Measured (one thread): about 150;
+    // surfaces of 26 000 / 90 000 / 360 000 vertices have 69 / 164 / 306, volumes of 9 000 / 27 000
+    // have 440 / 650.
     m_common.supernodal = CHOLMOD_AUTO;
     m_common.supernodal_switch = 200;
   }

@@ -65,7 +65,7 @@ inline Eigen::MatrixXd distances_on_surface(const Split_surface& surface,
     if(vertices.empty())
       return;
     const Eigen::MatrixXd distances
-      = with_geodesics(mesh, used, solver_of_options(used).lane_factor_maker(), 1,
+      = with_geodesics(mesh, used, solver_of_options(used).factor_maker(), 1,
                        [&](const auto& geodesics) { return geodesics.distances(vertices); });
     for(std::size_t j = 0; j < columns.size(); ++j)
       result.col(columns[j]) = distances.col(static_cast<Eigen::Index>(j));

@@ -116,7 +116,7 @@ Landmark_fields_3 landmark_fields(const Surface_component_3& surface, const Meth
   const internal::Indexed_mesh mesh = internal::indexed_mesh(surface.points, surface.triangles);
   const auto first = internal::vertex_of_row(internal::first_landmark(surface, options));
   return internal::with_geodesics(
-    mesh, options, internal::solver_of_options(options).lane_factor_maker(),
+    mesh, options, internal::solver_of_options(options).factor_maker(),
     internal::smoothing_time_step_factor(surface), [&](const auto& geodesics) {
       return front_landmarks(geodesics, options.number_of_landmarks, first);
     });
@@ -139,7 +139,7 @@ Landmark_fields_3 landmark_fields(const Surface_component_3& surface,
   for(const std::size_t landmark : landmarks)
     sources.push_back(internal::vertex_of_row(landmark));
   Landmark_fields_3 result = landmark_fields(internal::with_geodesics(
-    mesh, options, internal::solver_of_options(options).lane_factor_maker(),
+    mesh, options, internal::solver_of_options(options).factor_maker(),
     internal::smoothing_time_step_factor(surface),
     [&](const auto& geodesics) { return geodesics.distances(sources); }));
   result.landmarks = landmarks; // there may be other points in the same place

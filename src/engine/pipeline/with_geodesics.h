@@ -7,7 +7,7 @@
 #include <CGAL/Canonical_pose_3/Heat_geodesics_3.h>
 #include <CGAL/Canonical_pose_3/Options.h>
 #include <CGAL/Canonical_pose_3/Wavefront_geodesics_3.h>
-#include <CGAL/Canonical_pose_3/internal/linear_algebra/Lane_factor.h>
+#include <CGAL/Canonical_pose_3/internal/linear_algebra/Factor_base.h>
 #include <CGAL/Canonical_pose_3/internal/surface/Indexed_mesh.h>
 
 namespace CGAL {
@@ -18,12 +18,12 @@ namespace internal {
 // `time_step_factor`: of the heat method.
 template <class Function>
 auto with_geodesics(const Indexed_mesh& mesh, const Method_options& options,
-                    const Lane_factor_maker lane_factor_maker, const double time_step_factor,
+                    const Factor_maker factor_maker, const double time_step_factor,
                     const Function& f)
 {
   if(options.geodesics == Options::Geodesics::WAVEFRONT)
     return f(Wavefront_geodesics_3<Indexed_mesh>(mesh));
-  return f(Heat_geodesics_3<Indexed_mesh>(mesh, get(vertex_point, mesh), {}, lane_factor_maker,
+  return f(Heat_geodesics_3<Indexed_mesh>(mesh, get(vertex_point, mesh), {}, factor_maker,
                                           time_step_factor));
 }
 

@@ -6,7 +6,7 @@
 
 #include <CGAL/Canonical_pose_3/internal/intrinsic/Distance_solver.h>
 #include <CGAL/Canonical_pose_3/internal/intrinsic/Intrinsic_triangulation.h>
-#include <CGAL/Canonical_pose_3/internal/linear_algebra/Lane_factor.h>
+#include <CGAL/Canonical_pose_3/internal/linear_algebra/Factor_base.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <memory>
@@ -27,7 +27,7 @@ public:
 // Throws `std::invalid_argument` if it is out of its bounds, or when no face has an area.
 std::unique_ptr<Heat_solver> make_heat_solver(const Face_corners& corners,
                                               const Point_matrix& points, double time_step_factor,
-                                              Lane_factor_maker factor_maker);
+                                              Factor_maker factor_maker);
 
 } // namespace internal
 } // namespace Canonical_pose_3

@@ -10,16 +10,13 @@
 #include <cstring>
 #include <vector>
 
-// Eight right-hand sides or fields are processed at the same time. They are stored row by row, so
+// Eight fields or matrices are processed at the same time. They are stored row by row, so
 // that the eight numbers of a row are contiguous: lane k of all rows is column k. The same
 // operations are applied to all lanes in the same order; hence a column has the same bytes in any
 // lane, independently of the other lanes.
 //
 // A routine is a class with a function `template <class Vector> static void run(...)` marked as one.
 // `run_routine()` calls the version that was compiled for the widest vectors of the processor.
-//
-// For 80 right-hand sides of a heat equation with 26 002 vertices, cholmod_solve2() takes 2.3 times as
-// long with its best block size, and the bytes of a column depend on the block.
 
 #if defined(__GNUC__)
 #define CGAL_CANONICAL_POSE_3_ROUTINE [[gnu::always_inline]]
@@ -40,8 +37,7 @@ inline constexpr std::size_t NUMBER_OF_LANES = 8;
 // eight numbers per row
 using Lane_rows = std::vector<double>;
 
-// The unit of computation: SIZE numbers, of which ROWS rows are summed in parallel. `Bits` are
-// unsigned integers of the same size. Addresses need not be multiples of the size; compilers may
+// The unit of computation: SIZE numbers. `Bits` are unsigned integers of the same size. Addresses need not be multiples of the size; compilers may
 // forget this if `Numbers` is the type of a reference, but not for `Part`.
 struct Vector_of_1
 {
@@ -51,7 +47,7 @@ struct Vector_of_1
   {
     Numbers numbers;
   };
-  static constexpr std::size_t SIZE = 1, ROWS = 4;
+  static constexpr std::size_t SIZE = 1;
 };
 #if defined(__GNUC__)
 #define CGAL_CANONICAL_POSE_3_VECTOR(TYPE, BYTES)                                                  \
@@ -64,7 +60,7 @@ struct Vector_of_2
   {
     Numbers numbers;
   };
-  static constexpr std::size_t SIZE = 2, ROWS = 8;
+  static constexpr std::size_t SIZE = 2;
 };
 struct Vector_of_4
 {
@@ -74,7 +70,7 @@ struct Vector_of_4
   {
     Numbers numbers;
   };
-  static constexpr std::size_t SIZE = 4, ROWS = 8;
+  static constexpr std::size_t SIZE = 4;
 };
 struct Vector_of_8
 {
@@ -84,7 +80,7 @@ struct Vector_of_8
   {
     Numbers numbers;
   };
-  static constexpr std::size_t SIZE = 8, ROWS = 8;
+  static constexpr std::size_t SIZE = 8;
 };
 using Portable_vector = Vector_of_2;
 #else
@@ -133,58 +129,6 @@ CGAL_CANONICAL_POSE_3_ROUTINE inline bool is_any_above(const typename Vector::Nu
   for(std::size_t k = 0; k < Vector::SIZE; ++k)
     result |= left[k] > factor * right[k];
   return result;
-}
-
-// An index of CHOLMOD's factors, which may have more than 2^31 entries.
-using Factor_index = std::ptrdiff_t;
-
-// Part of a dense matrix: entry (k, m) is entries[k * down + m * across]. It is multiplied by the rows
-// `right[m]` of what is in lanes, and belongs to its rows `left[k]`.
-struct Lane_block
-{
-  const Factor_index* left;
-  std::size_t number_of_left;
-  const Factor_index* right;
-  std::size_t number_of_right;
-  const double* entries;
-  std::size_t down, across;
-};
-
-// Subtracts from COUNT rows, from `left[first]` on, their products; their sums are kept side by side.
-template <class Vector, std::size_t COUNT>
-CGAL_CANONICAL_POSE_3_ROUTINE inline void subtract_rows(const Lane_block& block, std::size_t first,
-                                                        double* x)
-{
-  using Numbers = typename Vector::Numbers;
-  const Factor_index* const left = block.left + first;
-  for(std::size_t p = 0; p < NUMBER_OF_PARTS<Vector>; ++p)
-  {
-    Numbers sums[COUNT];
-    for(std::size_t k = 0; k < COUNT; ++k)
-      sums[k] = part<Vector>(x, static_cast<std::size_t>(left[k]), p).numbers;
-    for(std::size_t m = 0; m < block.number_of_right; ++m)
-    {
-      const Numbers factor = part<Vector>(x, static_cast<std::size_t>(block.right[m]), p).numbers;
-      const double* const entries = block.entries + first * block.down + m * block.across;
-      for(std::size_t k = 0; k < COUNT; ++k)
-        sums[k] -= entries[k * block.down] * factor;
-    }
-    for(std::size_t k = 0; k < COUNT; ++k)
-      part<Vector>(x, static_cast<std::size_t>(left[k]), p).numbers = sums[k];
-  }
-}
-
-// x(left) -= entries * x(right)
-template <class Vector>
-CGAL_CANONICAL_POSE_3_ROUTINE inline void subtract_product(const Lane_block& block, double* x)
-{
-  std::size_t k = 0;
-  for(; k + Vector::ROWS <= block.number_of_left; k += Vector::ROWS)
-    subtract_rows<Vector, Vector::ROWS>(block, k, x);
-  for(; k + 2 <= block.number_of_left; k += 2)
-    subtract_rows<Vector, 2>(block, k, x);
-  for(; k < block.number_of_left; ++k)
-    subtract_rows<Vector, 1>(block, k, x);
 }
 
 #ifdef CGAL_CANONICAL_POSE_3_HAS_X86_ROUTINES
