@@ -13,24 +13,12 @@
 
 namespace Canonical_pose_tool {
 
+struct Command;
+
 // The parsed command line.
 struct Arguments
 {
-  enum class Command {
-    POSE,
-    CHECK,
-    GEODESICS,
-    COMPARE,
-    SEGMENT,
-    DESCRIBE,
-    PAGE,
-    COLLECTION,
-    SHAPE,
-    SEARCH,
-    EVALUATE
-  };
-
-  Command command = Command::POSE;
+  const Command* command = nullptr;
   std::string input;
   std::string output; // POSE, DISTANCES, or OUT of SEGMENT and DESCRIBE, PAGE
   std::string target; // this and the next six: empty if not requested
@@ -40,7 +28,6 @@ struct Arguments
   std::string stiffness;
   std::string given_target;    // mesh file
   std::string given_distances; // file of numbers
-  std::string body = "auto";
   std::string geodesics = "heat";
   std::vector<std::size_t> sources;
   std::vector<std::string> poses;       // of COMPARE
@@ -69,10 +56,6 @@ struct Arguments
 // Reads the command line. Returns the exit code if there is nothing left to do: 0 after --help, 2
 // for wrong usage.
 std::optional<int> parse_command_line(int argc, char* argv[], Arguments& arguments);
-
-// Throws std::invalid_argument if the files of `pose` cannot have the formats given by their
-// extensions.
-void check_formats(const Arguments& arguments);
 
 } // namespace Canonical_pose_tool
 

@@ -57,37 +57,7 @@ int main(int argc, char* argv[])
       return *exit_code;
     if(!arguments.input.empty())
       subject = arguments.input + ": ";
-    if(arguments.command == Arguments::Command::POSE)
-      run_pose(arguments);
-    else if(arguments.command == Arguments::Command::CHECK)
-      run_check(arguments);
-    else if(arguments.command == Arguments::Command::COMPARE)
-      run_compare(arguments);
-    else if(arguments.command == Arguments::Command::SEGMENT)
-      run_segment(arguments);
-    else if(arguments.command == Arguments::Command::DESCRIBE)
-      run_describe(arguments);
-    else if(arguments.command == Arguments::Command::GEODESICS)
-      run_geodesics(arguments);
-    else if(arguments.command == Arguments::Command::PAGE)
-#ifdef CANONICAL_POSE_WITH_PAGE
-      run_page(arguments);
-#else
-      throw std::runtime_error("pages are not available in this build, without npm");
-#endif
-#ifdef CANONICAL_POSE_WITH_COLLECTIONS
-    else if(arguments.command == Arguments::Command::COLLECTION)
-      run_collection(arguments);
-    else if(arguments.command == Arguments::Command::SHAPE)
-      run_shape(arguments);
-    else if(arguments.command == Arguments::Command::SEARCH)
-      run_search(arguments);
-    else
-      run_evaluate(arguments);
-#else
-    else
-      throw std::runtime_error("collections are not available in this build, without SQLite");
-#endif
+    arguments.command->run(arguments);
     if(!std::cout.flush())
       throw std::runtime_error("the standard output cannot be written");
     return EXIT_SUCCESS;

@@ -3,7 +3,6 @@
 
 #include "describe_shape.h"
 #include "compute_pose.h"
-#include "exact_geodesics.h"
 #include "formats/Cgal_types.h"
 
 #include <CGAL/Canonical_pose_3/call_with_threads.h>
@@ -28,10 +27,7 @@ void take_pose(const Mesh_file& input, const Arguments& arguments, Shape_descrip
                                   + std::to_string(shape.points.rows()));
     return;
   }
-  Options options = arguments.options;
-  if(arguments.geodesics == "exact")
-    options.landmark_fields_function = exact_landmark_fields();
-  Result result = compute_pose(input, options);
+  Result result = compute_pose(input, arguments.options);
   shape.pose = std::move(result.pose);
   shape.summary = std::move(result.summary);
 }

@@ -17,6 +17,8 @@ run_tool(collection ball.off --database collection.db --descriptor shape-distrib
 expect_match("${stdout}" "^1 shape, 0 computed now\ndone +1\n$")
 run_tool(collection ball.off --database collection.db) # the other descriptors
 expect_match("${stdout}" "^1 shape, 1 computed now\ndone +1\n$")
+run_tool(collection ball.off --database collection.db --landmarks 80 --detail-length 0.10 --components each) # defaults
+expect_match("${stdout}" "^1 shape, 0 computed now\ndone +1\n$")
 run_tool(collection ball.off --database collection.db --rounds 0) # other options
 expect_match("${stdout}" "^1 shape, 1 computed now\ndone +1\n$")
 

@@ -5,6 +5,7 @@
 
 #include "Output_files.h"
 #include "Report.h"
+#include "command_options.h"
 #include "commands.h"
 #include "formats/Cgal_types.h"
 #include "formats/Mesh_file.h"
@@ -13,7 +14,16 @@
 
 namespace Canonical_pose_tool {
 
-void run_check(const Arguments& arguments)
+namespace {
+
+void add_check_options(Command_options& o)
+{
+  add_input(o);
+  add_report(o);
+  add_quiet(o);
+}
+
+void run_check(Arguments& arguments)
 {
   Stage_clock clock;
   Output_files files({arguments.report});
@@ -29,5 +39,13 @@ void run_check(const Arguments& arguments)
   if(!arguments.quiet)
     write_table(std::cout, diagnosis);
 }
+
+} // namespace
+
+const Command CHECK_COMMAND = {"check",
+                               "lists the defects of a surface",
+                               {"check man.off", "check man.off --report defects.json --quiet"},
+                               add_check_options,
+                               run_check};
 
 } // namespace Canonical_pose_tool

@@ -3,6 +3,7 @@
 
 // The command collection.
 
+#include "command_options.h"
 #include "commands.h"
 #include "descriptors.h"
 #include "collection/Collection_database.h"
@@ -29,6 +30,7 @@
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <unistd.h>
 #include <utility>
 #include <vector>
@@ -280,17 +282,61 @@ void compute_collection(const Arguments& arguments, const Run_jobs& run_by_mpi)
     if(run_by_mpi)
       run_by_mpi(jobs, ended);
     else
-      run_jobs(jobs, arguments.number_of_workers, ended);
+      run_jobs(jobs,
+               arguments.number_of_workers > 0
+                 ? arguments.number_of_workers
+                 : (std::max<std::size_t>)(std::thread::hardware_concurrency(), 1),
+               ended);
   }
   if(!arguments.quiet)
     write_summary(std::cout, paths, jobs.size(), database);
 }
 
-} // namespace
+void add_collection_options(Command_options& o)
+{
+  o.app
+    .add_option("INPUT", o.arguments.inputs,
+                "surfaces, folders with surfaces, and @lists of paths, one per line")
+    ->required()
+    ->check(path());
+  add_database(o);
+  o.app
+    .add_option("--descriptor", o.arguments.descriptors,
+                "a descriptor, as in describe; may be repeated; default: all")
+    ->allow_extra_args(false);
+  o.app.add_option("--poses", o.arguments.pose_folder, "folder for the poses (.off)")
+    ->check(path());
+  o.app.add_flag("--segment", o.arguments.is_segmented, "also divide the shapes into parts");
+  o.app
+    .add_option("--workers", o.arguments.number_of_workers,
+                "number of shapes computed at the same time; 0: one per processor")
+    ->transform(integer(std::size_t(0)))
+    ->capture_default_str();
+  o.app.add_option("--time-limit", o.arguments.time_limit, "seconds per shape; 0: no limit")
+    ->check(number(0, 1e9))
+    ->capture_default_str();
+  o.app
+    .add_option("--memory-limit", o.arguments.memory_limit,
+                "megabytes of resident memory per shape; 0: no limit")
+    ->check(number(0, 1e9))
+    ->capture_default_str();
+  o.arguments.options.number_of_threads = 1; // per shape
+  add_recorded_method_options(o);
+}
 
-void run_collection(const Arguments& arguments)
+void run_collection(Arguments& arguments)
 {
   with_mpi([&](const Run_jobs& run) { compute_collection(arguments, run); });
 }
+
+} // namespace
+
+const Command COLLECTION_COMMAND
+  = {"collection",
+     "describes many surfaces and stores the results in a database",
+     {"collection meshes/ --database meshes.db",
+      "collection @paths.txt --database meshes.db --poses poses/ --time-limit 600"},
+     add_collection_options,
+     run_collection};
 
 } // namespace Canonical_pose_tool

@@ -6,21 +6,28 @@
 
 #include "Command_line.h"
 
+#include <vector>
+
 namespace Canonical_pose_tool {
 
-// The commands. Each throws an exception on failure.
+struct Command_options;
 
-void run_pose(Arguments& arguments);
-void run_check(const Arguments& arguments);
-void run_geodesics(const Arguments& arguments);
-void run_compare(const Arguments& arguments);
-void run_segment(const Arguments& arguments);
-void run_page(const Arguments& arguments);
-void run_describe(const Arguments& arguments);
-void run_collection(const Arguments& arguments);
-void run_shape(const Arguments& arguments);
-void run_search(const Arguments& arguments);
-void run_evaluate(const Arguments& arguments);
+// A command of the tool. Each is defined in a source with its name.
+struct Command
+{
+  const char* name;
+  const char* summary;               // empty: not shown
+  std::vector<const char*> examples; // without the name of the tool
+  void (*add_options)(Command_options&);
+  void (*run)(Arguments&); // throws an exception on failure
+};
+
+extern const Command POSE_COMMAND, SEGMENT_COMMAND, DESCRIBE_COMMAND, COLLECTION_COMMAND,
+  SEARCH_COMMAND, EVALUATE_COMMAND, CHECK_COMMAND, COMPARE_COMMAND, GEODESICS_COMMAND, PAGE_COMMAND,
+  SHAPE_COMMAND;
+
+// In the order of --help.
+extern const std::vector<const Command*> COMMANDS;
 
 } // namespace Canonical_pose_tool
 

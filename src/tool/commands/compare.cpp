@@ -3,6 +3,7 @@
 
 // The command compare.
 
+#include "command_options.h"
 #include "commands.h"
 #include "formats/Cgal_types.h"
 #include "formats/Mesh_file.h"
@@ -54,14 +55,28 @@ void write_differences(std::ostream& out, const std::vector<std::string>& names,
   out << text.str();
 }
 
-} // namespace
+void add_compare_options(Command_options& o)
+{
+  o.app.add_option("POSE", o.arguments.poses, "two or more meshes with corresponding vertices")
+    ->required()
+    ->expected(2, -1);
+}
 
-void run_compare(const Arguments& arguments)
+void run_compare(Arguments& arguments)
 {
   std::vector<Point_matrix> poses;
   for(const std::string& path : arguments.poses)
     poses.push_back(matrix_of(points_of(read_other_mesh_file(path))));
   write_differences(std::cout, arguments.poses, poses);
 }
+
+} // namespace
+
+const Command COMPARE_COMMAND
+  = {"compare",
+     "measures how much poses differ, independent of position and scale",
+     {"compare sitting.off standing.off", "compare poses/*.off"},
+     add_compare_options,
+     run_compare};
 
 } // namespace Canonical_pose_tool

@@ -5,6 +5,7 @@
 
 #include "Output_files.h"
 #include "Report.h"
+#include "command_options.h"
 #include "commands.h"
 #include "describe_shape.h"
 #include "descriptors.h"
@@ -15,7 +16,24 @@
 
 namespace Canonical_pose_tool {
 
-void run_describe(const Arguments& arguments)
+namespace {
+
+void add_describe_options(Command_options& o)
+{
+  add_input(o);
+  o.app.add_option("-o,--output", o.arguments.output, "the values of the descriptors (.json)")
+    ->required()
+    ->check(path());
+  o.app
+    .add_option("--descriptor", o.arguments.descriptors,
+                "heat-kernel-quantiles, shape-dna, shape-distribution-d2, views; may be repeated; "
+                "default: all")
+    ->allow_extra_args(false);
+  add_given_pose(o);
+  add_method_options_for_each_component(o);
+}
+
+void run_describe(Arguments& arguments)
 {
   Output_files files({arguments.output});
   const std::vector<Descriptor> chosen = descriptors(arguments.descriptors);
@@ -25,5 +43,15 @@ void run_describe(const Arguments& arguments)
               [&](std::ostream& out) { write_descriptors(out, shape.descriptors); });
   files.commit();
 }
+
+} // namespace
+
+const Command DESCRIBE_COMMAND
+  = {"describe",
+     "describes a surface by numbers, for search",
+     {"describe man.off -o man.json",
+      "describe man.off -o man.json --descriptor views --pose pose.off"},
+     add_describe_options,
+     run_describe};
 
 } // namespace Canonical_pose_tool

@@ -4,6 +4,7 @@
 // The command evaluate.
 
 #include "Output_files.h"
+#include "command_options.h"
 #include "commands.h"
 #include "collection/Collection_database.h"
 #include "collection/described_collection.h"
@@ -222,9 +223,26 @@ void draw(std::ostream& out, const std::vector<Named_evaluation>& evaluations)
   out << std::ifstream(picture.path(), std::ios::binary).rdbuf();
 }
 
-} // namespace
+void add_evaluate_options(Command_options& o)
+{
+  add_database(o);
+  o.app.add_option("--classes", o.arguments.classes, "the classes: lines \"stem class\"")
+    ->required()
+    ->check(path());
+  add_weighted_descriptors(o);
+  o.app
+    .add_option("--rerank", o.arguments.rerank,
+                "also evaluate the answers after another ranking: manifold")
+    ->check(CLI::IsMember({"manifold"}));
+  o.app
+    .add_option("--csv", o.arguments.csv,
+                "write precision-recall curves and the classes of nearest shapes")
+    ->check(path());
+  o.app.add_option("--plot", o.arguments.plot, "draw the precision-recall curves (.png)")
+    ->check(path());
+}
 
-void run_evaluate(const Arguments& arguments)
+void run_evaluate(Arguments& arguments)
 {
   Output_files files({arguments.csv, arguments.plot});
   Collection_database database(arguments.database, false);
@@ -241,5 +259,15 @@ void run_evaluate(const Arguments& arguments)
   files.commit();
   write_tables(std::cout, all, classes);
 }
+
+} // namespace
+
+const Command EVALUATE_COMMAND
+  = {"evaluate",
+     "evaluates the retrieval of shapes of the same class",
+     {"evaluate --database meshes.db --classes classes.txt",
+      "evaluate --database meshes.db --classes classes.txt --rerank manifold --plot curves.png"},
+     add_evaluate_options,
+     run_evaluate};
 
 } // namespace Canonical_pose_tool

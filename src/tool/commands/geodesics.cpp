@@ -5,6 +5,7 @@
 
 #include "shown_results.h"
 #include "Output_files.h"
+#include "command_options.h"
 #include "commands.h"
 #include "exact_geodesics.h"
 #include "formats/Cgal_types.h"
@@ -19,7 +20,24 @@
 
 namespace Canonical_pose_tool {
 
-void run_geodesics(const Arguments& arguments)
+namespace {
+
+void add_geodesics_options(Command_options& o)
+{
+  add_input(o);
+  o.app.add_option("--source", o.arguments.sources, "number of a vertex, from 0; may be repeated")
+    ->required()
+    ->transform(integer(std::size_t(0)))
+    ->allow_extra_args(false);
+  o.app
+    .add_option("-o,--output", o.arguments.output,
+                "the distances: a line per vertex, a column per source; or colors (.ply, .glb)")
+    ->required()
+    ->check(path());
+  add_common(o);
+}
+
+void run_geodesics(Arguments& arguments)
 {
   check_format_of_values(arguments.output);
   Output_files files({arguments.output});
@@ -36,5 +54,15 @@ void run_geodesics(const Arguments& arguments)
   });
   files.commit();
 }
+
+} // namespace
+
+const Command GEODESICS_COMMAND
+  = {"geodesics",
+     "measures distances on a surface",
+     {"geodesics man.off --source 0 --source 17 -o distances.txt",
+      "geodesics man.off --source 0 -o distances.glb --geodesics wavefront"},
+     add_geodesics_options,
+     run_geodesics};
 
 } // namespace Canonical_pose_tool

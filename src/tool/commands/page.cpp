@@ -4,6 +4,7 @@
 // The command page.
 
 #include "Output_files.h"
+#include "command_options.h"
 #include "commands.h"
 #include "page_text.h"
 #include "formats/Mesh_file.h"
@@ -61,9 +62,15 @@ std::string escaped(const std::string& text)
   return result;
 }
 
-} // namespace
+void add_page_options(Command_options& o)
+{
+  o.app.add_option("SCENE", o.arguments.inputs, "scenes, or other surfaces (.glb)")->required();
+  o.app.add_option("-o,--output", o.arguments.output, "the page (.html)")
+    ->required()
+    ->check(path());
+}
 
-void run_page(const Arguments& arguments)
+void run_page(Arguments& arguments)
 {
   Output_files files({arguments.output});
   std::vector<std::string> scenes;
@@ -82,5 +89,13 @@ void run_page(const Arguments& arguments)
   });
   files.commit();
 }
+
+} // namespace
+
+const Command PAGE_COMMAND = {"page",
+                              "makes a web page that shows scenes (.glb)",
+                              {"page man.glb -o man.html", "page *.glb -o gallery.html"},
+                              add_page_options,
+                              run_page};
 
 } // namespace Canonical_pose_tool

@@ -6,9 +6,9 @@
 #include "Output_files.h"
 #include "Progress_line.h"
 #include "Report.h"
+#include "command_options.h"
 #include "commands.h"
 #include "compute_pose.h"
-#include "exact_geodesics.h"
 #include "shown_results.h"
 #include "formats/Cgal_types.h"
 #include "formats/Mesh_file.h"
@@ -107,7 +107,64 @@ Result compute_watched_pose(const Mesh_file& input, const Arguments& arguments)
   return compute_pose(input, options);
 }
 
-} // namespace
+void add_pose_options(Command_options& o)
+{
+  add_input(o);
+  o.app
+    .add_option("-o,--output", o.arguments.output, "the pose: INPUT's vertices and faces or cells")
+    ->required()
+    ->check(path());
+  o.app.add_option("--target", o.arguments.target, "also write the target of the registration")
+    ->check(path());
+  o.app
+    .add_option("--scene", o.arguments.scene,
+                "also write input, target and pose in one file, with an animation (.glb)")
+    ->check(path());
+  o.app
+    .add_option("--matching-weights", o.arguments.matching_weights,
+                "file of factors of the matching weights, one per vertex")
+    ->check(path());
+  o.app
+    .add_option("--stiffness", o.arguments.stiffness,
+                "file of factors of the stiffness, one per vertex of a surface, or per tetrahedron")
+    ->check(path());
+  o.app
+    .add_option("--given-target", o.arguments.given_target,
+                "take this target, as --target writes it, instead of computing one")
+    ->check(path());
+  o.app
+    .add_option("--given-distances", o.arguments.given_distances,
+                "take these distances, as geodesics writes them, instead of computing any")
+    ->check(path());
+  add_constraints(o);
+  o.app
+    .add_option("--frame", o.raw.frame,
+                "position of the pose: near the input, or canonical: principal axes")
+    ->check(CLI::IsMember({"input", "canonical"}))
+    ->capture_default_str();
+  add_report(o);
+  add_method_options(o);
+}
+
+// Throws std::invalid_argument if the files cannot have the formats of their extensions.
+void check_formats(const Arguments& arguments)
+{
+  const bool is_tetrahedral = format_of(arguments.input) == Format::MEDIT;
+  const auto holds_tetrahedra = [](const std::string& path) {
+    return format_of(path) == Format::MEDIT || format_of(path) == Format::VTU;
+  };
+  if(is_tetrahedral != holds_tetrahedra(arguments.output))
+    throw std::invalid_argument(
+      is_tetrahedral ? "the pose of a tetrahedral mesh (.mesh) has to be one, too (.mesh, .vtu)"
+                     : "the pose of a surface cannot be a tetrahedral mesh (.mesh, .vtu)");
+  if(!arguments.target.empty() && holds_tetrahedra(arguments.target))
+    throw std::invalid_argument(
+      "the target is a surface and cannot be a tetrahedral mesh (.mesh, .vtu)");
+  if(!arguments.scene.empty() && format_of(arguments.scene) != Format::GLB)
+    throw std::invalid_argument("'" + arguments.scene + "' is not a .glb file");
+  if(is_tetrahedral && arguments.options.body != Options::Body::AUTOMATIC)
+    throw std::invalid_argument("--body: a tetrahedral mesh is its own body");
+}
 
 void run_pose(Arguments& arguments)
 {
@@ -125,8 +182,6 @@ void run_pose(Arguments& arguments)
     arguments.options.given.target = given_target(arguments.given_target, input);
   if(!arguments.given_distances.empty())
     arguments.options.given.landmark_fields = given_fields(arguments.given_distances, input);
-  if(arguments.geodesics == "exact")
-    arguments.options.landmark_fields_function = exact_landmark_fields();
   const double seconds_to_read = clock.lap();
 
   say(arguments, "computing the pose");
@@ -153,5 +208,14 @@ void run_pose(Arguments& arguments)
   if(!arguments.quiet)
     write_outcome(std::cout, summary);
 }
+
+} // namespace
+
+const Command POSE_COMMAND
+  = {"pose",
+     "brings a shape into its canonical pose",
+     {"pose man.obj -o pose.obj", "pose man.ply -o pose.ply --scene man.glb --report man.json"},
+     add_pose_options,
+     run_pose};
 
 } // namespace Canonical_pose_tool

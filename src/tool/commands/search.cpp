@@ -3,6 +3,7 @@
 
 // The command search.
 
+#include "command_options.h"
 #include "commands.h"
 #include "formats/Cgal_types.h"
 #include "collection/Collection_database.h"
@@ -18,7 +19,21 @@
 
 namespace Canonical_pose_tool {
 
-void run_search(const Arguments& arguments)
+namespace {
+
+void add_search_options(Command_options& o)
+{
+  o.app.add_option("QUERY", o.arguments.input, "surface")->required();
+  add_database(o);
+  o.app.add_option("-n", o.arguments.number_of_answers, "number of answers")
+    ->transform(integer(std::size_t(1)))
+    ->capture_default_str();
+  add_weighted_descriptors(o);
+  add_given_pose(o);
+  add_recorded_method_options(o);
+}
+
+void run_search(Arguments& arguments)
 {
   Collection_database database(arguments.database, false);
   const std::vector<Weighted_descriptor> chosen = chosen_descriptors(arguments, database);
@@ -44,5 +59,15 @@ void run_search(const Arguments& arguments)
     std::cout << i + 1 << ' ' << distance[static_cast<Eigen::Index>(order[i])] << ' '
               << shapes.paths[order[i]] << '\n';
 }
+
+} // namespace
+
+const Command SEARCH_COMMAND
+  = {"search",
+     "finds the shapes of a collection that are most similar to a surface",
+     {"search man.off --database meshes.db",
+      "search man.off --database meshes.db -n 3 --descriptor views"},
+     add_search_options,
+     run_search};
 
 } // namespace Canonical_pose_tool

@@ -5,9 +5,9 @@
 
 #include "Output_files.h"
 #include "Report.h"
+#include "command_options.h"
 #include "commands.h"
 #include "compute_parts.h"
-#include "exact_geodesics.h"
 #include "shown_results.h"
 #include "formats/Cgal_types.h"
 #include "formats/Mesh_file.h"
@@ -31,8 +31,6 @@ std::vector<std::size_t> parts_of(const Mesh_file& input, const Arguments& argum
                                   arguments.number_of_parts};
   if(!arguments.pose.empty())
     segmentation.pose = matrix_of(points_of(read_other_mesh_file(arguments.pose)));
-  if(arguments.geodesics == "exact")
-    segmentation.options.landmark_fields_function = exact_landmark_fields();
   return compute_parts(segmentation, report, clock);
 }
 
@@ -123,9 +121,27 @@ void write_parts(const Mesh_file& input, const std::vector<std::size_t>& parts,
   files.commit();
 }
 
-} // namespace
+void add_segment_options(Command_options& o)
+{
+  add_input(o);
+  o.app
+    .add_option(
+      "-o,--output", o.arguments.output,
+      "the parts: numbers of the faces (.txt), colors (.ply, .glb), or a file each (folder/)")
+    ->required()
+    ->check(path());
+  o.app.add_option("--parts", o.raw.parts, "number of parts: a positive number, or auto")
+    ->capture_default_str();
+  o.app
+    .add_option("--method", o.arguments.method, "consensus, sweep (fast), kmeans (of the paper)")
+    ->check(CLI::IsMember({"consensus", "sweep", "kmeans"}))
+    ->capture_default_str();
+  add_given_pose(o);
+  add_report(o);
+  add_method_options_for_each_component(o);
+}
 
-void run_segment(const Arguments& arguments)
+void run_segment(Arguments& arguments)
 {
   Stage_clock clock;
   if(is_folder(arguments.output))
@@ -150,5 +166,14 @@ void run_segment(const Arguments& arguments)
   for(const std::string& warning : report.warnings)
     std::cout << "warning: " << warning << '\n';
 }
+
+} // namespace
+
+const Command SEGMENT_COMMAND
+  = {"segment",
+     "divides a surface into parts",
+     {"segment man.off -o parts.glb", "segment man.off -o parts.txt --parts 6 --pose pose.off"},
+     add_segment_options,
+     run_segment};
 
 } // namespace Canonical_pose_tool

@@ -5,6 +5,7 @@
 
 #include "Output_files.h"
 #include "Report.h"
+#include "command_options.h"
 #include "commands.h"
 #include "describe_shape.h"
 #include "descriptors.h"
@@ -24,15 +25,28 @@
 
 namespace Canonical_pose_tool {
 
-void run_shape(const Arguments& arguments)
+namespace {
+
+void add_shape_options(Command_options& o)
+{
+  add_input(o);
+  o.app.add_option("-o,--output", o.arguments.output, "the pose")->check(path());
+  o.app.add_option("--descriptor", o.arguments.descriptors, "a descriptor")
+    ->allow_extra_args(false);
+  o.app.add_flag("--no-descriptor", o.arguments.has_no_descriptor, "none");
+  o.app.add_flag("--segment", o.arguments.is_segmented, "parts");
+  add_method_options_for_each_component(o);
+}
+
+void run_shape(Arguments& arguments)
 {
   namespace CP = CGAL::Canonical_pose_3;
   Stage_clock clock;
   Output_files files({arguments.output});
   const std::vector<Descriptor> chosen
     = arguments.has_no_descriptor ? std::vector<Descriptor>() : descriptors(arguments.descriptors);
-  const Mesh_file input = read_mesh_file(
-    arguments.input, arguments.output.empty() ? Source::DROPPED : Source::KEPT);
+  const Mesh_file input
+    = read_mesh_file(arguments.input, arguments.output.empty() ? Source::DROPPED : Source::KEPT);
   const double seconds_to_read = clock.lap();
   Shape_description shape
     = describe_shape(input, chosen, arguments, arguments.is_segmented || !arguments.output.empty());
@@ -58,10 +72,13 @@ void run_shape(const Arguments& arguments)
     write_report(report, CP::diagnose(shape.points, input.faces), {{"read", seconds_to_read}},
                  clock.total());
   write_descriptors(values, shape.descriptors);
-  std::cout << nlohmann::ordered_json{
-    {"report", nlohmann::ordered_json::parse(report.str())},
-    {"descriptors", nlohmann::ordered_json::parse(values.str())},
-    {"parts", parts}};
+  std::cout << nlohmann::ordered_json{{"report", nlohmann::ordered_json::parse(report.str())},
+                                      {"descriptors", nlohmann::ordered_json::parse(values.str())},
+                                      {"parts", parts}};
 }
+
+} // namespace
+
+const Command SHAPE_COMMAND = {"shape", "", {}, add_shape_options, run_shape};
 
 } // namespace Canonical_pose_tool

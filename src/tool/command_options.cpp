@@ -1,0 +1,364 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "command_options.h"
+#include "exact_geodesics.h"
+#include "formats/Mesh_file.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace Canonical_pose_tool {
+
+namespace {
+
+// Splits "1,2,0.5" at the commas; there must be from `least` to `most` numbers.
+std::vector<std::string> words(const std::string& option, const std::string& text,
+                               const std::size_t least, const std::size_t most)
+{
+  std::vector<std::string> result;
+  for(std::size_t begin = 0, end = 0; end != std::string::npos; begin = end + 1)
+  {
+    end = text.find(',', begin);
+    result.push_back(text.substr(begin, end - begin));
+    if(!real_of(result.back()))
+      throw CLI::ValidationError(option, "'" + text
+                                           + "' is not a list of numbers with commas between them");
+  }
+  if(result.size() < least || result.size() > most)
+    throw CLI::ValidationError(option, "'" + text + "' has a wrong number of values");
+  return result;
+}
+
+std::string shown(const double number)
+{
+  std::ostringstream out;
+  out << number;
+  return out.str();
+}
+
+// Defines a constraint: vertices, then numbers, then optionally a stiffness.
+struct Constraint_values
+{
+  Constraint_values(const std::string& option, const std::string& text,
+                    const std::size_t number_of_vertices, const std::size_t number_of_numbers)
+  {
+    const std::size_t n = number_of_vertices + number_of_numbers;
+    const std::vector<std::string> all = words(option, text, n, n + 1);
+    for(std::size_t i = 0; i < number_of_vertices; ++i)
+    {
+      const auto vertex = count_of<std::size_t>(all[i]);
+      if(!vertex)
+        throw CLI::ValidationError(
+          option, "'" + text + "' does not begin with "
+                    + (number_of_vertices == 2 ? "two vertex numbers" : "a vertex number"));
+      vertices.push_back(*vertex);
+    }
+    for(std::size_t i = number_of_vertices; i < n; ++i)
+      rest.push_back(*real_of(all[i]));
+    if(all.size() > n)
+      stiffness = *real_of(all.back());
+    constexpr double least = Registration_options::SMALLEST_WEIGHT,
+                     largest = Registration_options::LARGEST_WEIGHT;
+    if(stiffness < least || stiffness > largest)
+      throw CLI::ValidationError(option, "'" + text + "' has a stiffness that is not from "
+                                           + shown(least) + " to " + shown(largest));
+  }
+
+  Eigen::RowVector3d vector() const { return {rest[0], rest[1], rest[2]}; }
+
+  std::vector<std::size_t> vertices;
+  std::vector<double> rest;
+  double stiffness = 1;
+};
+
+void take_constraints(const Raw_arguments& raw, Options& options)
+{
+  for(const std::string& text : raw.springs)
+  {
+    const Constraint_values v("--spring", text, 2, 1);
+    options.constraints.springs.push_back({v.vertices[0], v.vertices[1], v.rest[0], v.stiffness});
+  }
+  for(const std::string& text : raw.directions)
+  {
+    const Constraint_values v("--direction", text, 2, 3);
+    options.constraints.directions.push_back(
+      {v.vertices[0], v.vertices[1], v.vector(), v.stiffness});
+  }
+  for(const std::string& text : raw.handles)
+  {
+    const Constraint_values v("--handle", text, 1, 3);
+    options.constraints.handles.push_back({v.vertices[0], v.vector(), v.stiffness});
+  }
+  for(const std::string& text : raw.symmetric_pairs)
+  {
+    const Constraint_values v("--symmetric", text, 2, 0);
+    options.constraints.symmetric_pairs.push_back({v.vertices[0], v.vertices[1], v.stiffness});
+  }
+}
+
+// The same text for the same number.
+std::string as_value(const std::string& text)
+{
+  const std::optional<double> number = real_of(text);
+  if(!number)
+    return text;
+  std::ostringstream out;
+  out.precision(17);
+  out << *number;
+  return out.str();
+}
+
+} // namespace
+
+CLI::Validator number(const double least, const double largest)
+{
+  const std::string name = least > 0 ? "POSITIVE" : "NONNEGATIVE";
+  return CLI::Validator(
+    [=](const std::string& text) {
+      const std::optional<double> value = real_of(text);
+      return value && *value >= least && *value <= largest
+               ? std::string()
+               : "'" + text + "' is not a number from " + shown(least) + " to " + shown(largest);
+    },
+    name, name);
+}
+
+CLI::Validator path()
+{
+  return CLI::Validator(
+    [](const std::string& text) { return text.empty() ? "the path is empty" : std::string(); },
+    "PATH");
+}
+
+void add_input(Command_options& o)
+{
+  o.app
+    .add_option("INPUT", o.arguments.input,
+                "surface (.off, .obj, .ply, .stl, .glb, .gltf) or tetrahedral mesh (MEDIT, .mesh)")
+    ->required();
+}
+
+void add_report(Command_options& o)
+{
+  o.app.add_option("--report", o.arguments.report, "also write a report (JSON)")->check(path());
+}
+
+void add_quiet(Command_options& o)
+{
+  o.app.add_flag("--quiet", o.arguments.quiet, "print nothing but errors");
+}
+
+void add_common(Command_options& o)
+{
+  o.app.add_option("--geodesics", o.arguments.geodesics, "distances: heat, wavefront, exact")
+    ->check(CLI::IsMember({"heat", "wavefront", "exact"}))
+    ->capture_default_str();
+  o.app
+    .add_option("--threads", o.arguments.options.number_of_threads,
+                "maximum number of threads; 0: all processors")
+    ->transform(integer(0))
+    ->capture_default_str();
+  add_quiet(o);
+}
+
+void add_constraints(Command_options& o)
+{
+  o.app
+    .add_option("--spring", o.raw.springs,
+                "I,J,LENGTH[,STIFFNESS]: a spring between two vertices; may be repeated")
+    ->allow_extra_args(false);
+  o.app
+    .add_option("--direction", o.raw.directions,
+                "I,J,X,Y,Z[,STIFFNESS]: the vector to one vertex from another; may be repeated")
+    ->allow_extra_args(false);
+  o.app
+    .add_option("--handle", o.raw.handles,
+                "I,X,Y,Z[,STIFFNESS]: the position of a vertex; may be repeated")
+    ->allow_extra_args(false);
+  o.app
+    .add_option("--symmetric", o.raw.symmetric_pairs,
+                "I,J[,STIFFNESS]: two vertices that mirror each other; may be repeated")
+    ->allow_extra_args(false);
+}
+
+void add_method_options(Command_options& o)
+{
+  Options& options = o.arguments.options;
+  o.app
+    .add_option("--body", o.raw.body, "elastic body inside a surface: auto, lattice, tetgen, mesh")
+    ->check(CLI::IsMember({"auto", "lattice", "tetgen", "mesh"}))
+    ->capture_default_str();
+  o.app
+    .add_option("--spacing", options.lattice_spacing,
+                "spacing of the lattice, as a fraction of the largest distance")
+    ->check(number(Options::SMALLEST_LATTICE_SPACING, 1));
+  o.app
+    .add_option("--target-mode", o.raw.target_mode,
+                "target by scaling of distances, or by moving vertices away from each other, which "
+                "needs none: mds, unfold")
+    ->check(CLI::IsMember({"mds", "unfold"}))
+    ->capture_default_str();
+  o.app
+    .add_option("--kernel", o.raw.kernel,
+                "kernel of the target: classical, gaussian, gaussian-uncentred")
+    ->check(CLI::IsMember({"classical", "gaussian", "gaussian-uncentred"}))
+    ->capture_default_str();
+  o.app.add_option("--landmarks", options.number_of_landmarks, "number of landmarks")
+    ->transform(integer(std::size_t(1)))
+    ->capture_default_str();
+  o.app
+    .add_option("--detail-length", options.registration.detail_length,
+                "features smaller than this fraction of the largest distance keep their shape")
+    ->check(number(Registration_options::SMALLEST_DETAIL_LENGTH,
+                   Registration_options::LARGEST_DETAIL_LENGTH))
+    ->capture_default_str();
+  o.app
+    .add_option("--tikhonov", options.registration.tikhonov,
+                "weight that keeps an iterate close to the previous one")
+    ->check(number(0, Registration_options::LARGEST_WEIGHT))
+    ->capture_default_str();
+  o.app
+    .add_option("--iterations", options.registration.number_of_iterations,
+                "maximum number of iterations")
+    ->transform(integer(1))
+    ->capture_default_str();
+  o.app.add_option("--paper-weights", o.raw.paper_weights,
+                   "ALPHA,BETA: the weights as the paper prints them");
+  o.app.add_flag_callback(
+    "--injective", [&options] { options.registration.injective = true; },
+    "no inverted cells in the elastic body; the default, except with --paper-weights");
+  o.app
+    .add_flag_callback(
+      "--no-injective", [&options] { options.registration.injective = false; },
+      "inverted cells are allowed")
+    ->excludes("--injective");
+  o.app
+    .add_option(
+      "--rounds", options.number_of_rounds,
+      "maximum number of times that distances are measured again on the pose; default: 3, or "
+      "0 with --given-target, --paper-weights, --target-mode unfold or the uncentered kernel")
+    ->transform(integer(0));
+  o.app
+    .add_option("--components", o.raw.components,
+                "treatment of several connected components: auto, refuse, largest, each")
+    ->check(CLI::IsMember({"auto", "refuse", "largest", "each"}))
+    ->capture_default_str();
+  o.app
+    .add_option("--contacts", o.raw.contacts,
+                "handles of a surface that look like false contacts of its parts: keep, cut")
+    ->check(CLI::IsMember({"keep", "cut"}))
+    ->capture_default_str();
+  o.app.add_option("--solver", o.raw.solver, "linear solver: auto, eigen, cholmod")
+    ->check(CLI::IsMember({"auto", "eigen", "cholmod"}))
+    ->capture_default_str();
+  o.app
+    .add_option("--seed", options.random_seed,
+                "seed that draws the first landmark; 0: the vertex farthest from the centroid")
+    ->transform(integer(0u))
+    ->capture_default_str();
+  add_common(o);
+}
+
+void add_method_options_for_each_component(Command_options& o)
+{
+  o.raw.components = "each";
+  add_method_options(o);
+}
+
+void add_recorded_method_options(Command_options& o)
+{
+  const std::size_t number_before = o.app.get_options().size();
+  add_method_options_for_each_component(o);
+  CLI::App& app = o.app;
+  Arguments& arguments = o.arguments;
+  app.final_callback([&app, &arguments, number_before] {
+    const std::vector<CLI::Option*> options = app.get_options();
+    for(std::size_t i = number_before; i < options.size(); ++i)
+    {
+      const CLI::Option& option = *options[i];
+      const std::string name = option.get_name();
+      if(option.count() == 0 || name == "--threads" || name == "--quiet")
+        continue;
+      if(option.get_expected_max() == 0)
+        arguments.pose_words.push_back(name);
+      else if(const std::string value = as_value(option.results().front());
+              value != as_value(option.get_default_str()))
+        arguments.pose_words.insert(arguments.pose_words.end(), {name, value});
+    }
+    for(const std::string& word : arguments.pose_words)
+      arguments.pose_options += (arguments.pose_options.empty() ? "" : " ") + word;
+  });
+}
+
+void add_given_pose(Command_options& o)
+{
+  o.app.add_option("--pose", o.arguments.pose, "take this pose instead of computing one")
+    ->check(path());
+}
+
+void add_database(Command_options& o)
+{
+  o.app.add_option("--database", o.arguments.database, "the collection (SQLite)")
+    ->required()
+    ->check(path());
+}
+
+void add_weighted_descriptors(Command_options& o)
+{
+  const auto weight
+    = number(Registration_options::SMALLEST_WEIGHT, Registration_options::LARGEST_WEIGHT);
+  o.app
+    .add_option("--descriptor", o.arguments.descriptors,
+                "NAME[:WEIGHT], as in describe; may be repeated; default: all of the collection")
+    ->allow_extra_args(false)
+    ->check([=](const std::string& text) {
+      const std::size_t colon = text.rfind(':');
+      return colon == std::string::npos ? std::string() : weight(text.substr(colon + 1));
+    });
+}
+
+void take(const Raw_arguments& raw, Arguments& arguments)
+{
+  Options& options = arguments.options;
+  options.body = BODIES.at(raw.body);
+  options.components = COMPONENTS.at(raw.components);
+  options.frame = FRAMES.at(raw.frame);
+  options.kernel = KERNELS.at(raw.kernel);
+  options.solver = SOLVERS.at(raw.solver);
+  options.contacts = CONTACTS.at(raw.contacts);
+  options.target_mode = TARGET_MODES.at(raw.target_mode);
+  if(arguments.geodesics == "wavefront")
+    options.geodesics = Options::Geodesics::WAVEFRONT;
+  else if(arguments.geodesics == "exact")
+    options.landmark_fields_function = exact_landmark_fields();
+  if(!raw.paper_weights.empty())
+  {
+    const std::vector<std::string> weights = words("--paper-weights", raw.paper_weights, 2, 2);
+    const double alpha = *real_of(weights[0]), beta = *real_of(weights[1]);
+    if(!(alpha > 0) || beta < 0 || beta > Registration_options::LARGEST_WEIGHT)
+      throw CLI::ValidationError("--paper-weights",
+                                 "'" + raw.paper_weights
+                                   + "': ALPHA must be positive, and BETA from 0 to "
+                                   + shown(Registration_options::LARGEST_WEIGHT));
+    options.paper_weights = CGAL::Canonical_pose_3::Paper_weights{alpha, beta};
+  }
+  if(options.target_mode == Options::Target_mode::UNFOLDING && !arguments.given_target.empty())
+    throw CLI::ValidationError("--target-mode", "unfold excludes --given-target");
+  take_constraints(raw, options);
+  if(raw.parts != "auto")
+  {
+    arguments.number_of_parts = count_of<std::size_t>(raw.parts).value_or(0);
+    if(arguments.number_of_parts == 0)
+      throw CLI::ValidationError("--parts",
+                                 "'" + raw.parts + "' is neither auto nor a positive number");
+  }
+  if(arguments.method == "kmeans" && arguments.number_of_parts == 0)
+    throw CLI::ValidationError("--method", "'kmeans' cannot determine the number of parts: --parts "
+                                           "is required");
+}
+
+} // namespace Canonical_pose_tool

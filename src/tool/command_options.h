@@ -1,0 +1,91 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_CANONICAL_POSE_3_TOOL_COMMAND_OPTIONS_H
+#define CGAL_CANONICAL_POSE_3_TOOL_COMMAND_OPTIONS_H
+
+#include "Command_line.h"
+#include "option_values.h"
+
+#include <CLI/CLI.hpp>
+
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+// What the options of several commands have in common.
+
+namespace Canonical_pose_tool {
+
+using CGAL::Canonical_pose_3::Registration_options;
+
+// Arguments that are converted to options of the library.
+struct Raw_arguments
+{
+  std::string body = "auto", kernel = "classical", components = "auto", solver = "auto",
+              frame = "input", target_mode = "mds", contacts = "keep", paper_weights,
+              parts = "auto";
+  std::vector<std::string> springs, directions, handles, symmetric_pairs;
+};
+
+// What a command adds its options to. The defaults are what `arguments` and `raw` hold then.
+struct Command_options
+{
+  CLI::App& app;
+  Arguments& arguments;
+  Raw_arguments& raw;
+};
+
+// The type of the option must be `Integer`.
+template <class Integer>
+CLI::Validator integer(const Integer least)
+{
+  const std::string name = least > 0 ? "POSITIVE" : "NONNEGATIVE";
+  return CLI::Validator(
+    [=](std::string& text) {
+      const std::optional<Integer> value = count_of<Integer>(text);
+      if(!value || *value < least)
+        return "'" + text + "' is not an integer from " + std::to_string(least) + " to "
+               + std::to_string((std::numeric_limits<Integer>::max)());
+      text = std::to_string(*value); // leading zeros would mean octal numbers
+      return std::string();
+    },
+    name, name);
+}
+
+CLI::Validator number(double least, double largest);
+
+// An empty path, for example from an unset shell variable, is not the same as a missing option.
+CLI::Validator path();
+
+void add_input(Command_options& o);
+void add_report(Command_options& o);
+void add_quiet(Command_options& o);
+
+// --geodesics, --threads, --quiet.
+void add_common(Command_options& o);
+
+void add_constraints(Command_options& o);
+
+// The options of `pose` that `segment` and `describe` have as well.
+void add_method_options(Command_options& o);
+
+// The same, for commands that pose each component by default.
+void add_method_options_for_each_component(Command_options& o);
+
+// The same, and remembers those that matter for results and are not the default.
+void add_recorded_method_options(Command_options& o);
+
+// --pose, of those that need one.
+void add_given_pose(Command_options& o);
+
+void add_database(Command_options& o);
+void add_weighted_descriptors(Command_options& o);
+
+// Converts what was parsed. Throws CLI::ValidationError.
+void take(const Raw_arguments& raw, Arguments& arguments);
+
+} // namespace Canonical_pose_tool
+
+#endif // CGAL_CANONICAL_POSE_3_TOOL_COMMAND_OPTIONS_H
