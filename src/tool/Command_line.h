@@ -43,6 +43,7 @@ struct Arguments
   std::string pose_options;            // the same as a text
   bool is_segmented = false;
   bool has_no_descriptor = false;
+  bool is_listed = false, are_failures_listed = false;
   std::size_t number_of_workers = 0;
   double time_limit = 3600, memory_limit = 0; // seconds, megabytes; 0: none
   std::size_t number_of_answers = 10;
@@ -51,7 +52,11 @@ struct Arguments
   std::string csv, plot;
   CGAL::Canonical_pose_3::Options options;
   bool quiet = false;
+  bool is_strict = false; // of CHECK
 };
+
+// The exit code of `check --strict` if there are defects.
+inline constexpr int DEFECTS_FOUND = 3;
 
 // Reads the command line. Returns the exit code if there is nothing left to do: 0 after --help, 2
 // for wrong usage.

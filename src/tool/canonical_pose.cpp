@@ -57,10 +57,10 @@ int main(int argc, char* argv[])
       return *exit_code;
     if(!arguments.input.empty())
       subject = arguments.input + ": ";
-    arguments.command->run(arguments);
+    const int exit_code = arguments.command->run(arguments);
     if(!std::cout.flush())
       throw std::runtime_error("the standard output cannot be written");
-    return EXIT_SUCCESS;
+    return exit_code;
   }
   catch(const std::exception& error)
   {

@@ -273,14 +273,23 @@ std::vector<std::pair<std::string, int>> Collection_database::descriptors()
   return result;
 }
 
-std::vector<std::string> Collection_database::options()
+std::vector<std::string> Collection_database::texts(const char* const sql)
 {
-  Statement statement(m_database.get(), m_path,
-                      "SELECT DISTINCT options FROM shape WHERE outcome = 'done' ORDER BY options");
+  Statement statement(m_database.get(), m_path, sql);
   std::vector<std::string> result;
   while(statement.step())
     result.push_back(statement.text(0));
   return result;
+}
+
+std::vector<std::string> Collection_database::paths()
+{
+  return texts("SELECT path FROM shape ORDER BY path");
+}
+
+std::vector<std::string> Collection_database::options()
+{
+  return texts("SELECT DISTINCT options FROM shape WHERE outcome = 'done' ORDER BY options");
 }
 
 Described_collection Collection_database::values(const std::vector<Requested_descriptor>& requested,

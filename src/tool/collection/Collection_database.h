@@ -82,6 +82,9 @@ public:
   // Returns name and version of each descriptor that a shape has.
   std::vector<std::pair<std::string, int>> descriptors();
 
+  // Returns the paths of all shapes, in their order.
+  std::vector<std::string> paths();
+
   // Returns the options under which shapes were described.
   std::vector<std::string> options();
 
@@ -103,6 +106,9 @@ private:
   };
 
   void execute(const char* sql);
+
+  // The first column of the answer.
+  std::vector<std::string> texts(const char* sql);
 
   std::string m_path;
   std::unique_ptr<sqlite3, Close> m_database;

@@ -10,6 +10,7 @@
 #include "formats/Cgal_types.h"
 #include "formats/Mesh_file.h"
 
+#include <cstdlib>
 #include <iostream>
 
 namespace Canonical_pose_tool {
@@ -21,9 +22,10 @@ void add_check_options(Command_options& o)
   add_input(o);
   add_report(o);
   add_quiet(o);
+  o.app.add_flag("--strict", o.arguments.is_strict, "exit code 3 if there are defects");
 }
 
-void run_check(Arguments& arguments)
+int run_check(Arguments& arguments)
 {
   Stage_clock clock;
   Output_files files({arguments.report});
@@ -38,6 +40,7 @@ void run_check(Arguments& arguments)
   files.commit();
   if(!arguments.quiet)
     write_table(std::cout, diagnosis);
+  return arguments.is_strict && !diagnosis.defects.empty() ? DEFECTS_FOUND : EXIT_SUCCESS;
 }
 
 } // namespace

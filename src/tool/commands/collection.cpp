@@ -21,6 +21,7 @@
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iomanip>
@@ -241,17 +242,40 @@ private:
   std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();
 };
 
+// Outcome, path and message, with tabulators between them.
+std::string line_of(const Shape_row& row)
+{
+  return name_of(row.outcome) + '\t' + row.key.path
+         + (row.message.empty() ? "" : '\t' + row.message) + '\n';
+}
+
 void write_summary(std::ostream& out, const std::vector<std::string>& paths,
                    const std::size_t number_of_jobs, Collection_database& database)
 {
   std::map<Outcome, std::size_t> numbers;
+  std::string failures;
   for(const std::string& path : paths)
     if(const auto row = database.row_of(path))
+    {
       ++numbers[row->outcome];
+      if(row->outcome != Outcome::DONE)
+        failures += line_of(*row);
+    }
   out << paths.size() << (paths.size() == 1 ? " shape, " : " shapes, ") << number_of_jobs
       << " computed now\n";
   for(const auto& [outcome, number] : numbers)
     out << std::left << std::setw(14) << name_of(outcome) << number << '\n';
+  out << failures;
+}
+
+// All shapes of the database, or those without a result.
+void list_collection(const Arguments& arguments)
+{
+  Collection_database database(arguments.database, false);
+  for(const std::string& path : database.paths())
+    if(const auto row = database.row_of(path);
+       row && !(arguments.are_failures_listed && row->outcome == Outcome::DONE))
+      std::cout << line_of(*row);
 }
 
 void compute_collection(const Arguments& arguments, const Run_jobs& run_by_mpi)
@@ -294,12 +318,22 @@ void compute_collection(const Arguments& arguments, const Run_jobs& run_by_mpi)
 
 void add_collection_options(Command_options& o)
 {
-  o.app
-    .add_option("INPUT", o.arguments.inputs,
-                "surfaces, folders with surfaces, and @lists of paths, one per line")
-    ->required()
-    ->check(path());
+  CLI::Option* const input
+    = o.app
+        .add_option("INPUT", o.arguments.inputs,
+                    "surfaces, folders with surfaces, and @lists of paths, one per line")
+        ->required()
+        ->check(path());
   add_database(o);
+  CLI::Option* const list = o.app.add_flag_callback(
+    "--list",
+    [input, &arguments = o.arguments] {
+      arguments.is_listed = true;
+      input->required(false);
+    },
+    "compute nothing, but print outcome, path and message of all shapes");
+  o.app.add_flag("--failed", o.arguments.are_failures_listed, "list only shapes without a result")
+    ->needs(list);
   o.app
     .add_option("--descriptor", o.arguments.descriptors,
                 "a descriptor, as in describe; may be repeated; default: all")
@@ -324,9 +358,13 @@ void add_collection_options(Command_options& o)
   add_recorded_method_options(o);
 }
 
-void run_collection(Arguments& arguments)
+int run_collection(Arguments& arguments)
 {
-  with_mpi([&](const Run_jobs& run) { compute_collection(arguments, run); });
+  if(arguments.is_listed)
+    list_collection(arguments);
+  else
+    with_mpi([&](const Run_jobs& run) { compute_collection(arguments, run); });
+  return EXIT_SUCCESS;
 }
 
 } // namespace

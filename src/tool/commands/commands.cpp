@@ -23,7 +23,7 @@ void accept_anything(Command_options& o) { o.app.allow_extras(); }
 
 namespace {
 
-void run_without_collections(Arguments&)
+int run_without_collections(Arguments&)
 {
   throw std::runtime_error("collections are not available in this build, without SQLite");
 }
@@ -43,7 +43,7 @@ const Command COLLECTION_COMMAND
 
 namespace {
 
-void run_without_page(Arguments&)
+int run_without_page(Arguments&)
 {
   throw std::runtime_error("pages are not available in this build, without npm");
 }

@@ -19,7 +19,7 @@ struct Command
   const char* summary;               // empty: not shown
   std::vector<const char*> examples; // without the name of the tool
   void (*add_options)(Command_options&);
-  void (*run)(Arguments&); // throws an exception on failure
+  int (*run)(Arguments&); // returns the exit code; throws an exception on failure
 };
 
 extern const Command POSE_COMMAND, SEGMENT_COMMAND, DESCRIBE_COMMAND, COLLECTION_COMMAND,

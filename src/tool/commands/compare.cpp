@@ -11,6 +11,7 @@
 #include <CGAL/Canonical_pose_3/pose_difference.h>
 
 #include <cstddef>
+#include <cstdlib>
 #include <iostream>
 #include <sstream>
 #include <stdexcept>
@@ -62,12 +63,13 @@ void add_compare_options(Command_options& o)
     ->expected(2, -1);
 }
 
-void run_compare(Arguments& arguments)
+int run_compare(Arguments& arguments)
 {
   std::vector<Point_matrix> poses;
   for(const std::string& path : arguments.poses)
     poses.push_back(matrix_of(points_of(read_other_mesh_file(path))));
   write_differences(std::cout, arguments.poses, poses);
+  return EXIT_SUCCESS;
 }
 
 } // namespace

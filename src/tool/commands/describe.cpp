@@ -11,6 +11,7 @@
 #include "descriptors.h"
 #include "formats/Mesh_file.h"
 
+#include <cstdlib>
 #include <ostream>
 #include <vector>
 
@@ -33,7 +34,7 @@ void add_describe_options(Command_options& o)
   add_method_options_for_each_component(o);
 }
 
-void run_describe(Arguments& arguments)
+int run_describe(Arguments& arguments)
 {
   Output_files files({arguments.output});
   const std::vector<Descriptor> chosen = descriptors(arguments.descriptors);
@@ -42,6 +43,7 @@ void run_describe(Arguments& arguments)
   files.write(arguments.output,
               [&](std::ostream& out) { write_descriptors(out, shape.descriptors); });
   files.commit();
+  return EXIT_SUCCESS;
 }
 
 } // namespace

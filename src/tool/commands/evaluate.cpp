@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <iostream>
 #include <map>
@@ -242,7 +243,7 @@ void add_evaluate_options(Command_options& o)
     ->check(path());
 }
 
-void run_evaluate(Arguments& arguments)
+int run_evaluate(Arguments& arguments)
 {
   Output_files files({arguments.csv, arguments.plot});
   Collection_database database(arguments.database, false);
@@ -258,6 +259,7 @@ void run_evaluate(Arguments& arguments)
   files.write(arguments.plot, [&](std::ostream& out) { draw(out, all); });
   files.commit();
   write_tables(std::cout, all, classes);
+  return EXIT_SUCCESS;
 }
 
 } // namespace

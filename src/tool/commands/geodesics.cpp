@@ -15,6 +15,7 @@
 
 #include <Eigen/Core>
 
+#include <cstdlib>
 #include <ostream>
 #include <stdexcept>
 
@@ -37,7 +38,7 @@ void add_geodesics_options(Command_options& o)
   add_common(o);
 }
 
-void run_geodesics(Arguments& arguments)
+int run_geodesics(Arguments& arguments)
 {
   check_format_of_values(arguments.output);
   Output_files files({arguments.output});
@@ -53,6 +54,7 @@ void run_geodesics(Arguments& arguments)
     out << distances.format(Eigen::IOFormat(17, Eigen::DontAlignCols, " ", "\n", "", "", "", "\n"));
   });
   files.commit();
+  return EXIT_SUCCESS;
 }
 
 } // namespace

@@ -13,6 +13,7 @@
 #include <boost/archive/iterators/transform_width.hpp>
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -70,7 +71,7 @@ void add_page_options(Command_options& o)
     ->check(path());
 }
 
-void run_page(Arguments& arguments)
+int run_page(Arguments& arguments)
 {
   Output_files files({arguments.output});
   std::vector<std::string> scenes;
@@ -88,6 +89,7 @@ void run_page(Arguments& arguments)
     out << PAGE_TAIL;
   });
   files.commit();
+  return EXIT_SUCCESS;
 }
 
 } // namespace

@@ -15,6 +15,7 @@
 
 #include <Eigen/Core>
 
+#include <cstdlib>
 #include <iostream>
 #include <stdexcept>
 #include <string>
@@ -166,7 +167,7 @@ void check_formats(const Arguments& arguments)
     throw std::invalid_argument("--body: a tetrahedral mesh is its own body");
 }
 
-void run_pose(Arguments& arguments)
+int run_pose(Arguments& arguments)
 {
   Stage_clock clock;
   check_formats(arguments);
@@ -207,6 +208,7 @@ void run_pose(Arguments& arguments)
   files.commit();
   if(!arguments.quiet)
     write_outcome(std::cout, summary);
+  return EXIT_SUCCESS;
 }
 
 } // namespace

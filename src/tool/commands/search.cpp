@@ -11,6 +11,7 @@
 #include "collection/described_collection.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <iostream>
 #include <numeric>
 #include <stdexcept>
@@ -33,7 +34,7 @@ void add_search_options(Command_options& o)
   add_recorded_method_options(o);
 }
 
-void run_search(Arguments& arguments)
+int run_search(Arguments& arguments)
 {
   Collection_database database(arguments.database, false);
   const std::vector<Weighted_descriptor> chosen = chosen_descriptors(arguments, database);
@@ -58,6 +59,7 @@ void run_search(Arguments& arguments)
   for(std::size_t i = 0; i < (std::min)(arguments.number_of_answers, order.size()); ++i)
     std::cout << i + 1 << ' ' << distance[static_cast<Eigen::Index>(order[i])] << ' '
               << shapes.paths[order[i]] << '\n';
+  return EXIT_SUCCESS;
 }
 
 } // namespace

@@ -13,6 +13,7 @@
 #include "formats/Mesh_file.h"
 
 #include <cstddef>
+#include <cstdlib>
 #include <filesystem>
 #include <iostream>
 #include <optional>
@@ -141,7 +142,7 @@ void add_segment_options(Command_options& o)
   add_method_options_for_each_component(o);
 }
 
-void run_segment(Arguments& arguments)
+int run_segment(Arguments& arguments)
 {
   Stage_clock clock;
   if(is_folder(arguments.output))
@@ -161,10 +162,11 @@ void run_segment(Arguments& arguments)
   write_parts(input, parts, report.parts.size(), arguments, report, clock);
   folder.keep();
   if(arguments.quiet)
-    return;
+    return EXIT_SUCCESS;
   std::cout << report.parts.size() << (report.parts.size() == 1 ? " part\n" : " parts\n");
   for(const std::string& warning : report.warnings)
     std::cout << "warning: " << warning << '\n';
+  return EXIT_SUCCESS;
 }
 
 } // namespace

@@ -19,6 +19,7 @@
 #include <nlohmann/json.hpp>
 
 #include <cstddef>
+#include <cstdlib>
 #include <iostream>
 #include <sstream>
 #include <vector>
@@ -38,7 +39,7 @@ void add_shape_options(Command_options& o)
   add_method_options_for_each_component(o);
 }
 
-void run_shape(Arguments& arguments)
+int run_shape(Arguments& arguments)
 {
   namespace CP = CGAL::Canonical_pose_3;
   Stage_clock clock;
@@ -75,6 +76,7 @@ void run_shape(Arguments& arguments)
   std::cout << nlohmann::ordered_json{{"report", nlohmann::ordered_json::parse(report.str())},
                                       {"descriptors", nlohmann::ordered_json::parse(values.str())},
                                       {"parts", parts}};
+  return EXIT_SUCCESS;
 }
 
 } // namespace
