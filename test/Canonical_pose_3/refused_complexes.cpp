@@ -43,12 +43,9 @@ void refused(const Triangulation& triangulation, const My_complex& complex)
   std::map<Triangulation::Vertex_handle, Kernel::Point_3> pose;
   std::map<Mesh::Vertex_index, Triangulation::Vertex_handle> origin;
   Mesh mesh;
-#if defined(REFUSED_TRIANGULATION)
+  CGAL::Canonical_pose_3::complex_body(CGAL::Canonical_pose_3::Labeled_cells_3(complex, 1));
   CGAL::canonical_pose_3(triangulation, boost::make_assoc_property_map(pose));
   CGAL::Canonical_pose_3::complex_body(triangulation);
   CGAL::Canonical_pose_3::extract_boundary(triangulation, mesh,
                                            boost::make_assoc_property_map(origin));
-#elif defined(REFUSED_LABELS)
-  CGAL::Canonical_pose_3::complex_body(CGAL::Canonical_pose_3::Labeled_cells_3(complex, 1));
-#endif
 }
