@@ -35,6 +35,15 @@ const Command* first_command(char** const begin, char** const end)
   return nullptr;
 }
 
+// CLI11 takes the next word as the value of "--option=".
+void check_values(char** const begin, char** const end)
+{
+  for(char** word = begin; word != end; ++word)
+    if(const std::string text = *word; text.size() > 3 && text.compare(0, 2, "--") == 0
+                                       && text.back() == '=' && text.find('=') == text.size() - 1)
+      throw CLI::ValidationError(text.substr(0, text.size() - 1), "the value is empty");
+}
+
 } // namespace
 
 std::optional<int> parse_command_line(const int argc, char* argv[], Arguments& arguments)
@@ -59,6 +68,9 @@ std::optional<int> parse_command_line(const int argc, char* argv[], Arguments& a
     {
       Command_options options = {subcommand, arguments, raw};
       command->add_options(options);
+      for(CLI::Option* const option : subcommand.get_options())
+        if(option->get_expected_max() == 0)
+          option->disable_flag_override(); // --quiet=false would be the same as --quiet
     }
   }
   try
@@ -66,6 +78,7 @@ std::optional<int> parse_command_line(const int argc, char* argv[], Arguments& a
     if(chosen == nullptr && argc > 1 && argv[1][0] != '-')
       throw CLI::ExtrasError("'" + std::string(argv[1]) + "' is not a command",
                              CLI::ExitCodes::ExtrasError);
+    check_values(argv + 1, argv + argc);
     app.parse(argc, argv);
     take(raw, arguments);
   }

@@ -139,7 +139,8 @@ void add_input(Command_options& o)
   o.app
     .add_option("INPUT", o.arguments.input,
                 "surface (.off, .obj, .ply, .stl, .glb, .gltf) or tetrahedral mesh (MEDIT, .mesh)")
-    ->required();
+    ->required()
+    ->check(path());
 }
 
 void add_report(Command_options& o)
@@ -281,7 +282,8 @@ void add_recorded_method_options(Command_options& o)
     {
       const CLI::Option& option = *options[i];
       const std::string name = option.get_name();
-      if(option.count() == 0 || name == "--threads" || name == "--quiet")
+      if(option.count() == 0 || name == "--threads" || name == "--quiet"
+         || (name == "--injective" && app.count("--paper-weights") == 0)) // the default
         continue;
       if(option.get_expected_max() == 0)
         arguments.pose_words.push_back(name);

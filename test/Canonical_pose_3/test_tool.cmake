@@ -118,6 +118,10 @@ endforeach()
 expect_exit(1 check truncated.off)
 expect_exit(0 check ball.off --strict)
 expect_exit(3 check hole.off --strict)
+foreach(wrong IN ITEMS --strict=false --report=)
+  expect_exit(2 check ball.off ${wrong} --quiet)
+endforeach()
+expect_exit(2 check "")
 # Two cells that share a vertex do not intersect, and it is named as in the file.
 file(WRITE ${WORK}/pinched.mesh "MeshVersionFormatted 1\nDimension 3\nVertices\n8\n9 9 9 0\n1 0 0 0\n0 1 0 0\n0 0 1 0\n"
   "-1 0 0 0\n0 -1 0 0\n0 0 -1 0\n0 0 0 0\nTetrahedra\n2\n8 2 3 4 0\n8 5 6 7 0\nEnd\n")

@@ -17,7 +17,7 @@ run_tool(collection ball.off --database collection.db --descriptor shape-distrib
 expect_match("${stdout}" "^1 shape, 0 computed now\ndone +1\n$")
 run_tool(collection ball.off --database collection.db) # the other descriptors
 expect_match("${stdout}" "^1 shape, 1 computed now\ndone +1\n$")
-run_tool(collection ball.off --database collection.db --landmarks 80 --detail-length 0.10 --components each) # defaults
+run_tool(collection ball.off --database collection.db --landmarks 80 --detail-length 0.10 --components each --injective) # defaults
 expect_match("${stdout}" "^1 shape, 0 computed now\ndone +1\n$")
 run_tool(collection ball.off --database collection.db --rounds 0) # other options
 expect_match("${stdout}" "^1 shape, 1 computed now\ndone +1\n$")
@@ -44,6 +44,7 @@ run_tool(collection --list --failed --database rows.db)
 expect_match("${exit_code}${stdout}${stderr}" "^0refused\t[^\n]*missing.off\t[^\n]*\nrefused\t[^\n]*huge.off\t[^\n]*\n$")
 run_tool(collection --list --database rows.db)
 expect_match("${exit_code}${stdout}${stderr}" "^0refused\t[^\n]*missing.off\t[^\n]*\ndone\t[^\n]*ball.off\n")
+expect_exit(2 collection shapes --list --database rows.db)
 expect_exit(2 collection --failed shapes --database rows.db)
 expect_exit(2 collection --database rows.db)
 file(REMOVE_RECURSE ${WORK}/scenes)

@@ -332,6 +332,7 @@ void add_collection_options(Command_options& o)
       input->required(false);
     },
     "compute nothing, but print outcome, path and message of all shapes");
+  list->excludes(input);
   o.app.add_flag("--failed", o.arguments.are_failures_listed, "list only shapes without a result")
     ->needs(list);
   o.app
@@ -373,7 +374,8 @@ const Command COLLECTION_COMMAND
   = {"collection",
      "describes many surfaces and stores the results in a database",
      {"collection meshes/ --database meshes.db",
-      "collection @paths.txt --database meshes.db --poses poses/ --time-limit 600"},
+      "collection @paths.txt --database meshes.db --poses poses/ --time-limit 600",
+      "collection --list --failed --database meshes.db"},
      add_collection_options,
      run_collection};
 
