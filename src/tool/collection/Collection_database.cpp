@@ -287,6 +287,11 @@ std::vector<std::string> Collection_database::paths()
   return texts("SELECT path FROM shape ORDER BY path");
 }
 
+std::vector<std::string> Collection_database::paths_of_described()
+{
+  return texts("SELECT path FROM shape WHERE outcome = 'done' ORDER BY path");
+}
+
 std::vector<std::string> Collection_database::options()
 {
   return texts("SELECT DISTINCT options FROM shape WHERE outcome = 'done' ORDER BY options");

@@ -85,6 +85,9 @@ public:
   // Returns the paths of all shapes, in their order.
   std::vector<std::string> paths();
 
+  // The same, of those with a result.
+  std::vector<std::string> paths_of_described();
+
   // Returns the options under which shapes were described.
   std::vector<std::string> options();
 

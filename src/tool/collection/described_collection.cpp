@@ -86,6 +86,16 @@ Described_collection values_of(Collection_database& database,
   return result;
 }
 
+void warn_of_missing(std::ostream& out, Collection_database& database,
+                     const Described_collection& shapes)
+{
+  const std::size_t n = database.paths_of_described().size();
+  if(shapes.paths.size() < n)
+    out << "canonical-pose: warning: " << n - shapes.paths.size() << " of " << n
+        << " described shapes are left out: they lack a descriptor, or were described under other "
+           "options\n";
+}
+
 std::vector<Described_shape> described_shape(const Arguments& arguments,
                                              const std::vector<Weighted_descriptor>& chosen)
 {

@@ -9,6 +9,7 @@
 #include "Report.h"
 #include "descriptors.h"
 
+#include <iosfwd>
 #include <optional>
 #include <string>
 #include <vector>
@@ -34,6 +35,10 @@ std::vector<Weighted_descriptor> chosen_descriptors(const Arguments& arguments,
 Described_collection values_of(Collection_database& database,
                                const std::vector<Weighted_descriptor>& chosen,
                                const std::optional<std::string>& options);
+
+// Says how many described shapes are not among these, if any.
+void warn_of_missing(std::ostream& out, Collection_database& database,
+                     const Described_collection& shapes);
 
 // The values of the input.
 std::vector<Described_shape> described_shape(const Arguments& arguments,

@@ -253,6 +253,7 @@ int run_evaluate(Arguments& arguments)
                                 + name_of_options(options[0]) + ", " + name_of_options(options[1]));
   const std::vector<Weighted_descriptor> chosen = chosen_descriptors(arguments, database);
   const Described_collection shapes = values_of(database, chosen, std::nullopt);
+  warn_of_missing(std::cerr, database, shapes);
   const Classified_shapes classes = classified(shapes, read_classes(arguments.classes));
   const std::vector<Named_evaluation> all = evaluations(arguments, chosen, shapes, classes);
   files.write(arguments.csv, [&](std::ostream& out) { write_csv(out, all, classes); });

@@ -39,6 +39,7 @@ int run_search(Arguments& arguments)
   Collection_database database(arguments.database, false);
   const std::vector<Weighted_descriptor> chosen = chosen_descriptors(arguments, database);
   const Described_collection shapes = values_of(database, chosen, arguments.pose_options);
+  warn_of_missing(std::cerr, database, shapes);
   const std::vector<Described_shape> query = described_shape(arguments, chosen);
 
   // The sum of the distances, after each was divided by its mean.
