@@ -10,6 +10,9 @@
 
 #include "exact_geodesics.h" // of the tool
 
+#include <string>
+#include <vector>
+
 namespace Canonical_pose_benchmark {
 
 /// Reads and removes --geodesics, --body, --components and --rounds.
@@ -17,11 +20,8 @@ inline CGAL::Canonical_pose_3::Options take_options(Argument_list& list)
 {
   using Options = CGAL::Canonical_pose_3::Options;
   Options options;
-  const std::size_t geodesics = list.take_choice("--geodesics", {"heat", "wavefront", "exact"});
-  if(geodesics == 1)
-    options.geodesics = Options::Geodesics::WAVEFRONT;
-  else if(geodesics == 2)
-    options.landmark_fields_function = Canonical_pose_tool::exact_landmark_fields();
+  const std::vector<std::string> geodesics = {"heat", "wavefront", "exact"};
+  Canonical_pose_tool::set_geodesics(options, geodesics[list.take_choice("--geodesics", geodesics)]);
   options.body
     = static_cast<Options::Body>(list.take_choice("--body", {"auto", "lattice", "tetgen", "mesh"}));
   options.components = static_cast<Options::Components>(

@@ -35,18 +35,13 @@ std::optional<long long> integer_of(const py::handle& value)
                         : (std::numeric_limits<long long>::min)();
 }
 
-enum class Geodesics { HEAT, WAVEFRONT, EXACT };
-
 void take_geodesics(Keywords& keywords, Options& options)
 {
-  static const Canonical_pose_tool::Option_values<Geodesics> choices
-    = {{"heat", Geodesics::HEAT}, {"wavefront", Geodesics::WAVEFRONT}, {"exact", Geodesics::EXACT}};
-  Geodesics geodesics = Geodesics::HEAT;
-  keywords.take_choice("geodesics", choices, geodesics);
-  if(geodesics == Geodesics::WAVEFRONT)
-    options.geodesics = Options::Geodesics::WAVEFRONT;
-  if(geodesics == Geodesics::EXACT)
-    options.landmark_fields_function = Canonical_pose_tool::exact_landmark_fields();
+  static const Canonical_pose_tool::Option_values<std::string> choices
+    = {{"heat", "heat"}, {"wavefront", "wavefront"}, {"exact", "exact"}};
+  std::string name = "heat";
+  keywords.take_choice("geodesics", choices, name);
+  Canonical_pose_tool::set_geodesics(options, name);
 }
 
 // A constraint: vertices, then numbers, then optionally a stiffness.

@@ -39,8 +39,8 @@ const Command* first_command(char** const begin, char** const end)
 void check_values(char** const begin, char** const end)
 {
   for(char** word = begin; word != end; ++word)
-    if(const std::string text = *word; text.size() > 3 && text.compare(0, 2, "--") == 0
-                                       && text.back() == '=' && text.find('=') == text.size() - 1)
+    if(const std::string text = *word;
+       text.compare(0, 2, "--") == 0 && text.size() > 3 && text.find('=') == text.size() - 1)
       throw CLI::ValidationError(text.substr(0, text.size() - 1), "the value is empty");
 }
 
@@ -70,7 +70,8 @@ std::optional<int> parse_command_line(const int argc, char* argv[], Arguments& a
       command->add_options(options);
       for(CLI::Option* const option : subcommand.get_options())
         if(option->get_expected_max() == 0)
-          option->disable_flag_override(); // --quiet=false would be the same as --quiet
+          option
+            ->disable_flag_override(); // for collections, --injective=false would be --injective
     }
   }
   try

@@ -4,6 +4,7 @@
 #include "command_options.h"
 #include "exact_geodesics.h"
 #include "formats/Mesh_file.h"
+#include "formats/Shortest_numbers.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -100,14 +101,14 @@ void take_constraints(const Raw_arguments& raw, Options& options)
   }
 }
 
-// The same text for the same number.
+// The same text for the same number. Integers are such texts already.
 std::string as_value(const std::string& text)
 {
   const std::optional<double> number = real_of(text);
-  if(!number)
+  if(!number || count_of<unsigned long long>(text))
     return text;
   std::ostringstream out;
-  out.precision(17);
+  use_shortest_numbers(out);
   out << *number;
   return out.str();
 }
@@ -134,18 +135,22 @@ CLI::Validator path()
     "PATH");
 }
 
+CLI::Option* add_path(Command_options& o, const std::string& name, std::string& value,
+                      const std::string& help)
+{
+  return o.app.add_option(name, value, help)->check(path());
+}
+
 void add_input(Command_options& o)
 {
-  o.app
-    .add_option("INPUT", o.arguments.input,
-                "surface (.off, .obj, .ply, .stl, .glb, .gltf) or tetrahedral mesh (MEDIT, .mesh)")
-    ->required()
-    ->check(path());
+  add_path(o, "INPUT", o.arguments.input,
+           "surface (.off, .obj, .ply, .stl, .glb, .gltf) or tetrahedral mesh (MEDIT, .mesh)")
+    ->required();
 }
 
 void add_report(Command_options& o)
 {
-  o.app.add_option("--report", o.arguments.report, "also write a report (JSON)")->check(path());
+  add_path(o, "--report", o.arguments.report, "also write a report (JSON)");
 }
 
 void add_quiet(Command_options& o)
@@ -168,22 +173,14 @@ void add_common(Command_options& o)
 
 void add_constraints(Command_options& o)
 {
-  o.app
-    .add_option("--spring", o.raw.springs,
-                "I,J,LENGTH[,STIFFNESS]: a spring between two vertices; may be repeated")
-    ->allow_extra_args(false);
-  o.app
-    .add_option("--direction", o.raw.directions,
-                "I,J,X,Y,Z[,STIFFNESS]: the vector to one vertex from another; may be repeated")
-    ->allow_extra_args(false);
-  o.app
-    .add_option("--handle", o.raw.handles,
-                "I,X,Y,Z[,STIFFNESS]: the position of a vertex; may be repeated")
-    ->allow_extra_args(false);
-  o.app
-    .add_option("--symmetric", o.raw.symmetric_pairs,
-                "I,J[,STIFFNESS]: two vertices that mirror each other; may be repeated")
-    ->allow_extra_args(false);
+  const auto add = [&](const char* const name, std::vector<std::string>& texts, const char* help) {
+    o.app.add_option(name, texts, std::string(help) + "; may be repeated")->allow_extra_args(false);
+  };
+  add("--spring", o.raw.springs, "I,J,LENGTH[,STIFFNESS]: a spring between two vertices");
+  add("--direction", o.raw.directions,
+      "I,J,X,Y,Z[,STIFFNESS]: the vector to one vertex from another");
+  add("--handle", o.raw.handles, "I,X,Y,Z[,STIFFNESS]: the position of a vertex");
+  add("--symmetric", o.raw.symmetric_pairs, "I,J[,STIFFNESS]: two vertices that mirror each other");
 }
 
 void add_method_options(Command_options& o)
@@ -298,15 +295,12 @@ void add_recorded_method_options(Command_options& o)
 
 void add_given_pose(Command_options& o)
 {
-  o.app.add_option("--pose", o.arguments.pose, "take this pose instead of computing one")
-    ->check(path());
+  add_path(o, "--pose", o.arguments.pose, "take this pose instead of computing one");
 }
 
 void add_database(Command_options& o)
 {
-  o.app.add_option("--database", o.arguments.database, "the collection (SQLite)")
-    ->required()
-    ->check(path());
+  add_path(o, "--database", o.arguments.database, "the collection (SQLite)")->required();
 }
 
 void add_weighted_descriptors(Command_options& o)
@@ -333,10 +327,7 @@ void take(const Raw_arguments& raw, Arguments& arguments)
   options.solver = SOLVERS.at(raw.solver);
   options.contacts = CONTACTS.at(raw.contacts);
   options.target_mode = TARGET_MODES.at(raw.target_mode);
-  if(arguments.geodesics == "wavefront")
-    options.geodesics = Options::Geodesics::WAVEFRONT;
-  else if(arguments.geodesics == "exact")
-    options.landmark_fields_function = exact_landmark_fields();
+  set_geodesics(options, arguments.geodesics);
   if(!raw.paper_weights.empty())
   {
     const std::vector<std::string> weights = words("--paper-weights", raw.paper_weights, 2, 2);

@@ -59,6 +59,10 @@ CLI::Validator number(double least, double largest);
 // An empty path, for example from an unset shell variable, is not the same as a missing option.
 CLI::Validator path();
 
+// A file or folder; not required.
+CLI::Option* add_path(Command_options& o, const std::string& name, std::string& value,
+                      const std::string& help);
+
 void add_input(Command_options& o);
 void add_report(Command_options& o);
 void add_quiet(Command_options& o);

@@ -14,6 +14,7 @@
 
 #include <array>
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace Canonical_pose_tool {
@@ -23,6 +24,15 @@ using Exact_geodesics = CGAL::Canonical_pose_3::Exact_geodesics_3<Surface>;
 inline CGAL::Canonical_pose_3::Landmark_fields_function exact_landmark_fields()
 {
   return CGAL::Canonical_pose_3::landmark_fields_function<Exact_geodesics>();
+}
+
+// The distances of that name: heat, wavefront, exact.
+inline void set_geodesics(CGAL::Canonical_pose_3::Options& options, const std::string& name)
+{
+  if(name == "wavefront")
+    options.geodesics = CGAL::Canonical_pose_3::Options::Geodesics::WAVEFRONT;
+  else if(name == "exact")
+    options.landmark_fields_function = exact_landmark_fields();
 }
 
 // See CGAL::Canonical_pose_3::Distances_function.

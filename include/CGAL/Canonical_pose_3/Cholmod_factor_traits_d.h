@@ -12,14 +12,10 @@
 
 #include <memory>
 
+struct cholmod_factor_struct; // of CHOLMOD
+
 namespace CGAL {
 namespace Canonical_pose_3 {
-
-namespace internal {
-
-class Cholmod_solver;
-
-} // namespace internal
 
 /*!
 \ingroup PkgCanonicalPose3Ref
@@ -90,7 +86,7 @@ public:
   /// @}
 
 private:
-  std::shared_ptr<const internal::Cholmod_solver> m_solver;
+  std::shared_ptr<cholmod_factor_struct> m_factor;
 };
 
 } // namespace Canonical_pose_3

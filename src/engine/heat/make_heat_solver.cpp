@@ -44,8 +44,7 @@ class Intrinsic_heat_solver final : public Heat_solver
 public:
   Intrinsic_heat_solver(const Face_corners& corners, const Point_matrix& points,
                         const double time_step_factor, const Factor_maker factor_maker)
-    : m_surface(corners, points), m_heat(factor_maker()), m_poisson(factor_maker()),
-      m_field(triangulation())
+    : m_surface(corners, points), m_heat(factor_maker()), m_poisson(factor_maker())
   {
     const Eigen::SparseMatrix<double> laplacian = cotangent_laplacian(triangulation());
     in_parallel(
@@ -56,6 +55,7 @@ public:
         check(m_heat->factor(heat), "heat equation is not positive definite");
       },
       [&] {
+        m_field = Gradient_field(triangulation());
         check(m_poisson->factor(pinned(laplacian)), "Poisson equation is not positive definite");
       });
   }

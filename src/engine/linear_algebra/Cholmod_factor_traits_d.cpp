@@ -16,24 +16,13 @@
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
-#include <memory>
-#include <utility>
 
 namespace CGAL {
 namespace Canonical_pose_3 {
-namespace internal {
-
-struct Cholmod_solver
-{
-  Cholmod_factor_pointer factor;
-};
-
-} // namespace internal
-
 bool Cholmod_factor_traits_d::factor(const Matrix& matrix, NT& denominator)
 {
   denominator = 1;
-  m_solver.reset();
+  m_factor.reset();
   const internal::Single_threaded_blas guard;
   const internal::Openmp_off no_openmp;
   internal::Cholmod_common common;
@@ -43,14 +32,14 @@ bool Cholmod_factor_traits_d::factor(const Matrix& matrix, NT& denominator)
   if(result == nullptr || !internal::factorize(view, result.get(), common)
      || !internal::has_positive_pivots(*result, compressed.diagonal()))
     return false;
-  m_solver = std::make_shared<const internal::Cholmod_solver>(internal::Cholmod_solver{result});
+  m_factor = result;
   return true;
 }
 
 bool Cholmod_factor_traits_d::linear_solver(
   const Eigen::Ref<const Eigen::MatrixXd>& right_hand_sides, Eigen::MatrixXd& solutions) const
 {
-  CANONICAL_POSE_3_PRECONDITION(m_solver != nullptr);
+  CANONICAL_POSE_3_PRECONDITION(m_factor != nullptr);
   const internal::Single_threaded_blas guard;
   solutions.resize(right_hand_sides.rows(), right_hand_sides.cols());
   std::atomic<bool> solved(true);
@@ -63,8 +52,7 @@ bool Cholmod_factor_traits_d::linear_solver(
       const Index columns = (std::min)(width, solutions.cols() - first);
       auto result = solutions.middleCols(first, columns);
       internal::Cholmod_workspace workspace;
-      if(!workspace.solve(m_solver->factor.get(), right_hand_sides.middleCols(first, columns),
-                          result))
+      if(!workspace.solve(m_factor.get(), right_hand_sides.middleCols(first, columns), result))
         solved = false;
     });
   return solved;

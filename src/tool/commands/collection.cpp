@@ -339,8 +339,7 @@ void add_collection_options(Command_options& o)
     .add_option("--descriptor", o.arguments.descriptors,
                 "a descriptor, as in describe; may be repeated; default: all")
     ->allow_extra_args(false);
-  o.app.add_option("--poses", o.arguments.pose_folder, "folder for the poses (.off)")
-    ->check(path());
+  add_path(o, "--poses", o.arguments.pose_folder, "folder for the poses (.off)");
   o.app.add_flag("--segment", o.arguments.is_segmented, "also divide the shapes into parts");
   o.app
     .add_option("--workers", o.arguments.number_of_workers,

@@ -22,9 +22,8 @@ namespace {
 void add_describe_options(Command_options& o)
 {
   add_input(o);
-  o.app.add_option("-o,--output", o.arguments.output, "the values of the descriptors (.json)")
-    ->required()
-    ->check(path());
+  add_path(o, "-o,--output", o.arguments.output, "the values of the descriptors (.json)")
+    ->required();
   o.app
     .add_option("--descriptor", o.arguments.descriptors,
                 "heat-kernel-quantiles, shape-dna, shape-distribution-d2, views; may be repeated; "

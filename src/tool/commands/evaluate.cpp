@@ -227,20 +227,15 @@ void draw(std::ostream& out, const std::vector<Named_evaluation>& evaluations)
 void add_evaluate_options(Command_options& o)
 {
   add_database(o);
-  o.app.add_option("--classes", o.arguments.classes, "the classes: lines \"stem class\"")
-    ->required()
-    ->check(path());
+  add_path(o, "--classes", o.arguments.classes, "the classes: lines \"stem class\"")->required();
   add_weighted_descriptors(o);
   o.app
     .add_option("--rerank", o.arguments.rerank,
                 "also evaluate the answers after another ranking: manifold")
     ->check(CLI::IsMember({"manifold"}));
-  o.app
-    .add_option("--csv", o.arguments.csv,
-                "write precision-recall curves and the classes of nearest shapes")
-    ->check(path());
-  o.app.add_option("--plot", o.arguments.plot, "draw the precision-recall curves (.png)")
-    ->check(path());
+  add_path(o, "--csv", o.arguments.csv,
+           "write precision-recall curves and the classes of nearest shapes");
+  add_path(o, "--plot", o.arguments.plot, "draw the precision-recall curves (.png)");
 }
 
 int run_evaluate(Arguments& arguments)

@@ -30,11 +30,9 @@ void add_geodesics_options(Command_options& o)
     ->required()
     ->transform(integer(std::size_t(0)))
     ->allow_extra_args(false);
-  o.app
-    .add_option("-o,--output", o.arguments.output,
-                "the distances: a line per vertex, a column per source; or colors (.ply, .glb)")
-    ->required()
-    ->check(path());
+  add_path(o, "-o,--output", o.arguments.output,
+           "the distances: a line per vertex, a column per source; or colors (.ply, .glb)")
+    ->required();
   add_common(o);
 }
 

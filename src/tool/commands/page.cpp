@@ -66,9 +66,7 @@ std::string escaped(const std::string& text)
 void add_page_options(Command_options& o)
 {
   o.app.add_option("SCENE", o.arguments.inputs, "scenes, or other surfaces (.glb)")->required();
-  o.app.add_option("-o,--output", o.arguments.output, "the page (.html)")
-    ->required()
-    ->check(path());
+  add_path(o, "-o,--output", o.arguments.output, "the page (.html)")->required();
 }
 
 int run_page(Arguments& arguments)

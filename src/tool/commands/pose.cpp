@@ -111,32 +111,19 @@ Result compute_watched_pose(const Mesh_file& input, const Arguments& arguments)
 void add_pose_options(Command_options& o)
 {
   add_input(o);
-  o.app
-    .add_option("-o,--output", o.arguments.output, "the pose: INPUT's vertices and faces or cells")
-    ->required()
-    ->check(path());
-  o.app.add_option("--target", o.arguments.target, "also write the target of the registration")
-    ->check(path());
-  o.app
-    .add_option("--scene", o.arguments.scene,
-                "also write input, target and pose in one file, with an animation (.glb)")
-    ->check(path());
-  o.app
-    .add_option("--matching-weights", o.arguments.matching_weights,
-                "file of factors of the matching weights, one per vertex")
-    ->check(path());
-  o.app
-    .add_option("--stiffness", o.arguments.stiffness,
-                "file of factors of the stiffness, one per vertex of a surface, or per tetrahedron")
-    ->check(path());
-  o.app
-    .add_option("--given-target", o.arguments.given_target,
-                "take this target, as --target writes it, instead of computing one")
-    ->check(path());
-  o.app
-    .add_option("--given-distances", o.arguments.given_distances,
-                "take these distances, as geodesics writes them, instead of computing any")
-    ->check(path());
+  add_path(o, "-o,--output", o.arguments.output, "the pose: INPUT's vertices and faces or cells")
+    ->required();
+  add_path(o, "--target", o.arguments.target, "also write the target of the registration");
+  add_path(o, "--scene", o.arguments.scene,
+           "also write input, target and pose in one file, with an animation (.glb)");
+  add_path(o, "--matching-weights", o.arguments.matching_weights,
+           "file of factors of the matching weights, one per vertex");
+  add_path(o, "--stiffness", o.arguments.stiffness,
+           "file of factors of the stiffness, one per vertex of a surface, or per tetrahedron");
+  add_path(o, "--given-target", o.arguments.given_target,
+           "take this target, as --target writes it, instead of computing one");
+  add_path(o, "--given-distances", o.arguments.given_distances,
+           "take these distances, as geodesics writes them, instead of computing any");
   add_constraints(o);
   o.app
     .add_option("--frame", o.raw.frame,

@@ -125,12 +125,9 @@ void write_parts(const Mesh_file& input, const std::vector<std::size_t>& parts,
 void add_segment_options(Command_options& o)
 {
   add_input(o);
-  o.app
-    .add_option(
-      "-o,--output", o.arguments.output,
-      "the parts: numbers of the faces (.txt), colors (.ply, .glb), or a file each (folder/)")
-    ->required()
-    ->check(path());
+  add_path(o, "-o,--output", o.arguments.output,
+           "the parts: numbers of the faces (.txt), colors (.ply, .glb), or a file each (folder/)")
+    ->required();
   o.app.add_option("--parts", o.raw.parts, "number of parts: a positive number, or auto")
     ->capture_default_str();
   o.app

@@ -31,7 +31,7 @@ namespace {
 void add_shape_options(Command_options& o)
 {
   add_input(o);
-  o.app.add_option("-o,--output", o.arguments.output, "the pose")->check(path());
+  add_path(o, "-o,--output", o.arguments.output, "the pose");
   o.app.add_option("--descriptor", o.arguments.descriptors, "a descriptor")
     ->allow_extra_args(false);
   o.app.add_flag("--no-descriptor", o.arguments.has_no_descriptor, "none");
