@@ -167,11 +167,9 @@ canonical_pose_3(const PointRange& points, const PolygonRange& polygons, PosePoi
   Eigen::Index row = 0;
   for(const auto& p : points)
     rows.row(row++) = Canonical_pose_3::internal::to_row(traits, p).transpose();
-  std::vector<std::vector<std::size_t>> indices;
-  for(const auto& polygon : polygons)
-    indices.emplace_back(std::begin(polygon), std::end(polygon));
   const Result result = Canonical_pose_3::internal::pose_of_surface(
-    rows, indices, Canonical_pose_3::internal::options_of_parameters(options, np),
+    rows, Canonical_pose_3::internal::index_vectors(polygons),
+    Canonical_pose_3::internal::options_of_parameters(options, np),
     Canonical_pose_3::internal::linked_bodies());
   if(result.is_usable())
   {

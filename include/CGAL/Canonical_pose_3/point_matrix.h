@@ -93,7 +93,9 @@ inline int normalize(Point_matrix& points)
   if(!(largest > 0))
     return 0;
   const int exponent = std::ilogb(largest);
-  points = points.unaryExpr([exponent](double x) { return std::ldexp(x, -exponent); });
+  // two factors, since a single one may be out of range
+  points *= std::ldexp(1., -(exponent / 2));
+  points *= std::ldexp(1., -(exponent - exponent / 2));
   return exponent;
 }
 

@@ -55,10 +55,20 @@ examine_polygons(const Point_matrix& points, const std::vector<std::vector<std::
   return examine(std::move(triangles));
 }
 
-// The components of a surface, in one pass over it.
-inline std::vector<Surface_component_3> components_of(const Repaired_surface_3& surface)
+// The components of a surface, in one pass over it. The arrays of a single one are moved.
+inline std::vector<Surface_component_3> components_of(Repaired_surface_3& surface)
 {
   std::vector<Surface_component_3> result(surface.number_of_components);
+  if(result.size() == 1)
+  {
+    result[0].points.swap(surface.points);
+    result[0].triangles.swap(surface.triangles);
+    result[0].face_of_triangle.swap(surface.face_of_triangle);
+    result[0].caps.assign(surface.caps.begin(), surface.caps.end());
+    result[0].origins.swap(surface.origins);
+    result[0].body_origins = result[0].origins;
+    return result;
+  }
   std::vector<std::size_t> component_of_vertex(surface.origins.size());
   for(std::size_t t = 0; t < surface.triangles.size(); ++t)
   {
@@ -137,10 +147,10 @@ Prepared_surface_3 prepare_surface(const Point_matrix& points,
   const bool has_mesher = !options.make_body
                           && (options.body == Options::Body::TETGEN
                               || options.body == Options::Body::MESH_3);
-  const internal::Examined_surface examined = internal::examine_polygons(
+  internal::Examined_surface examined = internal::examine_polygons(
     points, polygons, has_mesher || options.searches_self_intersections);
   const Diagnosis_3& diagnosis = examined.diagnosis;
-  const Repaired_surface_3& surface = examined.surface;
+  Repaired_surface_3& surface = examined.surface;
   std::vector<Surface_component_3> components = internal::components_of(surface);
   const bool has_lattice = !options.make_body && !has_mesher;
   const std::vector<internal::Component_role> roles = internal::Component_roles::find(

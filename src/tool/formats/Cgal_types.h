@@ -31,6 +31,7 @@ using Point_matrix = CGAL::Canonical_pose_3::Point_matrix;
 inline std::vector<Point_3> points_of(const Mesh_file& file)
 {
   std::vector<Point_3> points;
+  points.reserve(file.points.size());
   for(const std::array<double, 3>& p : file.points)
     points.emplace_back(p[0], p[1], p[2]);
   return points;

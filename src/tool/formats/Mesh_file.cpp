@@ -11,6 +11,7 @@
 #include <cerrno>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -19,6 +20,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -35,7 +37,10 @@ std::string bytes_of_file(const std::string& path)
   if(!in)
     throw std::invalid_argument("it cannot be opened: " + std::string(std::strerror(errno)));
   std::string bytes;
-  std::vector<char> part(1 << 20); // pipes have no size
+  std::error_code has_no_size; // a pipe
+  if(const std::uintmax_t size = std::filesystem::file_size(path, has_no_size); !has_no_size)
+    bytes.reserve(size);
+  std::vector<char> part(1 << 20);
   while(in.read(part.data(), static_cast<std::streamsize>(part.size())), in.gcount() > 0)
     bytes.append(part.data(), static_cast<std::size_t>(in.gcount()));
   if(in.bad())

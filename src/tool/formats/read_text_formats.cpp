@@ -3,6 +3,7 @@
 
 #include "readers.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <stdexcept>
@@ -44,6 +45,8 @@ void read_off(const std::string& bytes, Mesh_file& mesh)
   const std::size_t vertices = text.count(word, Element{"the number of vertices"});
   const std::size_t faces = text.count(text.word_on_line(), Element{"the number of faces"});
   text.skip_line();
+  mesh.points.reserve((std::min)(vertices, bytes.size() / 6)); // the numbers may be wrong
+  mesh.faces.reserve((std::min)(faces, bytes.size() / 6));
 
   for(Element v{"vertex", 0}; v.index < vertices; ++v.index)
   {
@@ -59,6 +62,7 @@ void read_off(const std::string& bytes, Mesh_file& mesh)
     const long long corners = text.integer(text.word(), f);
     check_is_polygon(corners, f);
     std::vector<std::size_t> face;
+    face.reserve((std::min)(static_cast<std::size_t>(corners), bytes.size()));
     for(long long k = 0; k < corners; ++k)
       face.push_back(vertex_index(text.integer(text.word(), f), mesh.points.size(), f));
     mesh.faces.push_back(std::move(face));

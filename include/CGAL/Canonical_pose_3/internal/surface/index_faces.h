@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <iterator>
 #include <stdexcept>
 #include <string>
 #include <unordered_map>
@@ -23,6 +24,22 @@ namespace Canonical_pose_3 {
 namespace internal {
 
 using Index_triangle = std::array<std::size_t, 3>;
+
+// The polygons of a soup; a copy only if their type is another one.
+inline const std::vector<std::vector<std::size_t>>&
+index_vectors(const std::vector<std::vector<std::size_t>>& polygons)
+{
+  return polygons;
+}
+
+template <class PolygonRange>
+std::vector<std::vector<std::size_t>> index_vectors(const PolygonRange& polygons)
+{
+  std::vector<std::vector<std::size_t>> result;
+  for(const auto& polygon : polygons)
+    result.emplace_back(std::begin(polygon), std::end(polygon));
+  return result;
+}
 
 // A number per vertex or halfedge, for hashable descriptors.
 template <class Descriptor>
