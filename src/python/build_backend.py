@@ -47,9 +47,9 @@ Description-Content-Type: text/markdown
 def install(directory):
     """Build the module and install it below a directory."""
     build = ROOT / os.environ.get("BUILD_DIRECTORY", "build-python")
-    options = ["python=ON", "tools=OFF", "tests=OFF", "examples=OFF", "benchmark=OFF", "compiled=OFF"]
+    options = ["python=ON", "tools=OFF", "tests=OFF", "examples=OFF", "benchmark=OFF"]
     subprocess.run(["cmake", "-S", ROOT, "-B", build, "-DCMAKE_BUILD_TYPE=Release",
-                    f"-DPython_EXECUTABLE={sys.executable}", "-DPYTHON_INSTALL_DIRECTORY=.",
+                    f"-DPython_EXECUTABLE={sys.executable}", "-DPYTHON_INSTALL_DIRECTORY=.", "-DBUILD_SHARED_LIBS=OFF",
                     *(f"-DWITH_{option}" for option in options),
                     *shlex.split(os.environ.get("CMAKE_ARGS", ""))], check=True)
     subprocess.run(["cmake", "--build", build, "--target", "canonical_pose_python",

@@ -25,7 +25,7 @@ set(tetgen -DEXPECT_TETGEN=$<TARGET_EXISTS:Canonical_pose_3::tetgen>)
 add_canonical_pose_consumer_test(find_package find_package
   -DCMAKE_PREFIX_PATH=${installation} ${tetgen})
 set_tests_properties(consumer.find_package PROPERTIES FIXTURES_REQUIRED installation)
-add_test(NAME consumer.add_subdirectory COMMAND ${CMAKE_COMMAND}
+add_test(NAME consumer.add_subdirectory COMMAND ${CMAKE_COMMAND} -G ${CMAKE_GENERATOR}
   -S ${CMAKE_CURRENT_SOURCE_DIR}/test_consumer -B ${CMAKE_CURRENT_BINARY_DIR}/test_consumer/add_subdirectory
   -DWAY=add_subdirectory -DPACKAGE_DIRECTORY=${PROJECT_SOURCE_DIR} -DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER}
   -DCGAL_DIR=${CGAL_DIR} -DWITH_CHOLMOD=${WITH_CHOLMOD} -DWITH_TBB=${WITH_TBB} -DWITH_TETGEN=${WITH_TETGEN} ${tetgen})
