@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// All sources of the library in one, for ONE_SOURCE and for builds without CMake: add this file to the sources of a program, and the
-// folder include to its include directories. CGAL_CANONICAL_POSE_3_USE_CHOLMOD, CGAL_CANONICAL_POSE_3_USE_SPECTRA and
-// CGAL_LINKED_WITH_TBB, if defined, select these libraries.
+// All sources of the library in one, for ONE_SOURCE and for builds without CMake: add this file to the sources of a
+// program, and the folder include to its include directories. CGAL_CANONICAL_POSE_3_USE_CHOLMOD,
+// CGAL_CANONICAL_POSE_3_USE_SPECTRA and CGAL_LINKED_WITH_TBB, if defined, select these libraries.
 
 #include "descriptors/Heat_kernel_quantiles_3.cpp"
 #include "descriptors/Shape_distribution_d2_3.cpp"
