@@ -68,10 +68,10 @@ std::optional<int> parse_command_line(const int argc, char* argv[], Arguments& a
     {
       Command_options options = {subcommand, arguments, raw};
       command->add_options(options);
+      // Flags have no value: for collections, --injective=false would be --injective.
       for(CLI::Option* const option : subcommand.get_options())
         if(option->get_expected_max() == 0)
-          option
-            ->disable_flag_override(); // for collections, --injective=false would be --injective
+          option->disable_flag_override();
     }
   }
   try

@@ -84,6 +84,14 @@ inline void check_finite(const Point_matrix& points)
                                   + " has a coordinate that is not finite");
 }
 
+// Multiplies numbers by 2^exponent, in two steps, since the factor may be out of range.
+template <class Matrix>
+void multiply_by_power_of_two(Matrix& numbers, const int exponent)
+{
+  numbers *= std::ldexp(1., exponent / 2);
+  numbers *= std::ldexp(1., exponent - exponent / 2);
+}
+
 // Multiplies the points by a power of two, so that the largest coordinate lies in [1,2), and
 // returns the exponent that undoes it. Squares and products of coordinates cannot overflow
 // afterwards, and point sets that differ by a power of two become bitwise equal.
@@ -93,9 +101,7 @@ inline int normalize(Point_matrix& points)
   if(!(largest > 0))
     return 0;
   const int exponent = std::ilogb(largest);
-  // two factors, since a single one may be out of range
-  points *= std::ldexp(1., -(exponent / 2));
-  points *= std::ldexp(1., -(exponent - exponent / 2));
+  multiply_by_power_of_two(points, -exponent);
   return exponent;
 }
 

@@ -194,10 +194,7 @@ private:
   void finish(const Eigen::Index source, Eigen::Ref<Eigen::VectorXd> field) const
   {
     field = (field.array() - field[source]).cwiseMax(0);
-    const int exponent = m_surface.exponent();
-    // two factors, since a single one may be out of range
-    field *= std::ldexp(1., exponent / 2);
-    field *= std::ldexp(1., exponent - exponent / 2);
+    multiply_by_power_of_two(field, m_surface.exponent());
     if(components().size() > 1)
       for(Eigen::Index i = 0; i < field.size(); ++i)
         if(components()[i] != components()[source])

@@ -19,6 +19,7 @@
 
 namespace CGAL {
 namespace Canonical_pose_3 {
+
 bool Cholmod_factor_traits_d::factor(const Matrix& matrix, NT& denominator)
 {
   denominator = 1;

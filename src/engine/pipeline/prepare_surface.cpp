@@ -55,17 +55,17 @@ examine_polygons(const Point_matrix& points, const std::vector<std::vector<std::
   return examine(std::move(triangles));
 }
 
-// The components of a surface, in one pass over it. The arrays of a single one are moved.
-inline std::vector<Surface_component_3> components_of(Repaired_surface_3& surface)
+// The components of a surface, in one pass over it. A single one has its arrays.
+inline std::vector<Surface_component_3> components_of(Repaired_surface_3 surface)
 {
   std::vector<Surface_component_3> result(surface.number_of_components);
   if(result.size() == 1)
   {
-    result[0].points.swap(surface.points);
-    result[0].triangles.swap(surface.triangles);
-    result[0].face_of_triangle.swap(surface.face_of_triangle);
-    result[0].caps.assign(surface.caps.begin(), surface.caps.end());
-    result[0].origins.swap(surface.origins);
+    result[0].points = std::move(surface.points);
+    result[0].triangles = std::move(surface.triangles);
+    result[0].caps = std::move(surface.caps);
+    result[0].face_of_triangle = std::move(surface.face_of_triangle);
+    result[0].origins = std::move(surface.origins);
     result[0].body_origins = result[0].origins;
     return result;
   }
@@ -150,11 +150,12 @@ Prepared_surface_3 prepare_surface(const Point_matrix& points,
   internal::Examined_surface examined = internal::examine_polygons(
     points, polygons, has_mesher || options.searches_self_intersections);
   const Diagnosis_3& diagnosis = examined.diagnosis;
-  Repaired_surface_3& surface = examined.surface;
-  std::vector<Surface_component_3> components = internal::components_of(surface);
+  const std::vector<std::size_t> representatives = std::move(examined.surface.representatives);
+  std::vector<Surface_component_3> components
+    = internal::components_of(std::move(examined.surface));
   const bool has_lattice = !options.make_body && !has_mesher;
   const std::vector<internal::Component_role> roles = internal::Component_roles::find(
-    components, internal::find_fragments(components, surface.representatives.size()),
+    components, internal::find_fragments(components, representatives.size()),
     options.components, has_lattice);
   internal::check_roles(roles, diagnosis, components, options.components);
   if(has_mesher)
@@ -171,12 +172,9 @@ Prepared_surface_3 prepare_surface(const Point_matrix& points,
   using internal::Row_index;
   using internal::Vertex_index;
   internal::Vertex_map rows;
-  rows.representatives
-    = Indexed_vector<Vertex_index, Vertex_index>::of_numbers(surface.representatives);
-  rows.representative_rows
-    = Indexed_vector<Row_index, Row_index>::of_numbers(surface.representatives);
-  rows.vertex_of_row
-    = internal::identity_map<Row_index, Vertex_index>(surface.representatives.size());
+  rows.representatives = Indexed_vector<Vertex_index, Vertex_index>::of_numbers(representatives);
+  rows.representative_rows = Indexed_vector<Row_index, Row_index>::of_numbers(representatives);
+  rows.vertex_of_row = internal::identity_map<Row_index, Vertex_index>(representatives.size());
   Prepared_surface_3 result
     = internal::prepared(diagnosis, points, std::move(components), std::move(rows), roles, options);
   internal::refine(result.components);

@@ -86,7 +86,8 @@ public:
       find_shortest_paths([&] { find_distances(own_sources, result); });
       go_by_neighbors(result);
     }
-    return result.unaryExpr([this](const double d) { return std::ldexp(d, m_exponent); });
+    multiply_by_power_of_two(result, m_exponent);
+    return result;
   }
 
 private:

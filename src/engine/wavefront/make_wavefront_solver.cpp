@@ -72,9 +72,10 @@ private:
 
   Eigen::Index size() const { return static_cast<Eigen::Index>(m_sides.number_of_vertices()); }
 
-  static Eigen::VectorXd scaled(const Eigen::VectorXd& values, int exponent)
+  static Eigen::VectorXd scaled(Eigen::VectorXd values, const int exponent)
   {
-    return values.unaryExpr([exponent](double d) { return std::ldexp(d, exponent); });
+    multiply_by_power_of_two(values, exponent);
+    return values;
   }
 
   int m_exponent; // distances are multiplied by 2 to this power
