@@ -106,7 +106,7 @@ public:
     Eigen::MatrixX3d centroids(m_areas.size(), 3);
     for(std::size_t f = 0; f < mesh.faces.size(); ++f)
     {
-      const std::vector<std::size_t>& face = mesh.faces[f];
+      const CGAL::Canonical_pose_3::Face_list::Face face = mesh.faces[f];
       const Eigen::RowVector3d corner = point(mesh, face[0]);
       Eigen::RowVector3d normal = Eigen::RowVector3d::Zero(), sum = Eigen::RowVector3d::Zero();
       for(std::size_t k = 0; k < face.size(); ++k)

@@ -112,7 +112,7 @@ inline Parts geodesic_k_means(const Posed_mesh& shape, const std::size_t k)
     medoids = std::move(moved);
   }
   Parts result;
-  for(const std::vector<std::size_t>& face : shape.mesh.faces)
+  for(const CGAL::Canonical_pose_3::Face_list::Face face : shape.mesh.faces)
     result.push_back(static_cast<std::size_t>(cluster[face[0]]));
   return result;
 }

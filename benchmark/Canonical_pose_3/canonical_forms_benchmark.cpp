@@ -224,12 +224,7 @@ private:
   {
     const Mesh_file mesh = Canonical_pose_tool::read_mesh_file(file);
     const Component component = prepared_surface(mesh).components.front();
-    const std::vector<std::vector<std::size_t>> polygons = [&] {
-      std::vector<std::vector<std::size_t>> result;
-      for(const auto& t : component.surface.triangles)
-        result.emplace_back(t.begin(), t.end());
-      return result;
-    }();
+    const CGAL::Canonical_pose_3::Face_list polygons = component.surface.triangles;
     for(Row& row : m_rows)
     {
       const Processor_clock clock;

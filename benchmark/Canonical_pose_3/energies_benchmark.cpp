@@ -61,8 +61,7 @@ void write_off(const std::string& path, const Point_matrix& points, const Triang
   Tool::Mesh_file mesh;
   for(Eigen::Index v = 0; v < points.rows(); ++v)
     mesh.points.push_back({points(v, 0), points(v, 1), points(v, 2)});
-  for(const auto& t : triangles)
-    mesh.faces.emplace_back(t.begin(), t.end());
+  mesh.faces = triangles;
   std::ofstream out(path);
   Tool::write_mesh(out, Tool::Format::OFF, mesh);
   if(!out.flush())

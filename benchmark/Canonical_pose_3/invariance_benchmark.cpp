@@ -111,8 +111,7 @@ void add_figure(const std::size_t number_of_vertices, Poses& poses)
 {
   const Articulated_figure figure(number_of_vertices);
   Tool::Mesh_file mesh;
-  for(const auto& t : figure.triangles())
-    mesh.faces.emplace_back(t.begin(), t.end());
+  mesh.faces = figure.triangles();
   for(const auto& pose : Articulated_figure::named_poses())
   {
     mesh.points = figure.points(pose.angles);

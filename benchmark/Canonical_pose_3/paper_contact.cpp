@@ -79,13 +79,9 @@ public:
     : m_figure(vertices), m_apart(mesh_of_figure(m_figure, Articulated_figure::hand_on_knee())),
       m_merged(m_apart), m_prefix(std::move(prefix))
   {
-    m_merged.faces.clear();
-    std::set<Eigen::Index> used;
-    for(const auto& t : m_figure.merged_triangles())
-    {
-      m_merged.faces.emplace_back(t.begin(), t.end());
-      used.insert(t.begin(), t.end());
-    }
+    m_merged.faces = m_figure.merged_triangles();
+    const auto& vertices_of_faces = m_merged.faces.vertices();
+    const std::set<Eigen::Index> used(vertices_of_faces.begin(), vertices_of_faces.end());
     m_used.assign(used.begin(), used.end());
     write_picture_mesh(m_prefix, "apart", m_apart, points_of_file(m_apart));
     write_picture_mesh(m_prefix, "merged", m_merged, points_of_file(m_merged));

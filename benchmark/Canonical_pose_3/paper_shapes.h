@@ -47,8 +47,7 @@ inline Mesh_file mesh_of_figure(const Canonical_pose_examples::Articulated_figur
 {
   Mesh_file mesh;
   mesh.points = figure.points(angles);
-  for(const auto& t : figure.triangles())
-    mesh.faces.emplace_back(t.begin(), t.end());
+  mesh.faces = figure.triangles();
   return mesh;
 }
 

@@ -44,15 +44,11 @@ using Canonical_pose_examples::Articulated_figure;
 
 namespace {
 
-std::vector<std::vector<std::size_t>> polygons_of(const Mesh& mesh)
+CP::Face_list polygons_of(const Mesh& mesh)
 {
-  std::vector<std::vector<std::size_t>> polygons;
+  CP::Face_list polygons;
   for(const Mesh::Face_index f : mesh.faces())
-  {
-    polygons.emplace_back();
-    for(const Mesh::Vertex_index v : mesh.vertices_around_face(mesh.halfedge(f)))
-      polygons.back().push_back(v);
-  }
+    polygons.push_back(mesh.vertices_around_face(mesh.halfedge(f)));
   return polygons;
 }
 
@@ -93,7 +89,7 @@ struct Surface
   }
 
   CP::Point_matrix points;
-  std::vector<std::vector<std::size_t>> polygons;
+  CP::Face_list polygons;
   CP::Prepared_surface_3 prepared;
   const CP::Surface_component_3& surface;
   const CP::Component_options& options;

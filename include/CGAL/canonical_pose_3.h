@@ -168,8 +168,7 @@ canonical_pose_3(const PointRange& points, const PolygonRange& polygons, PosePoi
   for(const auto& p : points)
     rows.row(row++) = Canonical_pose_3::internal::to_row(traits, p).transpose();
   const Result result = Canonical_pose_3::internal::pose_of_surface(
-    rows, Canonical_pose_3::internal::index_vectors(polygons),
-    Canonical_pose_3::internal::options_of_parameters(options, np),
+    rows, polygons, Canonical_pose_3::internal::options_of_parameters(options, np),
     Canonical_pose_3::internal::linked_bodies());
   if(result.is_usable())
   {

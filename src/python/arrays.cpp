@@ -16,6 +16,7 @@ namespace Canonical_pose_python {
 namespace {
 
 using Canonical_pose_tool::Element;
+using Canonical_pose_tool::Face_list;
 
 std::string shape_of(const py::array& array)
 {
@@ -77,9 +78,9 @@ std::vector<std::size_t> face_of(const long long* const corners, const py::ssize
 }
 
 // Faces with the same number of corners each are a matrix, others a sequence of sequences.
-std::vector<std::vector<std::size_t>> faces_of(const py::object& values, const std::size_t n)
+Face_list faces_of(const py::object& values, const std::size_t n)
 {
-  std::vector<std::vector<std::size_t>> result;
+  Face_list result;
   if(py::isinstance<py::array>(values) && py::array(values).dtype().kind() != 'O')
   {
     const Integers faces = integers_of(values, "faces");

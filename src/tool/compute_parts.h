@@ -56,7 +56,7 @@ inline std::vector<std::size_t> compute_parts(const Segmentation_input& input,
     }
   report.stages.emplace_back("pose", clock.lap());
   const Point_matrix points = matrix_of(points_of(input.surface));
-  const std::vector<std::vector<std::size_t>>& faces = input.surface.faces;
+  const CP::Face_list& faces = input.surface.faces;
   std::vector<std::size_t> parts;
   if(input.method == "kmeans")
     parts = CP::k_means_parts(pose.rows() > 0 ? pose : points, faces, options);

@@ -4,6 +4,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_TOOL_DESCRIPTORS_H
 #define CGAL_CANONICAL_POSE_3_TOOL_DESCRIPTORS_H
 
+#include <CGAL/Canonical_pose_3/Face_list.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <Eigen/Core>
@@ -23,7 +24,7 @@ struct Descriptor
   double weight; // among others, if the user gives none; see the manual on how it was chosen
   // Throws std::invalid_argument if the surface cannot be described.
   std::function<Eigen::VectorXd(const CGAL::Canonical_pose_3::Point_matrix& points,
-                                const std::vector<std::vector<std::size_t>>& polygons)>
+                                const CGAL::Canonical_pose_3::Face_list& polygons)>
     values;
   Eigen::Index size; // of the values
   // The distances of a query to the columns of a matrix.

@@ -219,8 +219,7 @@ public:
   std::string name() const { return "powers"; }
   int version() const { return 1; }
   std::size_t size() const { return m_size; }
-  Eigen::VectorXd operator()(const Point_matrix& points,
-                             const std::vector<std::vector<std::size_t>>& polygons) const
+  Eigen::VectorXd operator()(const Point_matrix& points, const CP::Face_list& polygons) const
   {
     EXPECT_FALSE(polygons.empty());
     Eigen::VectorXd result(m_size);

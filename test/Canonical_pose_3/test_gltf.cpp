@@ -36,8 +36,7 @@ Mesh_file mesh_of(const Canonical_pose_test::Triangle_soup& soup)
 {
   Mesh_file mesh;
   mesh.points = soup.points;
-  for(const auto& t : soup.triangles)
-    mesh.faces.emplace_back(t.begin(), t.end());
+  mesh.faces = soup.triangles;
   return mesh;
 }
 
@@ -146,7 +145,7 @@ TEST(Gltf, vertices_and_faces_keep_their_order)
   Mesh_file mesh = ball();
   mesh.points.push_back({9, 9, 9});         // isolated
   mesh.faces.push_back({3, 3, 5});          // degenerate
-  mesh.faces.push_back(mesh.faces.front()); // duplicate
+  mesh.faces.push_back({mesh.faces[0][0], mesh.faces[0][1], mesh.faces[0][2]}); // duplicate
   expect_near(read(written(mesh)), mesh, 1e-6);
 }
 
@@ -245,7 +244,7 @@ TEST(Gltf, parts_split_vertices)
   surface.other_shapes.clear();
   surface.mesh.points.push_back({9, 9, 9});
   surface.origins.push_back(surface.origins.size());
-  for(const std::vector<std::size_t>& face : surface.mesh.faces)
+  for(const Face_list::Face face : surface.mesh.faces)
     surface.part_of_face.push_back(surface.mesh.points[face[0]][0] > 0);
   const std::string bytes = written(surface);
   expect_near(read(bytes), surface.mesh, 1e-6);
@@ -379,7 +378,7 @@ TEST(Gltf, several_meshes_and_primitives)
   const Mesh_file twice = read(with_json(bytes, model));
   EXPECT_EQ(twice.points.size(), n);
   EXPECT_EQ(twice.faces.size(), 2 * mesh.faces.size());
-  EXPECT_EQ(twice.faces.back(), mesh.faces.back());
+  EXPECT_EQ(twice.faces[twice.faces.size() - 1], mesh.faces[mesh.faces.size() - 1]);
 
   model = json_of(bytes);
   model["meshes"].push_back(model["meshes"][0]);
@@ -394,8 +393,8 @@ TEST(Gltf, several_meshes_and_primitives)
   }
   for(std::size_t f = 0; f < mesh.faces.size(); ++f)
   {
-    const std::vector<std::size_t>& face = merged.faces[f];
-    EXPECT_EQ(merged.faces[f + mesh.faces.size()],
+    const Face_list::Face face = merged.faces[f], mirrored = merged.faces[f + mesh.faces.size()];
+    EXPECT_EQ(std::vector<std::size_t>(mirrored.begin(), mirrored.end()),
               (std::vector<std::size_t>{face[0] + n, face[2] + n, face[1] + n}));
   }
 }

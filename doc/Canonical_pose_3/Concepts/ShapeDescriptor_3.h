@@ -37,7 +37,7 @@ public:
   /// \param points \f$ n \times 3 \f$, positions.
   /// \param polygons sequences of rows of `points`.
   Eigen::VectorXd operator()(const CGAL::Canonical_pose_3::Point_matrix& points,
-                             const std::vector<std::vector<std::size_t>>& polygons) const;
+                             const CGAL::Canonical_pose_3::Face_list& polygons) const;
 
   /// returns the distances of a shape to others.
   /// \param query the values of a shape.

@@ -4,6 +4,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_SHAPE_DISTRIBUTION_D2_3_H
 #define CGAL_CANONICAL_POSE_3_SHAPE_DISTRIBUTION_D2_3_H
 
+#include <CGAL/Canonical_pose_3/Face_list.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <Eigen/Core>
@@ -51,8 +52,7 @@ public:
 
   <em>Complexity:</em> \f$ O(n \log n) \f$, and half a million distances.
   */
-  Eigen::VectorXd operator()(const Point_matrix& points,
-                             const std::vector<std::vector<std::size_t>>& polygons) const;
+  Eigen::VectorXd operator()(const Point_matrix& points, const Face_list& polygons) const;
 
   /// returns the distances of `query` to the columns of `others`: sums of absolute differences.
   static Eigen::VectorXd distances(const Eigen::VectorXd& query,

@@ -4,6 +4,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_VIEW_DESCRIPTOR_3_H
 #define CGAL_CANONICAL_POSE_3_VIEW_DESCRIPTOR_3_H
 
+#include <CGAL/Canonical_pose_3/Face_list.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <Eigen/Core>
@@ -53,8 +54,7 @@ public:
 
   <em>Complexity:</em> \f$ O(n \log n) \f$.
   */
-  Eigen::VectorXd operator()(const Point_matrix& points,
-                             const std::vector<std::vector<std::size_t>>& polygons) const;
+  Eigen::VectorXd operator()(const Point_matrix& points, const Face_list& polygons) const;
 
   /// returns the distances of `query` to the columns of `others`: sums of absolute differences, the
   /// least one over the 48 positions.

@@ -4,6 +4,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_CONSENSUS_SEGMENTATION_H
 #define CGAL_CANONICAL_POSE_3_CONSENSUS_SEGMENTATION_H
 
+#include <CGAL/Canonical_pose_3/Face_list.h>
 #include <CGAL/Canonical_pose_3/Segmentation_options.h>
 #include <CGAL/Canonical_pose_3/Segmentation_tree_3.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/options_of_parameters.h>
@@ -40,8 +41,7 @@ first.
 \sa `consensus_segmentation()`
 */
 Segmentation_tree_3
-consensus_segmentation_tree(const Point_matrix& points,
-                            const std::vector<std::vector<std::size_t>>& polygons,
+consensus_segmentation_tree(const Point_matrix& points, const Face_list& polygons,
                             const Point_matrix& pose = Point_matrix(0, 3),
                             const Segmentation_options& options = Segmentation_options());
 

@@ -5,12 +5,14 @@
 #define CGAL_CANONICAL_POSE_3_DIAGNOSE_H
 
 #include <CGAL/Canonical_pose_3/Diagnosis_3.h>
+#include <CGAL/Canonical_pose_3/Face_list.h>
 #include <CGAL/Canonical_pose_3/internal/surface/index_faces.h>
 #include <CGAL/Canonical_pose_3/internal/support/points_of_parameters.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <array>
 #include <cstddef>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -31,21 +33,7 @@ overlapping bounding boxes exceeds both 200 per face and ten million.
 
 \sa `repair_surface()`
 */
-Diagnosis_3 diagnose(const Point_matrix& points,
-                     const std::vector<std::vector<std::size_t>>& polygons);
-
-/*!
-\ingroup PkgCanonicalPose3Ref
-
-\brief examines a triangle soup.
-
-\param points \f$ n \times 3 \f$, positions.
-\param triangles triples of rows of `points`.
-
-\throws std::invalid_argument if a coordinate is not finite or a triangle has an invalid row.
-*/
-Diagnosis_3 diagnose(const Point_matrix& points,
-                     const std::vector<std::array<std::size_t, 3>>& triangles);
+Diagnosis_3 diagnose(const Point_matrix& points, const Face_list& polygons);
 
 /*!
 \ingroup PkgCanonicalPose3Ref
@@ -79,7 +67,8 @@ Diagnosis_3 diagnose(const Point_matrix& points,
 \throws std::invalid_argument if a coordinate is not finite; the message states the index of the
        vertex.
 */
-template <class PolygonMesh, class NamedParameters = parameters::Default_named_parameters>
+template <class PolygonMesh, class NamedParameters = parameters::Default_named_parameters,
+          std::enable_if_t<!std::is_same<PolygonMesh, Point_matrix>::value, int> = 0>
 Diagnosis_3 diagnose(const PolygonMesh& mesh,
                      const NamedParameters& np = parameters::default_values())
 {

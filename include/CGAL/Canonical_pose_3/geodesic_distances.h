@@ -4,6 +4,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_GEODESIC_DISTANCES_H
 #define CGAL_CANONICAL_POSE_3_GEODESIC_DISTANCES_H
 
+#include <CGAL/Canonical_pose_3/Face_list.h>
 #include <CGAL/Canonical_pose_3/Options.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
@@ -52,8 +53,7 @@ continue along edges, and are longer.
 
 \sa `Heat_geodesics_3`
 */
-Eigen::MatrixXd geodesic_distances(const Point_matrix& points,
-                                   const std::vector<std::vector<std::size_t>>& polygons,
+Eigen::MatrixXd geodesic_distances(const Point_matrix& points, const Face_list& polygons,
                                    const std::vector<std::size_t>& sources,
                                    const Options& options = Options(),
                                    const Distances_function& function = Distances_function());

@@ -4,6 +4,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_K_MEANS_SEGMENTATION_H
 #define CGAL_CANONICAL_POSE_3_K_MEANS_SEGMENTATION_H
 
+#include <CGAL/Canonical_pose_3/Face_list.h>
 #include <CGAL/Canonical_pose_3/Segmentation_options.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/options_of_parameters.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/segment_mesh.h>
@@ -50,8 +51,7 @@ regions. For better ones, see `consensus_segmentation()`.
 
 \cgalCite{cgal:canonical-s-sdacm-15}
 */
-std::vector<std::size_t> k_means_parts(const Point_matrix& points,
-                                       const std::vector<std::vector<std::size_t>>& polygons,
+std::vector<std::size_t> k_means_parts(const Point_matrix& points, const Face_list& polygons,
                                        const Segmentation_options& options,
                                        K_means_weights weights = K_means_weights::VERTICES);
 

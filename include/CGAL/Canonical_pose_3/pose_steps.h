@@ -5,6 +5,7 @@
 #define CGAL_CANONICAL_POSE_3_POSE_STEPS_H
 
 #include <CGAL/Canonical_pose_3/Coarse_surface_3.h>
+#include <CGAL/Canonical_pose_3/Face_list.h>
 #include <CGAL/Canonical_pose_3/Landmark_fields_3.h>
 #include <CGAL/Canonical_pose_3/Options.h>
 #include <CGAL/Canonical_pose_3/Prepared_surface_3.h>
@@ -45,8 +46,7 @@ the distances are those of wavefronts, which are exact there.
 
 <em>Complexity:</em> \f$ O(n \log n) \f$.
 */
-Prepared_surface_3 prepare_surface(const Point_matrix& points,
-                                   const std::vector<std::vector<std::size_t>>& polygons,
+Prepared_surface_3 prepare_surface(const Point_matrix& points, const Face_list& polygons,
                                    const Options& options = Options());
 
 /*!

@@ -4,6 +4,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_REPAIR_SURFACE_H
 #define CGAL_CANONICAL_POSE_3_REPAIR_SURFACE_H
 
+#include <CGAL/Canonical_pose_3/Face_list.h>
 #include <CGAL/Canonical_pose_3/Repaired_surface_3.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
@@ -57,16 +58,7 @@ A surface that needs no repair is returned unchanged.
 
 \sa `diagnose()`
 */
-Repaired_surface_3 repair_surface(const Point_matrix& points,
-                                  const std::vector<std::vector<std::size_t>>& polygons);
-
-/*!
-\ingroup PkgCanonicalPose3Ref
-
-\brief creates an oriented 2-manifold from any triangles, without moving or adding points.
-*/
-Repaired_surface_3 repair_surface(const Point_matrix& points,
-                                  const std::vector<std::array<std::size_t, 3>>& triangles);
+Repaired_surface_3 repair_surface(const Point_matrix& points, const Face_list& polygons);
 
 /*!
 \ingroup PkgCanonicalPose3Ref

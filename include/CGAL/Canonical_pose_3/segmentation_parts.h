@@ -4,6 +4,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_SEGMENTATION_PARTS_H
 #define CGAL_CANONICAL_POSE_3_SEGMENTATION_PARTS_H
 
+#include <CGAL/Canonical_pose_3/Face_list.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/options_of_parameters.h>
 #include <CGAL/Canonical_pose_3/internal/surface/Corner_table.h>
 #include <CGAL/Canonical_pose_3/internal/surface/Triangle_soup.h>
@@ -69,8 +70,7 @@ struct Segmentation_part_3
 <em>Complexity:</em> \f$ O(n \log n) \f$.
 */
 inline std::vector<Segmentation_part_3>
-segmentation_parts(const Point_matrix& points,
-                   const std::vector<std::vector<std::size_t>>& polygons,
+segmentation_parts(const Point_matrix& points, const Face_list& polygons,
                    const std::vector<std::size_t>& part_of_polygon)
 {
   if(part_of_polygon.size() != polygons.size())
@@ -145,7 +145,8 @@ segmentation_parts(const Point_matrix& points,
 \param np `vertex_point_map` and `geom_traits`, as for `CGAL::canonical_pose_3()`
 */
 template <class TriangleMesh, class SegmentPropertyMap,
-          class NamedParameters = parameters::Default_named_parameters>
+          class NamedParameters = parameters::Default_named_parameters,
+          std::enable_if_t<!std::is_same<TriangleMesh, Point_matrix>::value, int> = 0>
 std::vector<Segmentation_part_3>
 segmentation_parts(const TriangleMesh& tmesh, SegmentPropertyMap segment_ids,
                    const NamedParameters& np = parameters::default_values())

@@ -4,6 +4,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_TRIANGULATE_POLYGONS_H
 #define CGAL_CANONICAL_POSE_3_TRIANGULATE_POLYGONS_H
 
+#include <CGAL/Canonical_pose_3/Face_list.h>
 #include <CGAL/Canonical_pose_3/internal/surface/Loop_triangulation.h>
 #include <CGAL/Canonical_pose_3/internal/surface/check_soup.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
@@ -44,9 +45,8 @@ most 64 corners. Nothing is repaired; triangles are returned as they are.
 
 \sa `repair_surface()`
 */
-inline Triangulated_polygons
-triangulate_polygons(const Point_matrix& points,
-                     const std::vector<std::vector<std::size_t>>& polygons)
+inline Triangulated_polygons triangulate_polygons(const Point_matrix& points,
+                                                  const Face_list& polygons)
 {
   internal::check_finite(points);
   internal::check_elements(polygons, static_cast<std::size_t>(points.rows()), "face");
@@ -55,7 +55,7 @@ triangulate_polygons(const Point_matrix& points,
   Point_matrix scaled; // so that areas do not overflow
   for(std::size_t p = 0; p < polygons.size(); ++p)
   {
-    const std::vector<std::size_t>& corners = polygons[p];
+    const Face_list::Face corners = polygons[p];
     if(corners.size() == 3)
       result.triangles.push_back({corners[0], corners[1], corners[2]});
     else
@@ -65,7 +65,7 @@ triangulate_polygons(const Point_matrix& points,
         const double unit = points.cwiseAbs().maxCoeff();
         scaled = unit > 0 ? Point_matrix(points / unit) : points;
       }
-      internal::Loop_triangulation(scaled, corners).run(result.triangles);
+      internal::Loop_triangulation(scaled, {corners.begin(), corners.end()}).run(result.triangles);
     }
     result.polygon_of_triangle.resize(result.triangles.size(), p);
   }

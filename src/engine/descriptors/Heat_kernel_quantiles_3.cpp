@@ -3,6 +3,7 @@
 
 #include "Shape_spectrum.h"
 
+#include <CGAL/Canonical_pose_3/Face_list.h>
 #include <CGAL/Canonical_pose_3/Heat_kernel_quantiles_3.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
@@ -63,9 +64,8 @@ inline Eigen::VectorXd quantiles(const Eigen::VectorXd& values, const Eigen::Vec
 } // namespace heat_kernel
 } // namespace internal
 
-Eigen::VectorXd
-Heat_kernel_quantiles_3::operator()(const Point_matrix& points,
-                                    const std::vector<std::vector<std::size_t>>& polygons) const
+Eigen::VectorXd Heat_kernel_quantiles_3::operator()(const Point_matrix& points,
+                                                    const Face_list& polygons) const
 {
   constexpr Eigen::Index number_of_eigenfunctions = 100;
   const internal::Shape_spectrum spectrum(points, polygons, number_of_eigenfunctions - 1);

@@ -3,6 +3,7 @@
 
 #include "described_surface.h"
 
+#include <CGAL/Canonical_pose_3/Face_list.h>
 #include <CGAL/Canonical_pose_3/Shape_distribution_d2_3.h>
 #include <CGAL/Canonical_pose_3/internal/surface/index_faces.h>
 #include <CGAL/Canonical_pose_3/internal/surface/twice_area.h>
@@ -52,9 +53,8 @@ inline Point_matrix samples_of_surface(const Point_matrix& points,
 
 } // namespace internal
 
-Eigen::VectorXd
-Shape_distribution_d2_3::operator()(const Point_matrix& points,
-                                    const std::vector<std::vector<std::size_t>>& polygons) const
+Eigen::VectorXd Shape_distribution_d2_3::operator()(const Point_matrix& points,
+                                                    const Face_list& polygons) const
 {
   const Repaired_surface_3 surface = internal::described_surface(points, polygons);
   Point_matrix normalized = surface.points;

@@ -3,6 +3,7 @@
 
 #include "Shape_spectrum.h"
 
+#include <CGAL/Canonical_pose_3/Face_list.h>
 #include <CGAL/Canonical_pose_3/Shape_dna_3.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
@@ -16,8 +17,7 @@
 namespace CGAL {
 namespace Canonical_pose_3 {
 
-Eigen::VectorXd Shape_dna_3::operator()(const Point_matrix& points,
-                                        const std::vector<std::vector<std::size_t>>& polygons) const
+Eigen::VectorXd Shape_dna_3::operator()(const Point_matrix& points, const Face_list& polygons) const
 {
   const internal::Shape_spectrum spectrum(points, polygons, EIGENVALUES);
   Eigen::VectorXd result = Eigen::VectorXd::Zero(EIGENVALUES); // small meshes have fewer

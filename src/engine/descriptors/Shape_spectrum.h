@@ -7,6 +7,7 @@
 #include "../intrinsic/Component_spectra.h"
 
 #include <CGAL/Canonical_pose_3/Coarse_surface_3.h>
+#include <CGAL/Canonical_pose_3/Face_list.h>
 #include <CGAL/Canonical_pose_3/Surface_component_3.h>
 #include <CGAL/Canonical_pose_3/internal/intrinsic/Delaunay_surface.h>
 #include <CGAL/Canonical_pose_3/internal/linear_algebra/Factor_base.h>
@@ -33,8 +34,7 @@ class Shape_spectrum
 {
 public:
   // `polygons`: rows of `points`. `count`: at most as many positive eigenvalues.
-  Shape_spectrum(const Point_matrix& points, const std::vector<std::vector<std::size_t>>& polygons,
-                 const Eigen::Index count)
+  Shape_spectrum(const Point_matrix& points, const Face_list& polygons, const Eigen::Index count)
     : Shape_spectrum(Component_spectra(surface(points, polygons), count, make_default_factor),
                      count)
   {}
@@ -49,8 +49,7 @@ public:
 private:
   static constexpr std::size_t COARSE_VERTICES = 5000;
 
-  static Delaunay_surface surface(const Point_matrix& points,
-                                  const std::vector<std::vector<std::size_t>>& polygons)
+  static Delaunay_surface surface(const Point_matrix& points, const Face_list& polygons)
   {
     const Repaired_surface_3 repaired = repair_surface(points, polygons);
     Surface_component_3 all;

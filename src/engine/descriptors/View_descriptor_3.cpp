@@ -5,6 +5,7 @@
 #include "Zernike_basis.h"
 #include "described_surface.h"
 
+#include <CGAL/Canonical_pose_3/Face_list.h>
 #include <CGAL/Canonical_pose_3/View_descriptor_3.h>
 #include <CGAL/Canonical_pose_3/internal/surface/index_faces.h>
 #include <CGAL/Canonical_pose_3/internal/support/Principal_axes.h>
@@ -68,9 +69,8 @@ inline Point_matrix in_frame(Point_matrix points, const std::vector<Index_triang
 
 } // namespace internal
 
-Eigen::VectorXd
-View_descriptor_3::operator()(const Point_matrix& points,
-                              const std::vector<std::vector<std::size_t>>& polygons) const
+Eigen::VectorXd View_descriptor_3::operator()(const Point_matrix& points,
+                                              const Face_list& polygons) const
 {
   constexpr Eigen::Index width = 64;
   static_assert(NUMBER_OF_MOMENTS == internal::Zernike_basis::SIZE, "");

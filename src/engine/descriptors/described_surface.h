@@ -4,6 +4,7 @@
 #ifndef CANONICAL_POSE_3_ENGINE_DESCRIPTORS_DESCRIBED_SURFACE_H
 #define CANONICAL_POSE_3_ENGINE_DESCRIPTORS_DESCRIBED_SURFACE_H
 
+#include <CGAL/Canonical_pose_3/Face_list.h>
 #include <CGAL/Canonical_pose_3/Repaired_surface_3.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 #include <CGAL/Canonical_pose_3/repair_surface.h>
@@ -18,8 +19,7 @@ namespace internal {
 
 // The repaired surface. Every triangle starts at its smallest row, so that meshes of different types
 // yield the same bytes.
-inline Repaired_surface_3 described_surface(const Point_matrix& points,
-                                            const std::vector<std::vector<std::size_t>>& polygons)
+inline Repaired_surface_3 described_surface(const Point_matrix& points, const Face_list& polygons)
 {
   Repaired_surface_3 result = repair_surface(points, polygons);
   for(auto& t : result.triangles)

@@ -9,6 +9,7 @@
 #include "../surface/without_degenerate_faces.h"
 #include "../support/Thread_limit.h"
 
+#include <CGAL/Canonical_pose_3/Face_list.h>
 #include <CGAL/Canonical_pose_3/Options.h>
 #include <CGAL/Canonical_pose_3/geodesic_distances.h>
 #include <CGAL/Canonical_pose_3/internal/surface/Face_defect.h>
@@ -119,8 +120,7 @@ inline std::vector<std::size_t> sources_on_surface(const std::vector<std::size_t
 
 } // namespace internal
 
-Eigen::MatrixXd geodesic_distances(const Point_matrix& points,
-                                   const std::vector<std::vector<std::size_t>>& polygons,
+Eigen::MatrixXd geodesic_distances(const Point_matrix& points, const Face_list& polygons,
                                    const std::vector<std::size_t>& sources, const Options& options,
                                    const Distances_function& function)
 {

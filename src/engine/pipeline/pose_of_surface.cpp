@@ -5,6 +5,7 @@
 #include "../support/Thread_limit.h"
 
 #include <CGAL/Canonical_pose_3/Coarse_surface_3.h>
+#include <CGAL/Canonical_pose_3/Face_list.h>
 #include <CGAL/Canonical_pose_3/Options.h>
 #include <CGAL/Canonical_pose_3/Prepared_surface_3.h>
 #include <CGAL/Canonical_pose_3/Result.h>
@@ -22,8 +23,7 @@ namespace CGAL {
 namespace Canonical_pose_3 {
 namespace internal {
 
-Result pose_of_surface(const Point_matrix& points,
-                       const std::vector<std::vector<std::size_t>>& polygons,
+Result pose_of_surface(const Point_matrix& points, const Face_list& polygons,
                        const Options& options, const Body_makers& bodies)
 {
   if(const Thread_limit limit(options.number_of_threads); limit.is_exceeded())

@@ -10,6 +10,7 @@
 #include "../surface/refined_surface.h"
 #include "../support/Thread_limit.h"
 
+#include <CGAL/Canonical_pose_3/Face_list.h>
 #include <CGAL/Canonical_pose_3/Options.h>
 #include <CGAL/Canonical_pose_3/Prepared_surface_3.h>
 #include <CGAL/Canonical_pose_3/Surface_component_3.h>
@@ -35,24 +36,19 @@ namespace internal {
 
 // Examines polygons with the smallest corner first, like those of `index_polygons()`: so a soup and a
 // mesh have the same pose, bit for bit.
-inline Examined_surface
-examine_polygons(const Point_matrix& points, const std::vector<std::vector<std::size_t>>& polygons,
-                 const bool searches_self_intersections)
+inline Examined_surface examine_polygons(const Point_matrix& points, const Face_list& polygons,
+                                         const bool searches_self_intersections)
 {
-  const auto examine = [&](auto faces) {
-    for(auto& corners : faces)
-      std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
-    return examine_surface(points, faces, searches_self_intersections);
-  };
-  std::vector<Index_triangle> triangles;
-  triangles.reserve(polygons.size());
-  for(const std::vector<std::size_t>& corners : polygons)
+  Face_list rotated;
+  rotated.reserve(polygons.size());
+  std::vector<std::size_t> corners;
+  for(const Face_list::Face polygon : polygons)
   {
-    if(corners.size() != 3)
-      return examine(polygons);
-    triangles.push_back({corners[0], corners[1], corners[2]});
+    corners.assign(polygon.begin(), polygon.end());
+    std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+    rotated.push_back(corners);
   }
-  return examine(std::move(triangles));
+  return examine_surface(points, rotated, searches_self_intersections);
 }
 
 // The components of a surface, in one pass over it. A single one has its arrays.
@@ -136,8 +132,7 @@ inline void check_roles(const std::vector<Component_role>& roles, const Diagnosi
 
 } // namespace internal
 
-Prepared_surface_3 prepare_surface(const Point_matrix& points,
-                                   const std::vector<std::vector<std::size_t>>& polygons,
+Prepared_surface_3 prepare_surface(const Point_matrix& points, const Face_list& polygons,
                                    const Options& options)
 {
   if(const internal::Thread_limit limit(options.number_of_threads); limit.is_exceeded())

@@ -10,6 +10,7 @@
 #include "../surface/root_of_area.h"
 
 #include <CGAL/Canonical_pose_3/Coarse_surface_3.h>
+#include <CGAL/Canonical_pose_3/Face_list.h>
 #include <CGAL/Canonical_pose_3/Segmentation_tree_3.h>
 #include <CGAL/Canonical_pose_3/Surface_component_3.h>
 #include <CGAL/Canonical_pose_3/internal/surface/index_faces.h>
@@ -39,8 +40,7 @@ class Segmented_surface
 {
 public:
   // `polygons`: rows of `points`. `pose`: one row per point, or none.
-  Segmented_surface(const Point_matrix& points,
-                    const std::vector<std::vector<std::size_t>>& polygons, const Point_matrix& pose)
+  Segmented_surface(const Point_matrix& points, const Face_list& polygons, const Point_matrix& pose)
     : m_number_of_faces(polygons.size()), m_polygons(polygons)
   {
     check_pose(points, pose);
@@ -254,7 +254,7 @@ private:
   }
 
   std::size_t m_number_of_faces;
-  const std::vector<std::vector<std::size_t>>& m_polygons;
+  const Face_list& m_polygons;
   std::vector<std::size_t> m_face_of_triangle; // of the given triangles
   Face_graph m_given_graph;
   std::vector<std::size_t> m_given_triangle; // for each triangle, if simplified

@@ -11,6 +11,7 @@
 #include "../surface/signed_volume.h"
 #include "../support/Thread_limit.h"
 
+#include <CGAL/Canonical_pose_3/Face_list.h>
 #include <CGAL/Canonical_pose_3/Segmentation_options.h>
 #include <CGAL/Canonical_pose_3/Segmentation_tree_3.h>
 #include <CGAL/Canonical_pose_3/consensus_segmentation.h>
@@ -108,10 +109,9 @@ inline Segmentation_tree_3 tree_with_agreement(const Face_graph& graph, const Pa
 
 } // namespace internal
 
-Segmentation_tree_3
-consensus_segmentation_tree(const Point_matrix& points,
-                            const std::vector<std::vector<std::size_t>>& polygons,
-                            const Point_matrix& pose, const Segmentation_options& options)
+Segmentation_tree_3 consensus_segmentation_tree(const Point_matrix& points,
+                                                const Face_list& polygons, const Point_matrix& pose,
+                                                const Segmentation_options& options)
 {
   using namespace internal;
   constexpr double concavity = .3;

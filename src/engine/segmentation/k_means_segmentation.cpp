@@ -4,6 +4,7 @@
 #include "K_means.h"
 #include "Random_numbers.h"
 
+#include <CGAL/Canonical_pose_3/Face_list.h>
 #include <CGAL/Canonical_pose_3/Segmentation_options.h>
 #include <CGAL/Canonical_pose_3/internal/surface/Triangle_soup.h>
 #include <CGAL/Canonical_pose_3/internal/surface/twice_area.h>
@@ -31,14 +32,13 @@ struct Weighted_centroids
   Eigen::VectorXd areas;
 };
 
-inline Weighted_centroids weighted_centroids(const Point_matrix& points,
-                                             const std::vector<std::vector<std::size_t>>& polygons)
+inline Weighted_centroids weighted_centroids(const Point_matrix& points, const Face_list& polygons)
 {
   const auto n = static_cast<Eigen::Index>(polygons.size());
   Weighted_centroids result{Eigen::MatrixXd::Zero(n, 3), Eigen::VectorXd::Zero(n)};
   for(Eigen::Index f = 0; f < n; ++f)
   {
-    const std::vector<std::size_t>& polygon = polygons[static_cast<std::size_t>(f)];
+    const Face_list::Face polygon = polygons[static_cast<std::size_t>(f)];
     if(polygon.empty())
       throw std::invalid_argument("face " + std::to_string(f) + " has no vertex");
     for(const std::size_t v : polygon)
@@ -59,8 +59,7 @@ inline Weighted_centroids weighted_centroids(const Point_matrix& points,
 
 } // namespace internal
 
-std::vector<std::size_t> k_means_parts(const Point_matrix& points,
-                                       const std::vector<std::vector<std::size_t>>& polygons,
+std::vector<std::size_t> k_means_parts(const Point_matrix& points, const Face_list& polygons,
                                        const Segmentation_options& options,
                                        const K_means_weights weights)
 {

@@ -8,6 +8,7 @@
 #include "sweep_cuts.h"
 #include "../support/Thread_limit.h"
 
+#include <CGAL/Canonical_pose_3/Face_list.h>
 #include <CGAL/Canonical_pose_3/Segmentation_options.h>
 #include <CGAL/Canonical_pose_3/Segmentation_tree_3.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
@@ -52,8 +53,7 @@ inline Eigen::MatrixXd similarities_of_splits(const Sweep_partition& partition)
 
 } // namespace internal
 
-Segmentation_tree_3 sweep_segmentation_tree(const Point_matrix& points,
-                                            const std::vector<std::vector<std::size_t>>& polygons,
+Segmentation_tree_3 sweep_segmentation_tree(const Point_matrix& points, const Face_list& polygons,
                                             const Point_matrix& pose,
                                             const Segmentation_options& options)
 {

@@ -32,8 +32,8 @@ public:
   static constexpr std::size_t NONE = Corner_table::NONE;
 
   // `topology`: of the triangles of its soup.
-  explicit Manifold_builder(const Soup_topology<std::vector<Index_triangle>>& topology)
-    : m_topology(topology), m_points(topology.soup.points()), m_soup(topology.soup.triangles())
+  explicit Manifold_builder(const Soup_topology& topology)
+    : m_topology(topology), m_points(topology.soup.points()), m_soup(topology.soup.triangle_soup())
   {}
 
   // Sets triangles, face_of_triangle, origins and representatives.
@@ -221,7 +221,7 @@ private:
     }
   }
 
-  const Soup_topology<std::vector<Index_triangle>>& m_topology;
+  const Soup_topology& m_topology;
   const Point_matrix& m_points;
   Triangle_soup m_soup;
   std::vector<std::size_t> m_place, m_twin;

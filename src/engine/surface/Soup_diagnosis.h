@@ -8,6 +8,7 @@
 #include "Soup_topology.h"
 
 #include <CGAL/Canonical_pose_3/Diagnosis_3.h>
+#include <CGAL/Canonical_pose_3/Face_list.h>
 #include <CGAL/Canonical_pose_3/internal/surface/Corner_table.h>
 #include <CGAL/Canonical_pose_3/internal/surface/Triangle_soup.h>
 #include <CGAL/Canonical_pose_3/internal/surface/index_faces.h>
@@ -30,11 +31,10 @@ namespace Canonical_pose_3 {
 namespace internal {
 
 // The checks of diagnose(), one function each, the worst defect first.
-template <class Faces>
 class Soup_diagnosis
 {
 public:
-  explicit Soup_diagnosis(const Soup_topology<Faces>& topology)
+  explicit Soup_diagnosis(const Soup_topology& topology)
     : m_topology(topology), m_points(topology.soup.points()), m_faces(topology.faces),
       m_corners(topology.corners), m_components(static_cast<std::size_t>(m_points.rows())),
       m_is_degenerate(m_faces.size(), false)
@@ -90,12 +90,13 @@ private:
 
   bool has_no_area(const std::size_t f) const
   {
-    if(m_faces[f].size() == 3)
+    const Face_list::Face face = m_faces[f];
+    if(face.size() == 3)
     {
-      const Index_triangle t = {m_faces[f][0], m_faces[f][1], m_faces[f][2]};
+      const Index_triangle t = {face[0], face[1], face[2]};
       return names_a_vertex_twice(t) || is_degenerate(m_points, t);
     }
-    std::vector<std::size_t> p(m_faces[f].begin(), m_faces[f].end());
+    std::vector<std::size_t> p(face.begin(), face.end());
     std::sort(p.begin(), p.end());
     if(p.size() < 3 || std::adjacent_find(p.begin(), p.end()) != p.end())
       return true;
@@ -222,7 +223,7 @@ private:
     m_result.has_searched_self_intersections = true;
     if(m_faces.empty())
       return;
-    Triangle_soup soup = m_topology.soup.triangles();
+    Triangle_soup soup = m_topology.soup.triangle_soup();
     for(Index_triangle& t : soup.triangles)
       for(std::size_t& v : t)
         v = m_topology.places[v];
@@ -271,7 +272,7 @@ private:
     std::vector<double> volume(first.size(), 0), size(first.size(), 0);
     for(std::size_t f = 0; f < m_faces.size(); ++f)
     {
-      const auto& p = m_faces[f];
+      const Face_list::Face p = m_faces[f];
       if(p.empty())
         continue;
       const std::size_t component = m_labels.of_items[f];
@@ -329,9 +330,9 @@ private:
       add_defect("polygons", "face", found, "face " + found.first() + " is not a triangle");
   }
 
-  const Soup_topology<Faces>& m_topology;
+  const Soup_topology& m_topology;
   const Point_matrix& m_points; // normalized
-  const Faces& m_faces;
+  const Face_list& m_faces;
   const Corner_table& m_corners;
   Disjoint_sets m_components; // of vertices
   Component_labels m_labels;  // of faces
@@ -342,11 +343,10 @@ private:
   Diagnosis_3 m_result;
 };
 
-template <class Faces>
-Diagnosis_3 diagnosis_of(const Soup_topology<Faces>& topology,
-                         const bool searches_self_intersections)
+inline Diagnosis_3 diagnosis_of(const Soup_topology& topology,
+                                const bool searches_self_intersections)
 {
-  return Soup_diagnosis<Faces>(topology).run(searches_self_intersections);
+  return Soup_diagnosis(topology).run(searches_self_intersections);
 }
 
 } // namespace internal

@@ -6,6 +6,7 @@
 #include "examine_surface.h"
 
 #include <CGAL/Canonical_pose_3/Diagnosis_3.h>
+#include <CGAL/Canonical_pose_3/Face_list.h>
 #include <CGAL/Canonical_pose_3/diagnose.h>
 #include <CGAL/Canonical_pose_3/internal/surface/boundary_triangles.h>
 #include <CGAL/Canonical_pose_3/internal/surface/check_soup.h>
@@ -23,15 +24,11 @@ namespace CGAL {
 namespace Canonical_pose_3 {
 namespace internal {
 
-template <class Polygons>
-Diagnosis_3 diagnose_soup(const Point_matrix& points, const Polygons& polygons,
+Diagnosis_3 diagnose_soup(const Point_matrix& points, const Face_list& polygons,
                           const bool searches_self_intersections)
 {
   const Checked_soup soup(points, polygons);
-  return soup.is_triangulated()
-           ? diagnosis_of(Soup_topology(soup, soup.triangles().triangles),
-                          searches_self_intersections)
-           : diagnosis_of(Soup_topology(soup, polygons), searches_self_intersections);
+  return diagnosis_of(Soup_topology(soup, polygons), searches_self_intersections);
 }
 
 Diagnosis_3 examine_boundary(const Point_matrix& points,
@@ -61,16 +58,9 @@ Diagnosis_3 examine_boundary(const Point_matrix& points,
 
 } // namespace internal
 
-Diagnosis_3 diagnose(const Point_matrix& points,
-                     const std::vector<std::vector<std::size_t>>& polygons)
+Diagnosis_3 diagnose(const Point_matrix& points, const Face_list& polygons)
 {
   return internal::diagnose_soup(points, polygons, true);
-}
-
-Diagnosis_3 diagnose(const Point_matrix& points,
-                     const std::vector<std::array<std::size_t, 3>>& triangles)
-{
-  return internal::diagnose_soup(points, triangles, true);
 }
 
 Diagnosis_3 diagnose(const Point_matrix& points,

@@ -6,6 +6,7 @@
 #include "Soup_topology.h"
 #include "repaired_surface.h"
 
+#include <CGAL/Canonical_pose_3/Face_list.h>
 #include <CGAL/Canonical_pose_3/internal/surface/index_faces.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
@@ -16,12 +17,11 @@ namespace CGAL {
 namespace Canonical_pose_3 {
 namespace internal {
 
-template <class Polygons>
-Examined_surface examined_soup(const Point_matrix& points, const Polygons& polygons,
-                               const bool searches_self_intersections)
+Examined_surface examine_surface(const Point_matrix& points, const Face_list& polygons,
+                                 const bool searches_self_intersections)
 {
   const Checked_soup soup(points, polygons);
-  const Soup_topology topology(soup, soup.triangles().triangles);
+  const Soup_topology topology(soup, soup.triangles());
   Examined_surface result;
   // The edges of polygons that were cut or removed are not those of the triangles.
   result.diagnosis = soup.is_triangulated()
@@ -29,20 +29,6 @@ Examined_surface examined_soup(const Point_matrix& points, const Polygons& polyg
                        : diagnosis_of(Soup_topology(soup, polygons), searches_self_intersections);
   result.surface = repaired_surface(points, topology);
   return result;
-}
-
-Examined_surface examine_surface(const Point_matrix& points,
-                                 const std::vector<std::vector<std::size_t>>& polygons,
-                                 const bool searches_self_intersections)
-{
-  return examined_soup(points, polygons, searches_self_intersections);
-}
-
-Examined_surface examine_surface(const Point_matrix& points,
-                                 const std::vector<Index_triangle>& triangles,
-                                 const bool searches_self_intersections)
-{
-  return examined_soup(points, triangles, searches_self_intersections);
 }
 
 } // namespace internal

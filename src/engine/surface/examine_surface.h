@@ -5,6 +5,7 @@
 #define CANONICAL_POSE_3_ENGINE_SURFACE_EXAMINE_SURFACE_H
 
 #include <CGAL/Canonical_pose_3/Diagnosis_3.h>
+#include <CGAL/Canonical_pose_3/Face_list.h>
 #include <CGAL/Canonical_pose_3/Repaired_surface_3.h>
 #include <CGAL/Canonical_pose_3/internal/surface/index_faces.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
@@ -24,11 +25,7 @@ struct Examined_surface
 };
 
 // diagnose() and repair_surface() combined: their results, and their exceptions in this order.
-Examined_surface examine_surface(const Point_matrix& points,
-                                 const std::vector<std::vector<std::size_t>>& polygons,
-                                 bool searches_self_intersections);
-Examined_surface examine_surface(const Point_matrix& points,
-                                 const std::vector<Index_triangle>& triangles,
+Examined_surface examine_surface(const Point_matrix& points, const Face_list& polygons,
                                  bool searches_self_intersections);
 
 // diagnose() for the boundary of a complex.

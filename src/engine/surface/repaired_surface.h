@@ -21,9 +21,8 @@ namespace Canonical_pose_3 {
 namespace internal {
 
 // `points`: the given ones. `topology`: that of the triangles of its soup.
-inline Repaired_surface_3
-repaired_surface(const Point_matrix& points,
-                 const Soup_topology<std::vector<Index_triangle>>& topology)
+inline Repaired_surface_3 repaired_surface(const Point_matrix& points,
+                                           const Soup_topology& topology)
 {
   if(!topology.soup.has_faces())
     throw std::invalid_argument(Checked_soup::NO_FACE);

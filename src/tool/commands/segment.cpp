@@ -44,16 +44,17 @@ Mesh_file part_of(const Mesh_file& input, const std::vector<std::size_t>& parts,
   for(std::size_t f = 0; f < parts.size(); ++f)
     if(parts[f] == part)
     {
-      result.faces.push_back(input.faces[f]);
-      for(std::size_t& v : result.faces.back())
+      std::vector<std::size_t> face;
+      for(const std::size_t v : input.faces[f])
       {
         if(index[v] == input.points.size())
         {
           index[v] = result.points.size();
           result.points.push_back(input.points[v]);
         }
-        v = index[v];
+        face.push_back(index[v]);
       }
+      result.faces.push_back(face);
     }
   return result;
 }

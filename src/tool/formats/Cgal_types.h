@@ -71,7 +71,7 @@ inline Mesh_file boundary_of(const Mesh_file& file, std::vector<std::size_t>& or
   for(const Surface::Face_index f : surface.faces())
   {
     const auto corners = CGAL::vertices_around_face(surface.halfedge(f), surface);
-    boundary.faces.emplace_back(corners.begin(), corners.end());
+    boundary.faces.push_back(corners);
   }
   return boundary;
 }

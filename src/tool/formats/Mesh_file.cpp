@@ -192,6 +192,20 @@ std::size_t vertex_index(const long long index, const std::size_t n, const Eleme
   return static_cast<std::size_t>(index - base);
 }
 
+void add_faces(const std::vector<long long>& corners, const std::vector<std::size_t>& ends,
+               const int base, Mesh_file& mesh)
+{
+  std::vector<std::size_t> face;
+  std::size_t corner = 0;
+  for(Element f{"face", 0}; f.index < ends.size(); ++f.index)
+  {
+    face.clear();
+    for(; corner < ends[f.index]; ++corner)
+      face.push_back(vertex_index(corners[corner], mesh.points.size(), f, base));
+    mesh.faces.push_back(face);
+  }
+}
+
 void check_is_finite(const std::array<double, 3>& point, const Element& element)
 {
   for(const double x : point)

@@ -4,6 +4,8 @@
 #ifndef CGAL_CANONICAL_POSE_3_TOOL_MESH_FILE_H
 #define CGAL_CANONICAL_POSE_3_TOOL_MESH_FILE_H
 
+#include <CGAL/Canonical_pose_3/Face_list.h>
+
 #include <array>
 #include <cstddef>
 #include <iosfwd>
@@ -13,6 +15,8 @@
 #include <vector>
 
 namespace Canonical_pose_tool {
+
+using CGAL::Canonical_pose_3::Face_list;
 
 enum class Format { OFF, OBJ, PLY, STL, MEDIT, GLB, GLTF, VTU };
 
@@ -28,7 +32,7 @@ struct Mesh_file
 {
   bool is_tetrahedral = false;
   std::vector<std::array<double, 3>> points;
-  std::vector<std::vector<std::size_t>> faces;              // of a surface, polygons
+  Face_list faces;                                          // of a surface
   std::vector<std::array<std::size_t, 4>> cells;            // of a tetrahedral mesh
   std::vector<long long> point_references, cell_references; // MEDIT's labels
   std::shared_ptr<const Source_file> source;                // if it was kept

@@ -30,7 +30,7 @@ public:
   Vertex_rotations(const Mesh_file& mesh, const Points& points)
     : m_place(places(mesh.points)), m_sums(mesh.points.size(), Eigen::Matrix3d::Zero())
   {
-    for(const std::vector<std::size_t>& face : mesh.faces)
+    for(const Face_list::Face face : mesh.faces)
     {
       const auto before = frame(face, mesh.points), after = frame(face, points);
       if(before && after)
@@ -71,8 +71,7 @@ private:
   }
 
   // The direction of the first side that has one, and the normal; nothing if the face has no area.
-  static std::optional<Eigen::Matrix3d> frame(const std::vector<std::size_t>& face,
-                                              const Points& points)
+  static std::optional<Eigen::Matrix3d> frame(const Face_list::Face face, const Points& points)
   {
     const Eigen::Vector3d origin = vector_of(points[face[0]]);
     Eigen::Vector3d side = Eigen::Vector3d::Zero(), normal = Eigen::Vector3d::Zero();

@@ -88,9 +88,9 @@ void read_triangles(const Model& model, const Primitive& primitive, const std::s
                                 + ", is no multiple of 3");
   for(std::size_t i = 0; i < corners.size(); i += 3)
   {
-    mesh.faces.push_back({first + corners[i], first + corners[i + 1], first + corners[i + 2]});
     if(is_mirrored)
-      std::swap(mesh.faces.back()[1], mesh.faces.back()[2]);
+      std::swap(corners[i + 1], corners[i + 2]);
+    mesh.faces.push_back({first + corners[i], first + corners[i + 1], first + corners[i + 2]});
   }
 }
 
@@ -155,9 +155,10 @@ void merge_copies(const Model& model, const Primitive& primitive, Mesh_file& mes
     merged[order[i]] = points.size() - 1;
   }
   mesh.points.swap(points);
-  for(std::vector<std::size_t>& face : mesh.faces)
-    for(std::size_t& v : face)
-      v = merged[v];
+  Face_list faces;
+  for(const Face_list::Face face : mesh.faces)
+    faces.push_back({merged[face[0]], merged[face[1]], merged[face[2]]});
+  mesh.faces = std::move(faces);
 }
 
 } // namespace

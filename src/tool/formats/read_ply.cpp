@@ -49,13 +49,7 @@ public:
           read_element(element, last);
         }
     check_is_at_end(last);
-    for(Element f{"face", 0}; f.index < m_faces.size(); ++f.index)
-    {
-      std::vector<std::size_t> face;
-      for(const long long corner : m_faces[f.index])
-        face.push_back(vertex_index(corner, m_mesh.points.size(), f));
-      m_mesh.faces.push_back(std::move(face));
-    }
+    add_faces(m_corners, m_ends, 0, m_mesh);
   }
 
 private:
@@ -80,15 +74,14 @@ private:
   void add_face(const std::vector<double>& corners, const Element& face)
   {
     check_is_polygon(static_cast<long long>(corners.size()), face);
-    std::vector<long long> indices;
     for(const double corner : corners)
     {
       if(!is_integer(corner))
         throw std::invalid_argument(face.name() + " names vertex " + text_of(corner)
                                     + ", which cannot be the index of a vertex");
-      indices.push_back(static_cast<long long>(corner));
+      m_corners.push_back(static_cast<long long>(corner));
     }
-    m_faces.push_back(std::move(indices)); // the vertices may follow later
+    m_ends.push_back(m_corners.size());
   }
 
   std::vector<double> read_list(const Ply_property& property, const Element& e)
@@ -129,7 +122,8 @@ private:
   Mesh_file& m_mesh;
   const Ply_header m_header;
   const char* m_byte; // next byte of the binary data
-  std::vector<std::vector<long long>> m_faces;
+  std::vector<long long> m_corners; // of all faces; the vertices may follow later
+  std::vector<std::size_t> m_ends;  // of the faces, among the corners
 };
 
 } // namespace

@@ -57,15 +57,15 @@ void read_off(const std::string& bytes, Mesh_file& mesh)
     check_is_finite(mesh.points.back(), v);
     text.skip_line();
   }
+  std::vector<std::size_t> face;
   for(Element f{"face", 0}; f.index < faces; ++f.index)
   {
     const long long corners = text.integer(text.word(), f);
     check_is_polygon(corners, f);
-    std::vector<std::size_t> face;
-    face.reserve((std::min)(static_cast<std::size_t>(corners), bytes.size()));
+    face.clear();
     for(long long k = 0; k < corners; ++k)
       face.push_back(vertex_index(text.integer(text.word(), f), mesh.points.size(), f));
-    mesh.faces.push_back(std::move(face));
+    mesh.faces.push_back(face);
     text.skip_line();
   }
   text.check_is_at_end(faces > 0      ? Element{"face", faces - 1}
@@ -76,7 +76,8 @@ void read_off(const std::string& bytes, Mesh_file& mesh)
 void read_obj(const std::string& bytes, Mesh_file& mesh)
 {
   Text_cursor text(bytes, Text_cursor::Lines::CONTINUED);
-  std::vector<std::vector<long long>> faces; // they may precede their vertices
+  std::vector<long long> corners; // of all faces, which may precede their vertices
+  std::vector<std::size_t> ends;  // of the faces, among the corners
   for(std::string_view word = text.word(); !word.empty(); text.skip_line(), word = text.word())
     if(word == "v")
     {
@@ -89,8 +90,7 @@ void read_obj(const std::string& bytes, Mesh_file& mesh)
     }
     else if(word == "f")
     {
-      const Element f{"face", faces.size()};
-      std::vector<long long> corners;
+      const Element f{"face", ends.size()};
       for(word = text.word_on_line(); !word.empty(); word = text.word_on_line())
       {
         const long long index = text.integer(word.substr(0, word.find('/')), f);
@@ -100,16 +100,11 @@ void read_obj(const std::string& bytes, Mesh_file& mesh)
                                       + ", but there are " + std::to_string(n) + " before it");
         corners.push_back(index < 0 ? n + 1 + index : index);
       }
-      check_is_polygon(static_cast<long long>(corners.size()), f);
-      faces.push_back(std::move(corners));
+      check_is_polygon(static_cast<long long>(corners.size() - (ends.empty() ? 0 : ends.back())),
+                       f);
+      ends.push_back(corners.size());
     }
-  for(Element f{"face", 0}; f.index < faces.size(); ++f.index)
-  {
-    std::vector<std::size_t> face;
-    for(const long long corner : faces[f.index])
-      face.push_back(vertex_index(corner, mesh.points.size(), f, 1));
-    mesh.faces.push_back(std::move(face));
-  }
+  add_faces(corners, ends, 1, mesh);
 }
 
 } // namespace Canonical_pose_tool

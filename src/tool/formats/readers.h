@@ -45,6 +45,11 @@ bool is_gltf_available();
 // no such vertex.
 std::size_t vertex_index(long long index, std::size_t n, const Element& element, int base = 0);
 
+// Appends faces with these corners, vertices counted from `base`. `ends`: of the faces, among the corners. Throws if
+// there is no such vertex.
+void add_faces(const std::vector<long long>& corners, const std::vector<std::size_t>& ends,
+               int base, Mesh_file& mesh);
+
 // Throws if a coordinate is not finite.
 void check_is_finite(const std::array<double, 3>& point, const Element& element);
 

@@ -180,8 +180,7 @@ Eigen::Vector3d normal_of(const std::array<Eigen::Vector3d, 3>& corners)
   return normal.allFinite() ? normal : Eigen::Vector3d(Eigen::Vector3d::Zero());
 }
 
-std::array<Eigen::Vector3d, 3> corners_of(const Points& points,
-                                          const std::vector<std::size_t>& face)
+std::array<Eigen::Vector3d, 3> corners_of(const Points& points, const Face_list::Face face)
 {
   return {vector_of(points[face[0]]), vector_of(points[face[1]]), vector_of(points[face[2]])};
 }

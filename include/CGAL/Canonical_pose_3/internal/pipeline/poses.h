@@ -4,6 +4,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_POSES_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_PIPELINE_POSES_H
 
+#include <CGAL/Canonical_pose_3/Face_list.h>
 #include <CGAL/Canonical_pose_3/Options.h>
 #include <CGAL/Canonical_pose_3/Result.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/Body_makers.h>
@@ -19,8 +20,7 @@ namespace internal {
 
 // The part of canonical_pose_3() that works on points and indices, independent of their source.
 
-Result pose_of_surface(const Point_matrix& points,
-                       const std::vector<std::vector<std::size_t>>& polygons,
+Result pose_of_surface(const Point_matrix& points, const Face_list& polygons,
                        const Options& options, const Body_makers& bodies);
 
 Result pose_of_complex(const Point_matrix& points, const std::vector<std::array<int, 4>>& cells,

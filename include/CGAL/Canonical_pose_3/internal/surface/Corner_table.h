@@ -4,12 +4,16 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_SURFACE_CORNER_TABLE_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_SURFACE_CORNER_TABLE_H
 
+#include <CGAL/Canonical_pose_3/Face_list.h>
 #include <CGAL/Canonical_pose_3/internal/support/Buckets.h>
 
 #include <boost/range/iterator_range.hpp>
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
+#include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -24,40 +28,50 @@ class Corner_table
 public:
   static constexpr std::size_t NONE = std::size_t(-1); // neither a corner nor a side
 
-  // Sides with the same two ends, in order.
-  using Edge = boost::iterator_range<const std::size_t*>;
+  using Index = Face_list::Index;
 
-  template <class Polygons>
-  Corner_table(const std::size_t number_of_vertices, const Polygons& polygons)
+  // Sides with the same two ends, in order.
+  using Edge = boost::iterator_range<const Index*>;
+
+  Corner_table(const std::size_t number_of_vertices, Face_list faces) : m_faces(std::move(faces))
   {
-    m_first.reserve(polygons.size() + 1);
-    for(const auto& polygon : polygons)
+    check_number_of_corners(number_of_corners());
+    if(!m_faces.are_triangles())
     {
-      m_first.push_back(m_vertex.size());
-      m_vertex.insert(m_vertex.end(), polygon.begin(), polygon.end());
-      m_face.resize(m_vertex.size(), m_first.size() - 1);
+      m_face.reserve(number_of_corners());
+      for(std::size_t f = 0; f < m_faces.size(); ++f)
+        m_face.resize(m_faces.begin_of_face(f + 1), static_cast<Index>(f));
     }
-    m_first.push_back(m_vertex.size());
     sort_sides(number_of_vertices);
   }
 
-  std::size_t number_of_corners() const { return m_vertex.size(); }
-  std::size_t vertex(const std::size_t c) const { return m_vertex[c]; }
-  std::size_t face(const std::size_t c) const { return m_face[c]; }
+  // Throws std::invalid_argument if corners cannot be numbered.
+  static void check_number_of_corners(const std::size_t n)
+  {
+    if(n > (std::numeric_limits<Index>::max)())
+      throw std::invalid_argument("the faces have " + std::to_string(n)
+                                  + " corners, but there can be at most 4294967295");
+  }
+
+  std::size_t number_of_corners() const { return m_faces.vertices().size(); }
+  std::size_t vertex(const std::size_t c) const { return m_faces.vertices()[c]; }
+  std::size_t face(const std::size_t c) const { return m_face.empty() ? c / 3 : m_face[c]; }
   std::size_t next(const std::size_t c) const
   {
-    return c + 1 == m_first[m_face[c] + 1] ? m_first[m_face[c]] : c + 1;
+    if(m_face.empty())
+      return c % 3 == 2 ? c - 2 : c + 1;
+    return c + 1 == m_faces.begin_of_face(m_face[c] + 1) ? m_faces.begin_of_face(m_face[c]) : c + 1;
   }
-  std::size_t target(const std::size_t c) const { return m_vertex[next(c)]; }
+  std::size_t target(const std::size_t c) const { return vertex(next(c)); }
   // Returns the smaller and the larger end of side c.
   std::pair<std::size_t, std::size_t> ends(const std::size_t c) const
   {
-    return std::minmax({m_vertex[c], target(c)});
+    return std::minmax({vertex(c), target(c)});
   }
   // Returns the corner of v, an end of side c.
   std::size_t corner_of_end(const std::size_t c, const std::size_t v) const
   {
-    return m_vertex[c] == v ? c : next(c);
+    return vertex(c) == v ? c : next(c);
   }
 
   // Calls f(edge) for each edge, sorted by its smaller end, then by its larger one. Sides from a
@@ -72,11 +86,11 @@ public:
 private:
   void sort_sides(const std::size_t number_of_vertices)
   {
-    using End_and_side = std::pair<std::size_t, std::size_t>; // the larger end
+    using End_and_side = std::pair<Index, Index>; // the larger end
     Buckets<End_and_side> sides_of_smaller_ends(number_of_vertices, [&](const auto& put) {
-      for(std::size_t c = 0; c < m_vertex.size(); ++c)
-        if(m_vertex[c] != target(c))
-          put(ends(c).first, End_and_side(ends(c).second, c));
+      for(std::size_t c = 0; c < number_of_corners(); ++c)
+        if(const auto [smaller, larger] = ends(c); smaller != larger)
+          put(smaller, End_and_side(static_cast<Index>(larger), static_cast<Index>(c)));
     });
     m_sides.reserve(sides_of_smaller_ends.values().size());
     for(std::size_t v = 0; v < number_of_vertices; ++v)
@@ -86,15 +100,16 @@ private:
       for(auto it = around.begin(); it != around.end(); ++it)
       {
         if(it == around.begin() || it->first != (it - 1)->first)
-          m_first_of_edge.push_back(m_sides.size());
+          m_first_of_edge.push_back(static_cast<Index>(m_sides.size()));
         m_sides.push_back(it->second);
       }
     }
-    m_first_of_edge.push_back(m_sides.size());
+    m_first_of_edge.push_back(static_cast<Index>(m_sides.size()));
   }
 
-  std::vector<std::size_t> m_first, m_vertex, m_face;
-  std::vector<std::size_t> m_sides, m_first_of_edge; // edge by edge
+  Face_list m_faces;
+  std::vector<Index> m_face;                   // of each corner, unless all are triangles
+  std::vector<Index> m_sides, m_first_of_edge; // edge by edge
 };
 
 } // namespace internal

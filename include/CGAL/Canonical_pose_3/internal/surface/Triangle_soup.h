@@ -4,6 +4,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_SURFACE_TRIANGLE_SOUP_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_SURFACE_TRIANGLE_SOUP_H
 
+#include <CGAL/Canonical_pose_3/Face_list.h>
 #include <CGAL/Canonical_pose_3/internal/surface/Corner_table.h>
 #include <CGAL/Canonical_pose_3/internal/surface/Indexed_mesh.h>
 #include <CGAL/Canonical_pose_3/internal/surface/Loop_triangulation.h>
@@ -14,7 +15,6 @@
 #include <array>
 #include <cstddef>
 #include <numeric>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -61,18 +61,18 @@ inline bool is_degenerate(const Point_matrix& points, const Index_triangle& t)
 
 // Subdivides polygons into triangles with the same vertices. Repeated consecutive corners are
 // skipped, and so are triangles in which a vertex occurs twice.
-template <class Polygons>
-Triangle_soup triangle_soup(const Point_matrix& points, const Polygons& polygons)
+inline Triangle_soup triangle_soup(const Point_matrix& points, const Face_list& polygons)
 {
   Triangle_soup result;
   result.triangles.reserve(polygons.size());
   for(std::size_t f = 0; f < polygons.size(); ++f)
   {
-    if(polygons[f].size() == 3)
-      result.triangles.push_back({polygons[f][0], polygons[f][1], polygons[f][2]});
+    const Face_list::Face polygon = polygons[f];
+    if(polygon.size() == 3)
+      result.triangles.push_back({polygon[0], polygon[1], polygon[2]});
     else
     {
-      std::vector<std::size_t> corners(polygons[f].begin(), polygons[f].end());
+      std::vector<std::size_t> corners(polygon.begin(), polygon.end());
       corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
       while(corners.size() > 1 && corners.front() == corners.back())
         corners.pop_back();
@@ -85,28 +85,32 @@ Triangle_soup triangle_soup(const Point_matrix& points, const Polygons& polygons
 }
 
 // For each face, whether an earlier one has the same vertices, in any order.
-template <class Polygons>
-std::vector<bool> is_duplicate_face(const std::size_t number_of_vertices, const Polygons& polygons)
+inline std::vector<bool> is_duplicate_face(const std::size_t number_of_vertices,
+                                           const Face_list& polygons)
 {
   const Buckets<std::size_t> faces_of_smallest_vertices(number_of_vertices, [&](const auto& put) {
     for(std::size_t f = 0; f < polygons.size(); ++f)
-      if(!polygons[f].empty())
-        put(*std::min_element(polygons[f].begin(), polygons[f].end()), f);
+      if(const Face_list::Face polygon = polygons[f]; !polygon.empty())
+        put(*std::min_element(polygon.begin(), polygon.end()), f);
   });
 
   std::vector<bool> result(polygons.size(), false);
-  using Polygon = std::decay_t<decltype(polygons[0])>;
-  std::vector<std::pair<Polygon, std::size_t>> bucket;
+  std::vector<std::pair<std::vector<std::size_t>, std::size_t>> bucket; // its memory is reused
   for(std::size_t v = 0; v < number_of_vertices; ++v)
   {
-    bucket.clear();
-    for(const std::size_t f : faces_of_smallest_vertices[v])
+    const auto faces = faces_of_smallest_vertices[v];
+    if(bucket.size() < faces.size())
+      bucket.resize(faces.size());
+    auto end = bucket.begin();
+    for(const std::size_t f : faces)
     {
-      bucket.emplace_back(polygons[f], f);
-      std::sort(bucket.back().first.begin(), bucket.back().first.end());
+      auto& [vertices, face] = *end++;
+      vertices.assign(polygons[f].begin(), polygons[f].end());
+      std::sort(vertices.begin(), vertices.end());
+      face = f;
     }
-    std::sort(bucket.begin(), bucket.end());
-    for(std::size_t i = 1; i < bucket.size(); ++i)
+    std::sort(bucket.begin(), end);
+    for(std::size_t i = 1; i < faces.size(); ++i)
       if(bucket[i].first == bucket[i - 1].first)
         result[bucket[i].second] = true;
   }

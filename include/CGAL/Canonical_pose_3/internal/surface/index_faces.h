@@ -4,6 +4,8 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_SURFACE_INDEX_FACES_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_SURFACE_INDEX_FACES_H
 
+#include <CGAL/Canonical_pose_3/Face_list.h>
+
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>
 
@@ -24,22 +26,6 @@ namespace Canonical_pose_3 {
 namespace internal {
 
 using Index_triangle = std::array<std::size_t, 3>;
-
-// The polygons of a soup; a copy only if their type is another one.
-inline const std::vector<std::vector<std::size_t>>&
-index_vectors(const std::vector<std::vector<std::size_t>>& polygons)
-{
-  return polygons;
-}
-
-template <class PolygonRange>
-std::vector<std::vector<std::size_t>> index_vectors(const PolygonRange& polygons)
-{
-  std::vector<std::vector<std::size_t>> result;
-  for(const auto& polygon : polygons)
-    result.emplace_back(std::begin(polygon), std::end(polygon));
-  return result;
-}
 
 // A number per vertex or halfedge, for hashable descriptors.
 template <class Descriptor>
@@ -101,17 +87,18 @@ using Vertex_number_map = decltype(number_vertices(std::declval<const FaceGraph&
 // The faces of a mesh as sequences of rows. Each starts with its smallest row, so that the result
 // does not depend on which halfedge a data structure stores for a face.
 template <class FaceGraph>
-std::vector<std::vector<std::size_t>> index_polygons(const FaceGraph& mesh)
+Face_list index_polygons(const FaceGraph& mesh)
 {
   const auto rows = number_vertices(mesh);
-  std::vector<std::vector<std::size_t>> polygons;
+  Face_list polygons;
+  std::vector<std::size_t> corners;
   for(const auto f : faces(mesh))
   {
-    std::vector<std::size_t> corners;
+    corners.clear();
     for(const auto h : halfedges_around_face(halfedge(f, mesh), mesh))
       corners.push_back(get(rows, target(h, mesh)));
     std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
-    polygons.push_back(std::move(corners));
+    polygons.push_back(corners);
   }
   return polygons;
 }
@@ -121,7 +108,7 @@ template <class FaceGraph>
 std::vector<Index_triangle> index_triangles(const FaceGraph& tmesh)
 {
   std::vector<Index_triangle> triangles;
-  for(const std::vector<std::size_t>& corners : index_polygons(tmesh))
+  for(const Face_list::Face corners : index_polygons(tmesh))
   {
     if(corners.size() != 3)
       throw std::invalid_argument("face " + std::to_string(triangles.size())
