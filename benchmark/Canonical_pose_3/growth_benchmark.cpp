@@ -9,7 +9,7 @@
 // How to read: one line per size. `heat`: setup of Heat_geodesics_3 and distances from --sources
 // sources on all threads; `wavefront`: Wavefront_geodesics_3 and one source; `pose`:
 // canonical_pose_3() with default options, and the seconds of body and registration included
-// therein. Bytes are per vertex. The last line contains slopes of the logarithm of the time over
+// therein; `one thread`: the same with one thread. Bytes are per vertex. The last line contains slopes of the logarithm of the time over
 // that of the number of vertices, by least squares.
 //
 // Usage: growth_benchmark [--vertices 3300] [--levels 4] [--sources 80] [--runs 3]
@@ -115,11 +115,14 @@ Seconds wavefront(const Mesh& mesh)
   return {set_up, timer.time() - set_up};
 }
 
-Seconds pose(Mesh mesh)
+Seconds pose(Mesh mesh, const int number_of_threads)
 {
+  CP::Options options;
+  options.number_of_threads = number_of_threads;
   CGAL::Real_timer timer;
   timer.start();
-  const CP::Registration_summary summary = CGAL::canonical_pose_3(mesh, mesh.points()).summary;
+  const CP::Registration_summary summary
+    = CGAL::canonical_pose_3(mesh, mesh.points(), options).summary;
   const double total = timer.time();
   double body_and_registration = 0;
   for(const auto& [name, seconds] : summary.stages)
@@ -148,10 +151,11 @@ double slope(const std::vector<double>& x, const std::vector<double>& y)
 void run(const std::size_t vertices, const std::size_t levels, const std::size_t sources,
          const std::size_t runs)
 {
-  std::printf("%9s | %8s%8s%7s | %8s%8s%7s | %8s%8s%7s\n", "vertices", "heat", "fields", "bytes",
-              "wavefr.", "field", "bytes", "pose", "body+r.", "bytes");
+  std::printf("%9s | %8s%8s%7s | %8s%8s%7s | %8s%8s%7s | %8s%8s%7s\n", "vertices", "heat", "fields",
+              "bytes", "wavefr.", "field", "bytes", "pose", "body+r.", "bytes", "1 thread",
+              "body+r.", "bytes");
   std::vector<double> sizes;
-  std::array<std::vector<double>, 6> columns;
+  std::array<std::vector<double>, 8> columns;
   for(std::size_t level = 0; level <= levels; ++level)
   {
     Mesh mesh; // created in the parent, so that each child has it from the start
@@ -162,8 +166,8 @@ void run(const std::size_t vertices, const std::size_t levels, const std::size_t
     std::printf("%9.0f", n);
     const std::function<Seconds()> works[]
       = {[&] { return heat(mesh, sources); }, [&] { return wavefront(mesh); },
-         [&] { return pose(mesh); }};
-    for(std::size_t k = 0; k < 3; ++k)
+         [&] { return pose(mesh, 0); }, [&] { return pose(mesh, 1); }};
+    for(std::size_t k = 0; k < 4; ++k)
     {
       const Measurement m = measure(works[k], runs);
       std::printf(" | %8.3f%8.3f%7.0f", m.seconds[0], m.seconds[1], (m.bytes - none.bytes) / n);
@@ -174,7 +178,7 @@ void run(const std::size_t vertices, const std::size_t levels, const std::size_t
     std::printf("\n");
   }
   std::printf("%9s", "slope");
-  for(std::size_t k = 0; k < 3; ++k)
+  for(std::size_t k = 0; k < 4; ++k)
     std::printf(" | %8.2f%8.2f%7s", slope(sizes, columns[2 * k]), slope(sizes, columns[2 * k + 1]),
                 "");
   std::printf("\n");
