@@ -174,7 +174,8 @@ private:
     for(std::size_t c = 0; c < m_fan.size(); ++c)
     {
       has_corner[row(c)] = true;
-      rows.unite(row(c), row(m_first_of_fan[m_fan[c]]));
+      if(const std::size_t first = row(m_first_of_fan[m_fan[c]]); first != row(c))
+        rows.unite(row(c), first);
     }
     for(std::size_t v = 0; v < n; ++v)
       if(!has_corner[v]) // all its faces have been removed

@@ -6,6 +6,7 @@
 
 #include <CGAL/Canonical_pose_3/Face_list.h>
 #include <CGAL/Canonical_pose_3/internal/support/Buckets.h>
+#include <CGAL/Canonical_pose_3/internal/support/for_each_block.h>
 
 #include <boost/range/iterator_range.hpp>
 
@@ -92,11 +93,15 @@ private:
         if(const auto [smaller, larger] = ends(c); smaller != larger)
           put(smaller, End_and_side(static_cast<Index>(larger), static_cast<Index>(c)));
     });
+    for_each_block(number_of_vertices,
+                   [&](std::size_t, const std::size_t begin, const std::size_t end) {
+                     for(std::size_t v = begin; v < end; ++v)
+                       std::sort(sides_of_smaller_ends[v].begin(), sides_of_smaller_ends[v].end());
+                   });
     m_sides.reserve(sides_of_smaller_ends.values().size());
     for(std::size_t v = 0; v < number_of_vertices; ++v)
     {
       const auto around = sides_of_smaller_ends[v];
-      std::sort(around.begin(), around.end());
       for(auto it = around.begin(); it != around.end(); ++it)
       {
         if(it == around.begin() || it->first != (it - 1)->first)
