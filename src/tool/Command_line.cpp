@@ -85,7 +85,7 @@ std::optional<int> parse_command_line(const int argc, char* argv[], Arguments& a
   }
   catch(const CLI::ParseError& error)
   {
-    return app.exit(error) == 0 ? 0 : 2;
+    return app.exit(error) == 0 ? 0 : WRONG_USAGE;
   }
   arguments.command = chosen;
   return std::nullopt;

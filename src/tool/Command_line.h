@@ -8,12 +8,19 @@
 
 #include <cstddef>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace Canonical_pose_tool {
 
 struct Command;
+
+// The command line asks for what cannot be, whatever the files hold.
+struct Usage_error : std::invalid_argument
+{
+  using std::invalid_argument::invalid_argument;
+};
 
 // The parsed command line.
 struct Arguments
@@ -55,8 +62,8 @@ struct Arguments
   bool is_strict = false; // of CHECK
 };
 
-// The exit code of `check --strict` if there are defects.
-inline constexpr int DEFECTS_FOUND = 3;
+// Exit codes, beside those of success and failure; the second one is of `check --strict`.
+inline constexpr int WRONG_USAGE = 2, DEFECTS_FOUND = 3;
 
 // Reads the command line. Returns the exit code if there is nothing left to do: 0 after --help, 2
 // for wrong usage.

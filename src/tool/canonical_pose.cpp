@@ -62,6 +62,11 @@ int main(int argc, char* argv[])
       throw std::runtime_error("the standard output cannot be written");
     return exit_code;
   }
+  catch(const Usage_error& error)
+  {
+    complain("", error);
+    return WRONG_USAGE;
+  }
   catch(const std::exception& error)
   {
     complain(subject, error);

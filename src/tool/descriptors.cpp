@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "descriptors.h"
+#include "Command_line.h"
 
 #include <CGAL/Canonical_pose_3/Shape_distribution_d2_3.h>
 #include <CGAL/Canonical_pose_3/View_descriptor_3.h>
@@ -62,8 +63,7 @@ std::vector<Descriptor> descriptors(const std::vector<std::string>& names)
       std::string known;
       for(const Descriptor& d : all)
         known += (known.empty() ? "" : ", ") + d.name;
-      throw std::invalid_argument("there is no descriptor '" + name + "' in this build, which has "
-                                  + known);
+      throw Usage_error("there is no descriptor '" + name + "' in this build, which has " + known);
     }
     if(std::none_of(result.begin(), result.end(), is_named))
       result.push_back(*found);

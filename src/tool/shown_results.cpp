@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "shown_results.h"
+#include "Command_line.h"
 #include "formats/Cgal_types.h"
 
 #include <CGAL/Canonical_pose_3/surface_measures.h>
@@ -62,12 +63,21 @@ bool is_shown(const std::string& path)
   return extension == ".ply" || (extension == ".glb" && format_of(path) == Format::GLB);
 }
 
+Format format_of_output(const std::string& path)
+try
+{
+  return format_of(path);
+}
+catch(const std::invalid_argument& error)
+{
+  throw Usage_error(error.what());
+}
+
 void check_format_of_values(const std::string& path)
 {
   for(const char* const extension : {".off", ".obj", ".stl", ".mesh", ".gltf", ".vtu"})
     if(extension_of(path) == extension)
-      throw std::invalid_argument("'" + path
-                                  + "' cannot show values; choose .ply, .glb, or a text file");
+      throw Usage_error("'" + path + "' cannot show values; choose .ply, .glb, or a text file");
   is_shown(path); // throws if there is no glTF
 }
 

@@ -24,7 +24,10 @@ namespace Canonical_pose_tool {
 // Whether a file shows a surface, with values and colors (.ply, .glb).
 bool is_shown(const std::string& path);
 
-// Throws std::invalid_argument if this is the extension of a mesh that does not show values.
+// The format of an output. Throws Usage_error if its extension is unknown.
+Format format_of_output(const std::string& path);
+
+// Throws Usage_error if this is the extension of a mesh that does not show values.
 void check_format_of_values(const std::string& path);
 
 // Writes PLY or glTF.

@@ -30,9 +30,18 @@ endfunction()
 
 # Exit code 1, one line on stderr that contains `message`, nothing on stdout, no file.
 function(expect_refusal message)
+  expect_one_line(1 "${message}" ${ARGN})
+endfunction()
+
+# expect_wrong_usage(message argument...): the same for what is wrong whatever the files hold.
+function(expect_wrong_usage message)
+  expect_one_line(2 "${message}" ${ARGN})
+endfunction()
+
+function(expect_one_line exit_code message)
   file(REMOVE_RECURSE ${WORK}/out)
   file(MAKE_DIRECTORY ${WORK}/out)
-  expect_exit(1 ${ARGN})
+  expect_exit(${exit_code} ${ARGN})
   expect_match("<${stdout}>" "^<>$")
   expect_match("${stderr}" "^canonical-pose: [^\n]*\n$")
   string(FIND "${stderr}" "${message}" position)

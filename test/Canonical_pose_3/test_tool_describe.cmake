@@ -17,7 +17,7 @@ endif()
 file(REMOVE ${WORK}/out/ball.json ${WORK}/out/all.json)
 
 expect_exit(2 describe ball.off)
-expect_refusal("there is no descriptor 'guess' in this build, which has" describe ball.off -o out/a.json --descriptor guess)
+expect_wrong_usage("there is no descriptor 'guess' in this build, which has" describe ball.off -o out/a.json --descriptor guess)
 expect_refusal("a surface is needed" describe ball.mesh -o out/a.json)
 expect_refusal("No such file" describe missing.off -o out/a.json)
 expect_refusal("the pose has 3 vertices" describe ball.off -o out/a.json --pose triangle.off)

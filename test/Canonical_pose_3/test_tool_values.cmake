@@ -30,10 +30,10 @@ if(position EQUAL -1)
   fail("out/pose.vtu should contain the point ${line}.")
 endif()
 
-expect_refusal("a tetrahedral mesh (.mesh, .vtu)" pose ball.off -o out/a.vtu)
+expect_wrong_usage("a tetrahedral mesh (.mesh, .vtu)" pose ball.off -o out/a.vtu)
 expect_refusal("written, but not read" check out/pose.vtu)
 foreach(format IN ITEMS off obj stl mesh vtu)
-  expect_refusal("cannot show values" geodesics ball.off --source 0 -o out/a.${format})
+  expect_wrong_usage("cannot show values" geodesics ball.off --source 0 -o out/a.${format})
 endforeach()
 
 # The target of unfolding, on surfaces and tetrahedral meshes; contacts, of which there are none here.

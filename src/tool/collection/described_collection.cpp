@@ -53,7 +53,7 @@ std::vector<Weighted_descriptor> chosen_descriptors(const Arguments& arguments,
     const std::optional<double> weight = take_weight(name);
     if(std::any_of(result.begin(), result.end(),
                    [&](const Weighted_descriptor& w) { return w.descriptor.name == name; }))
-      throw std::invalid_argument("the descriptor '" + name + "' is given twice");
+      throw Usage_error("the descriptor '" + name + "' is given twice");
     const Descriptor descriptor = descriptors({name}).front();
     result.push_back({descriptor, weight.value_or(descriptor.weight)});
   }

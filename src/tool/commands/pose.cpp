@@ -134,24 +134,24 @@ void add_pose_options(Command_options& o)
   add_method_options(o);
 }
 
-// Throws std::invalid_argument if the files cannot have the formats of their extensions.
+// Throws Usage_error if the outputs cannot have the formats of their extensions.
 void check_formats(const Arguments& arguments)
 {
   const bool is_tetrahedral = format_of(arguments.input) == Format::MEDIT;
   const auto holds_tetrahedra = [](const std::string& path) {
-    return format_of(path) == Format::MEDIT || format_of(path) == Format::VTU;
+    const Format format = format_of_output(path);
+    return format == Format::MEDIT || format == Format::VTU;
   };
   if(is_tetrahedral != holds_tetrahedra(arguments.output))
-    throw std::invalid_argument(
-      is_tetrahedral ? "the pose of a tetrahedral mesh (.mesh) has to be one, too (.mesh, .vtu)"
-                     : "the pose of a surface cannot be a tetrahedral mesh (.mesh, .vtu)");
+    throw Usage_error(is_tetrahedral
+                        ? "the pose of a tetrahedral mesh (.mesh) has to be one, too (.mesh, .vtu)"
+                        : "the pose of a surface cannot be a tetrahedral mesh (.mesh, .vtu)");
   if(!arguments.target.empty() && holds_tetrahedra(arguments.target))
-    throw std::invalid_argument(
-      "the target is a surface and cannot be a tetrahedral mesh (.mesh, .vtu)");
-  if(!arguments.scene.empty() && format_of(arguments.scene) != Format::GLB)
-    throw std::invalid_argument("'" + arguments.scene + "' is not a .glb file");
+    throw Usage_error("the target is a surface and cannot be a tetrahedral mesh (.mesh, .vtu)");
+  if(!arguments.scene.empty() && format_of_output(arguments.scene) != Format::GLB)
+    throw Usage_error("'" + arguments.scene + "' is not a .glb file");
   if(is_tetrahedral && arguments.options.body != Options::Body::AUTOMATIC)
-    throw std::invalid_argument("--body: a tetrahedral mesh is its own body");
+    throw Usage_error("--body: a tetrahedral mesh is its own body");
 }
 
 int run_pose(Arguments& arguments)

@@ -146,9 +146,8 @@ int run_segment(Arguments& arguments)
   if(is_folder(arguments.output))
     check_format_holds(format_of(arguments.input), Mesh_file());
   else if(!is_text(arguments.output) && !is_shown(arguments.output))
-    throw std::invalid_argument(
-      "'" + arguments.output
-      + "' is neither a .txt nor a .ply nor a .glb file, nor a folder ending in /");
+    throw Usage_error("'" + arguments.output
+                      + "' is neither a .txt nor a .ply nor a .glb file, nor a folder ending in /");
   // What cannot be written fails early.
   Output_folder folder(is_folder(arguments.output) ? arguments.output : std::string());
   Output_files({is_folder(arguments.output) ? std::string() : arguments.output, arguments.report});
