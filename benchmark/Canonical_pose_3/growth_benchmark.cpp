@@ -7,9 +7,9 @@
 // the mesh.
 //
 // How to read: one line per size. `heat`: setup of Heat_geodesics_3 and distances from --sources
-// sources on all threads; `wavefront`: Wavefront_geodesics_3 and one source; `pose`:
+// sources on all threads; `front`: Wavefront_geodesics_3 and one source; `pose`:
 // canonical_pose_3() with default options, and the seconds of body and registration included
-// therein; `one thread`: the same with one thread. Bytes are per vertex. The last line contains slopes of the logarithm of the time over
+// therein; `1 thr.`: the same with one thread. Bytes are per vertex. The last line contains slopes of the logarithm of the time over
 // that of the number of vertices, by least squares.
 //
 // Usage: growth_benchmark [--vertices 3300] [--levels 4] [--sources 80] [--runs 3]
@@ -151,9 +151,9 @@ double slope(const std::vector<double>& x, const std::vector<double>& y)
 void run(const std::size_t vertices, const std::size_t levels, const std::size_t sources,
          const std::size_t runs)
 {
-  std::printf("%9s | %8s%8s%7s | %8s%8s%7s | %8s%8s%7s | %8s%8s%7s\n", "vertices", "heat", "fields",
-              "bytes", "wavefr.", "field", "bytes", "pose", "body+r.", "bytes", "1 thread",
-              "body+r.", "bytes");
+  std::printf("%9s | %6s%8s%6s | %6s%8s%6s | %6s%8s%6s | %6s%8s%6s\n", "vertices", "heat", "fields",
+              "bytes", "front", "field", "bytes", "pose", "body+r.", "bytes", "1 thr.", "body+r.",
+              "bytes");
   std::vector<double> sizes;
   std::array<std::vector<double>, 8> columns;
   for(std::size_t level = 0; level <= levels; ++level)
@@ -170,7 +170,7 @@ void run(const std::size_t vertices, const std::size_t levels, const std::size_t
     for(std::size_t k = 0; k < 4; ++k)
     {
       const Measurement m = measure(works[k], runs);
-      std::printf(" | %8.3f%8.3f%7.0f", m.seconds[0], m.seconds[1], (m.bytes - none.bytes) / n);
+      std::printf(" | %6.2f%8.2f%6.0f", m.seconds[0], m.seconds[1], (m.bytes - none.bytes) / n);
       std::fflush(stdout);
       columns[2 * k].push_back(m.seconds[0]);
       columns[2 * k + 1].push_back(m.seconds[1]);
@@ -179,7 +179,7 @@ void run(const std::size_t vertices, const std::size_t levels, const std::size_t
   }
   std::printf("%9s", "slope");
   for(std::size_t k = 0; k < 4; ++k)
-    std::printf(" | %8.2f%8.2f%7s", slope(sizes, columns[2 * k]), slope(sizes, columns[2 * k + 1]),
+    std::printf(" | %6.2f%8.2f%6s", slope(sizes, columns[2 * k]), slope(sizes, columns[2 * k + 1]),
                 "");
   std::printf("\n");
 }
