@@ -94,7 +94,8 @@ inline void check_repaired(const Repaired_surface_3& surface, const Point_matrix
 }
 
 /// Examines and repairs a soup, and each component of the result.
-inline void check_surface(const Point_matrix& points, const Polygons& polygons)
+inline void check_surface(const Point_matrix& points,
+                          const CGAL::Canonical_pose_3::Face_list& polygons)
 {
   namespace CP = CGAL::Canonical_pose_3;
   is_accepted([&] { CP::diagnose(points, polygons); });

@@ -29,8 +29,7 @@ void write_files(const std::filesystem::path& directory)
     = boundary({{{{0, 0, 0}}, {{1, 0, 0}}, {{0, 1, 0}}, {{0, 0, 1}}}, {{{0, 1, 2, 3}}}});
   const Tetrahedral_soup box = tetrahedral_box(1, 1, 1);
   surface.points = tetrahedron.points;
-  for(const auto& t : tetrahedron.triangles)
-    surface.faces.emplace_back(t.begin(), t.end());
+  surface.faces = tetrahedron.triangles;
   solid.is_tetrahedral = true;
   solid.points = box.points;
   solid.cells = box.cells;

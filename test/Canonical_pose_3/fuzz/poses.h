@@ -113,7 +113,8 @@ inline void check_result(const Result& result, const Options& options,
 
 /// Returns the result for a soup, without a pose if it is refused.
 inline Result checked_pose(const std::vector<std::array<double, 3>>& coordinates,
-                           const Polygons& polygons, const Options& options)
+                           const CGAL::Canonical_pose_3::Face_list& polygons,
+                           const Options& options)
 {
   const std::vector<Point_3> points = to_points(coordinates);
   std::vector<Point_3> pose;
