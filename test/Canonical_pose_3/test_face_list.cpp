@@ -3,6 +3,7 @@
 
 #include <CGAL/Canonical_pose_3/Face_list.h>
 #include <CGAL/Canonical_pose_3/internal/surface/Corner_table.h>
+#include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include "matchers.h"
 
@@ -14,6 +15,7 @@
 #include <limits>
 #include <list>
 #include <stdexcept>
+#include <type_traits>
 #include <vector>
 
 namespace CP = CGAL::Canonical_pose_3;
@@ -59,6 +61,12 @@ TEST(FaceList, HoldsWhatItWasMadeOf)
 
 TEST(FaceList, IsMadeOfAnyRangeOfRanges)
 {
+  static_assert(std::is_convertible<std::vector<std::vector<int>>, Face_list>::value, "indices");
+  static_assert(!std::is_convertible<std::vector<std::array<double, 3>>, Face_list>::value,
+                "positions would be truncated without a word");
+  static_assert(!std::is_convertible<CGAL::Canonical_pose_3::Point_matrix, Face_list>::value,
+                "as well");
+  static_assert(!std::is_convertible<std::vector<int>, Face_list>::value, "this is one face");
   const Face_list expected = {{0, 1, 2}, {2, 1, 3}};
   EXPECT_TRUE(expected.are_triangles());
   EXPECT_EQ(Face_list(std::vector<std::array<int, 3>>{{0, 1, 2}, {2, 1, 3}}), expected);

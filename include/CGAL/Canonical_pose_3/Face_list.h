@@ -32,8 +32,8 @@ Any range of ranges of indices is converted to it, for instance
 class Face_list
 {
   template <class Range>
-  using Vertex_of_range = decltype(static_cast<std::size_t>(
-    *std::begin(*std::begin(std::declval<const Range&>()))));
+  using Vertex_of_range
+    = std::decay_t<decltype(*std::begin(*std::begin(std::declval<const Range&>())))>;
 
 public:
   /// unsigned integer type of the vertices.
@@ -76,8 +76,11 @@ public:
   Face_list() = default;
 
   /// holds the faces of a range of ranges of indices. \throws see `push_back()`
-  template <class Range, class = Vertex_of_range<Range>,
-            std::enable_if_t<!std::is_base_of<Face_list, Range>::value, int> = 0>
+  template <class Range, class Vertex = Vertex_of_range<Range>,
+            std::enable_if_t<!std::is_base_of<Face_list, Range>::value
+                               && std::is_constructible<std::size_t, Vertex>::value
+                               && !std::is_floating_point<Vertex>::value, // positions are no faces
+                             int> = 0>
   Face_list(const Range& faces)
   {
     using Iterator = decltype(std::begin(faces));
