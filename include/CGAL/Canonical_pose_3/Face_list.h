@@ -129,6 +129,9 @@ public:
     push_back(boost::make_iterator_range(face.begin(), face.end()));
   }
 
+  /// appends a face of a list, of this one, too.
+  void push_back(const Face& face) { push_back(std::vector<Index>(face.begin(), face.end())); }
+
   /// allocates memory for a number of triangles.
   void reserve(const std::size_t number_of_triangles)
   {
