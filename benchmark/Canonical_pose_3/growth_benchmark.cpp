@@ -9,8 +9,8 @@
 // How to read: one line per size. `heat`: setup of Heat_geodesics_3 and distances from --sources
 // sources on all threads; `front`: Wavefront_geodesics_3 and one source; `pose`:
 // canonical_pose_3() with default options, and the seconds of body and registration included
-// therein; `1 thr.`: the same with one thread. Bytes are per vertex. The last line contains slopes of the logarithm of the time over
-// that of the number of vertices, by least squares.
+// therein; `1 thr.`: the same with one thread. Bytes are per vertex. The last line contains slopes
+// of the logarithm of the time over that of the number of vertices, by least squares.
 //
 // Usage: growth_benchmark [--vertices 3300] [--levels 4] [--sources 80] [--runs 3]
 

@@ -20,7 +20,6 @@
 #include <cstddef>
 #include <iterator>
 #include <type_traits>
-#include <vector>
 
 namespace CGAL {
 inline namespace CGAL_CANONICAL_POSE_3_BODIES {

@@ -9,7 +9,6 @@
 
 #include <Eigen/Core>
 
-#include <cstddef>
 #include <functional>
 #include <string>
 #include <vector>

@@ -143,9 +143,9 @@ Shown_surface scene_of(const Mesh_file& mesh)
 TEST(Gltf, vertices_and_faces_keep_their_order)
 {
   Mesh_file mesh = ball();
-  mesh.points.push_back({9, 9, 9});         // isolated
-  mesh.faces.push_back({3, 3, 5});          // degenerate
-  mesh.faces.push_back({mesh.faces[0][0], mesh.faces[0][1], mesh.faces[0][2]}); // duplicate
+  mesh.points.push_back({9, 9, 9});    // isolated
+  mesh.faces.push_back({3, 3, 5});     // degenerate
+  mesh.faces.push_back(mesh.faces[0]); // duplicate
   expect_near(read(written(mesh)), mesh, 1e-6);
 }
 

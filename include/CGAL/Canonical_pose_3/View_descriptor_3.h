@@ -11,7 +11,6 @@
 
 #include <cstddef>
 #include <string>
-#include <vector>
 
 namespace CGAL {
 namespace Canonical_pose_3 {

@@ -8,7 +8,6 @@
 #include <CGAL/Canonical_pose_3/Repaired_surface_3.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
-#include <array>
 #include <cstddef>
 #include <stdexcept>
 #include <string>

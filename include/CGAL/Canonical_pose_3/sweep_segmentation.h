@@ -14,7 +14,6 @@
 #include <CGAL/Named_function_parameters.h>
 
 #include <cstddef>
-#include <vector>
 
 namespace CGAL {
 namespace Canonical_pose_3 {

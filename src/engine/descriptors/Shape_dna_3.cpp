@@ -11,9 +11,6 @@
 
 #include <Eigen/Core>
 
-#include <cstddef>
-#include <vector>
-
 namespace CGAL {
 namespace Canonical_pose_3 {
 

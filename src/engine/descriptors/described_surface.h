@@ -10,8 +10,6 @@
 #include <CGAL/Canonical_pose_3/repair_surface.h>
 
 #include <algorithm>
-#include <cstddef>
-#include <vector>
 
 namespace CGAL {
 namespace Canonical_pose_3 {

@@ -17,7 +17,6 @@
 #include <CGAL/Real_timer.h>
 
 #include <cstddef>
-#include <vector>
 
 namespace CGAL {
 namespace Canonical_pose_3 {

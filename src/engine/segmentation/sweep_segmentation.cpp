@@ -19,7 +19,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace Canonical_pose_3 {

@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <stdexcept>
-#include <string>
 #include <vector>
 
 namespace CGAL {

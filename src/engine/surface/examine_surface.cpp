@@ -10,9 +10,6 @@
 #include <CGAL/Canonical_pose_3/internal/surface/index_faces.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
-#include <cstddef>
-#include <vector>
-
 namespace CGAL {
 namespace Canonical_pose_3 {
 namespace internal {

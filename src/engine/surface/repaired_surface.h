@@ -14,7 +14,6 @@
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <stdexcept>
-#include <vector>
 
 namespace CGAL {
 namespace Canonical_pose_3 {

@@ -11,7 +11,6 @@
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <array>
-#include <cstddef>
 #include <vector>
 
 namespace CGAL {
