@@ -75,7 +75,8 @@ public:
   /// creates an empty list.
   Face_list() = default;
 
-  /// holds the faces of a range of ranges of indices. \throws see `push_back()`
+  /// holds the faces of a range of ranges of indices.
+  /// \throws std::invalid_argument as `push_back()`
   template <class Range, class Vertex = Vertex_of_range<Range>,
             std::enable_if_t<!std::is_base_of<Face_list, Range>::value
                                && std::is_constructible<std::size_t, Vertex>::value
@@ -91,7 +92,8 @@ public:
       push_back(face);
   }
 
-  /// holds these faces. \throws see `push_back()`
+  /// holds these faces.
+  /// \throws std::invalid_argument as `push_back()`
   Face_list(const std::initializer_list<std::initializer_list<std::size_t>> faces)
   {
     for(const std::initializer_list<std::size_t>& face : faces)
