@@ -126,14 +126,14 @@ TEST(Lattice_of_large_faces, number_of_samples)
 {
   const shapes::Triangle_soup soup = shapes::icosphere_soup(3, 1.);
   const CP::internal::Row_points points = shapes::to_matrix(soup.points);
-  EXPECT_LT(CP::internal::number_of_samples(points, soup.triangles, 1e6), 0.01);
+  const CP::internal::Sample_bound bound(points, soup.triangles);
+  EXPECT_LT(bound(1e6), 0.01);
   for(const double step : {0.3, 0.1, 0.01})
   {
     std::size_t number = 0;
     for(const auto& t : soup.triangles)
       CP::internal::for_each_sample(points, t, step, [&](const Eigen::Vector3d&) { ++number; });
-    EXPECT_LE(double(number), double(soup.triangles.size())
-                                + CP::internal::number_of_samples(points, soup.triangles, step));
+    EXPECT_LE(double(number), double(soup.triangles.size()) + bound(step));
   }
 }
 

@@ -4,10 +4,12 @@
 #ifndef CGAL_CANONICAL_POSE_3_SURFACE_MEASURES_H
 #define CGAL_CANONICAL_POSE_3_SURFACE_MEASURES_H
 
+#include <CGAL/Canonical_pose_3/Face_list.h>
 #include <CGAL/Canonical_pose_3/internal/surface/check_soup.h>
 #include <CGAL/Canonical_pose_3/internal/surface/index_faces.h>
 #include <CGAL/Canonical_pose_3/internal/surface/twice_area.h>
 #include <CGAL/Canonical_pose_3/internal/support/Buckets.h>
+#include <CGAL/Canonical_pose_3/internal/support/for_each_block.h>
 #include <CGAL/Canonical_pose_3/internal/support/points_of_parameters.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
@@ -76,24 +78,32 @@ Eigen::VectorXd vertex_area_shares(const TriangleMesh& tmesh,
 
 namespace internal {
 
-// Calls f(v, w) for each pair of corners of elements (triangles, tetrahedra), once per pair.
-template <std::size_t N, class Function>
-void for_each_edge(const std::size_t number_of_vertices,
-                   const std::vector<std::array<std::size_t, N>>& elements, const Function& f)
+// For each vertex, the larger vertices with which it forms pairs of corners of elements (triangles,
+// tetrahedra): as often as there are such pairs, in order.
+template <std::size_t N>
+Buckets<Face_list::Index> larger_ends(const std::size_t number_of_vertices,
+                                      const std::vector<std::array<std::size_t, N>>& elements)
 {
-  Buckets<std::size_t> larger_ends(number_of_vertices, [&](const auto& put) {
-    for(const std::array<std::size_t, N>& element : elements)
+  return Buckets<Face_list::Index>::sorted(
+    number_of_vertices, elements.size(), [&](const std::size_t t, const auto& put) {
       for(std::size_t i = 1; i < N; ++i)
         for(std::size_t j = 0; j < i; ++j)
-          put((std::min)(element[i], element[j]), (std::max)(element[i], element[j]));
-  });
-  for(std::size_t v = 0; v < number_of_vertices; ++v)
+          put((std::min)(elements[t][i], elements[t][j]),
+              static_cast<Face_list::Index>((std::max)(elements[t][i], elements[t][j])));
+    });
+}
+
+// Calls f(v, w) for each pair, once, with v in [first, last).
+template <class Function>
+void for_each_edge(const Buckets<Face_list::Index>& larger_ends, const std::size_t first,
+                   const std::size_t last, const Function& f)
+{
+  for(std::size_t v = first; v < last; ++v)
   {
     const auto ends = larger_ends[v];
-    std::sort(ends.begin(), ends.end());
-    const auto last = std::unique(ends.begin(), ends.end());
-    for(auto w = ends.begin(); w != last; ++w)
-      f(static_cast<Eigen::Index>(v), static_cast<Eigen::Index>(*w));
+    for(auto w = ends.begin(); w != ends.end(); ++w)
+      if(w == ends.begin() || *w != *(w - 1))
+        f(static_cast<Eigen::Index>(v), static_cast<Eigen::Index>(*w));
   }
 }
 
@@ -118,14 +128,20 @@ inline double median_edge_strain(const Point_matrix& rest, const Point_matrix& p
 {
   CGAL_precondition(rest.rows() == pose.rows());
   internal::check_elements(triangles, static_cast<std::size_t>(rest.rows()));
+  const std::size_t n = static_cast<std::size_t>(rest.rows());
+  const auto ends = internal::larger_ends(n, triangles);
+  std::vector<std::vector<double>> blocks(internal::number_of_blocks(n));
+  internal::for_each_block(
+    n, [&](const std::size_t block, const std::size_t first, const std::size_t last) {
+      internal::for_each_edge(ends, first, last, [&](const Eigen::Index v, const Eigen::Index w) {
+        const double length = (rest.row(v) - rest.row(w)).norm();
+        if(length > 0)
+          blocks[block].push_back(std::abs(std::log((pose.row(v) - pose.row(w)).norm() / length)));
+      });
+    });
   std::vector<double> strains;
-  internal::for_each_edge(static_cast<std::size_t>(rest.rows()), triangles,
-                          [&](const Eigen::Index v, const Eigen::Index w) {
-                            const double length = (rest.row(v) - rest.row(w)).norm();
-                            if(length > 0)
-                              strains.push_back(
-                                std::abs(std::log((pose.row(v) - pose.row(w)).norm() / length)));
-                          });
+  for(const std::vector<double>& block : blocks)
+    strains.insert(strains.end(), block.begin(), block.end());
   if(strains.empty())
     return 0;
   const auto middle = strains.begin() + static_cast<std::ptrdiff_t>(strains.size() / 2);
@@ -163,7 +179,8 @@ Eigen::VectorXd vertex_strains(const Point_matrix& rest, const Point_matrix& pos
                            N == 3 ? "triangle" : "tetrahedron");
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(rest.rows());
   Eigen::VectorXd number = Eigen::VectorXd::Zero(rest.rows());
-  internal::for_each_edge(static_cast<std::size_t>(rest.rows()), elements,
+  const std::size_t n = static_cast<std::size_t>(rest.rows());
+  internal::for_each_edge(internal::larger_ends(n, elements), 0, n,
                           [&](const Eigen::Index v, const Eigen::Index w) {
                             const double at_rest = (rest.row(v) - rest.row(w)).stableNorm();
                             const double in_pose = (pose.row(v) - pose.row(w)).stableNorm();

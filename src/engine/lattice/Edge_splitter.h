@@ -43,13 +43,16 @@ private:
   // Returns whether any edge was split.
   bool split_all(Row_points& points, std::vector<Index_triangle>& triangles)
   {
+    if(std::none_of(triangles.begin(), triangles.end(), [&](const Index_triangle& t) {
+         return is_long(t[0], t[1], points) || is_long(t[1], t[2], points)
+                || is_long(t[2], t[0], points);
+       }))
+      return false;
     m_middles.clear();
     const std::size_t first = m_edges.size();
     std::vector<Index_triangle> parts;
     for(const Index_triangle& t : triangles)
       split(t, points, parts);
-    if(m_edges.size() == first)
-      return false;
     triangles.swap(parts);
     points.conservativeResize(static_cast<Eigen::Index>(m_number_of_vertices + m_edges.size()), 3);
     for(std::size_t i = first; i < m_edges.size(); ++i)
@@ -60,12 +63,16 @@ private:
     return true;
   }
 
+  bool is_long(const std::size_t v, const std::size_t w, const Row_points& points) const
+  {
+    return (points.row(static_cast<Eigen::Index>(v)) - points.row(static_cast<Eigen::Index>(w)))
+             .norm()
+           > m_longest;
+  }
+
   std::size_t middle(const std::size_t v, const std::size_t w, const Row_points& points)
   {
-    const double length
-      = (points.row(static_cast<Eigen::Index>(v)) - points.row(static_cast<Eigen::Index>(w)))
-          .norm();
-    if(!(length > m_longest))
+    if(!is_long(v, w, points))
       return NONE;
     const Edge edge = std::minmax(v, w);
     const auto [found, is_new] = m_middles.try_emplace(edge, m_number_of_vertices + m_edges.size());

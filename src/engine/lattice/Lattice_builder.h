@@ -14,6 +14,7 @@
 #include <CGAL/Canonical_pose_3/internal/lattice/Geodesic_bounds.h>
 #include <CGAL/Canonical_pose_3/internal/lattice/Lattice_body_data.h>
 #include <CGAL/Canonical_pose_3/internal/surface/twice_area.h>
+#include <CGAL/Canonical_pose_3/internal/support/Buckets.h>
 #include <CGAL/Canonical_pose_3/internal/support/Principal_axes.h>
 #include <CGAL/Canonical_pose_3/internal/support/for_each_block.h>
 #include <CGAL/Canonical_pose_3/internal/support/require_option.h>
@@ -51,14 +52,15 @@ public:
     m_unit = bounds.unit();
     place(points, triangles);
     check_vertices(triangles);
-    if(spacing > 0 && is_too_small(spacing, triangles))
+    m_number_of_samples = Sample_bound(m_surface, triangles);
+    if(spacing > 0 && is_too_small(spacing))
       throw std::invalid_argument("the spacing of the lattice, " + shortest_number(spacing)
                                   + " of the largest distance, is too small for this surface");
     split_faces(spacing > 0 ? (std::min)(spacing, largest_spacing()) : largest_spacing(), triangles,
                 bounds);
     const Chord_finder find_chords(m_surface, triangles, caps, bounds);
     const auto chords_from_cubes = [&](double side) {
-      while(number_of_samples(m_surface, triangles, side) > LARGEST_NUMBER_OF_SAMPLES)
+      while(m_number_of_samples(side) > LARGEST_NUMBER_OF_SAMPLES)
         side *= 2;
       return thinned(find_chords(sample_surface(m_surface, triangles, side)),
                      side * LARGEST_NUMBER_OF_SAMPLES);
@@ -66,7 +68,7 @@ public:
     m_data.spacing = spacing > 0
                        ? spacing
                        : suitable_spacing(chords_from_cubes(largest_spacing()), triangles, caps);
-    while(is_too_small(m_data.spacing, triangles))
+    while(is_too_small(m_data.spacing))
       m_data.spacing *= 1.25;
     const std::vector<Chord> chords = chords_from_cubes(m_data.spacing / 2);
     const Lattice_pieces pieces(m_surface, triangles, chords, m_data.spacing);
@@ -93,13 +95,12 @@ private:
       throw std::invalid_argument("a geodesic distance is not finite");
   }
 
-  bool is_too_small(const double spacing,
-                    const std::vector<std::array<std::size_t, 3>>& triangles) const
+  bool is_too_small(const double spacing) const
   {
     const Eigen::Array3d extent
       = (m_surface.colwise().maxCoeff() - m_surface.colwise().minCoeff()).transpose().array();
     return !((extent / spacing + 1).prod() <= LARGEST_NUMBER_OF_CUBES)
-           || number_of_samples(m_surface, triangles, spacing) > LARGEST_NUMBER_OF_SAMPLES;
+           || m_number_of_samples(spacing) > LARGEST_NUMBER_OF_SAMPLES;
   }
 
   // Transforms the surface to the frame of its principal axes, in units of L.
@@ -131,10 +132,13 @@ private:
   void split_faces(double longest_edge, std::vector<std::array<std::size_t, 3>>& triangles,
                    Geodesic_bounds& bounds)
   {
-    while(number_of_samples(m_surface, triangles, longest_edge) > LARGEST_NUMBER_OF_PARTS)
+    while(m_number_of_samples(longest_edge) > LARGEST_NUMBER_OF_PARTS)
       longest_edge *= 2;
     const Edge_splitter splitter(m_surface, triangles, longest_edge);
+    if(splitter.edges().empty())
+      return;
     bounds.add_middles(splitter.edges(), m_surface);
+    m_number_of_samples = Sample_bound(m_surface, triangles);
   }
 
   // Half the length that nine tenths of the chords exceed, within bounds, and without too many
@@ -244,10 +248,7 @@ private:
     for(std::size_t f = triangles.size(); f-- > 0;)
       for(const std::size_t v : triangles[f])
         face_of_vertex[v] = f;
-    std::vector<Eigen::Triplet<double>> entries;
-    entries.reserve(4 * static_cast<std::size_t>(n));
-    for(std::size_t v = 0; v < static_cast<std::size_t>(n); ++v)
-    {
+    const auto for_each_entry = [&](const std::size_t v, const auto& put) {
       const Eigen::Vector3d point = m_surface.row(static_cast<Eigen::Index>(v));
       const int cell = pieces.cell_of(point);
       const std::array<int, 3> coordinates = pieces.coordinates(cell);
@@ -265,14 +266,24 @@ private:
       {
         const double next = k < 3 ? place[axes[k]] : 0;
         if(last != next)
-          entries.emplace_back(static_cast<int>(v), nodes[corner], last - next);
+          put(static_cast<std::size_t>(nodes[corner]),
+              std::make_pair(static_cast<int>(v), last - next));
         last = next;
         if(k < 3)
           corner |= std::size_t(1) << axes[k];
       }
-    }
+    };
+    const auto columns = Buckets<std::pair<int, double>>::sorted(
+      copies.number_of_nodes(), static_cast<std::size_t>(n), for_each_entry);
     m_data.embedding.resize(n, m_data.points.rows());
-    m_data.embedding.setFromTriplets(entries.begin(), entries.end());
+    m_data.embedding.reserve(static_cast<Eigen::Index>(columns.values().size()));
+    for(std::size_t node = 0; node < columns.number_of_buckets(); ++node)
+    {
+      m_data.embedding.startVec(static_cast<Eigen::Index>(node));
+      for(const auto& [v, weight] : columns[node])
+        m_data.embedding.insertBack(v, static_cast<Eigen::Index>(node)) = weight;
+    }
+    m_data.embedding.finalize();
   }
 
   double m_coarsening; // of the spacing, where there are fewer cubes
@@ -281,6 +292,7 @@ private:
   Eigen::RowVector3d m_centroid;
   Eigen::Matrix3d m_axes;
   Row_points m_surface;
+  Sample_bound m_number_of_samples;
   Lattice_body_data m_data;
 };
 

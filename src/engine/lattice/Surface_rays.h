@@ -73,8 +73,8 @@ public:
       if(is_last) // a face on the border may be hit slightly behind it due to rounding
         end = std::numeric_limits<double>::infinity();
       hits.clear();
-      for(const std::size_t f : m_faces_of_cells[index(cell)])
-        if(f != own_face)
+      for(const int face : m_faces_of_cells[index(cell)])
+        if(const auto f = static_cast<std::size_t>(face); f != own_face)
           intersect(origin, direction, f, begin, end, hits);
       sort(hits);
       for(const Hit& hit : hits)
@@ -124,10 +124,10 @@ private:
     const std::size_t n = static_cast<std::size_t>(m_cells[0])
                           * static_cast<std::size_t>(m_cells[1])
                           * static_cast<std::size_t>(m_cells[2]);
-    m_faces_of_cells = Buckets<std::size_t>(n, [&](const auto& put) {
-      for(std::size_t f = 0; f < m_triangles.size(); ++f)
-        for_each_cell(m_triangles[f], [&](const std::size_t c) { put(c, f); });
-    });
+    m_faces_of_cells
+      = Buckets<int>::sorted(n, m_triangles.size(), [&](const std::size_t f, const auto& put) {
+          for_each_cell(m_triangles[f], [&](const std::size_t c) { put(c, static_cast<int>(f)); });
+        });
   }
 
   // A range of cells along the three axes.
@@ -287,7 +287,7 @@ private:
   Eigen::Vector3d m_low;
   double m_size = 0;
   std::array<int, 3> m_cells;
-  Buckets<std::size_t> m_faces_of_cells;
+  Buckets<int> m_faces_of_cells;
 };
 
 } // namespace internal

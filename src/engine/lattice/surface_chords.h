@@ -76,20 +76,30 @@ void for_each_sample(const Row_points& points, const Index_triangle& t, const do
 }
 
 // A bound on the number of samples of all faces in addition to one per face.
-inline double number_of_samples(const Row_points& points,
-                                const std::vector<Index_triangle>& triangles, const double step)
+class Sample_bound
 {
-  double sum = 0;
-  for(const Index_triangle& t : triangles)
+public:
+  Sample_bound() = default;
+  Sample_bound(const Row_points& points, const std::vector<Index_triangle>& triangles)
   {
-    const auto point
-      = [&](const std::size_t k) { return points.row(static_cast<Eigen::Index>(t[k])); };
-    const Eigen::Vector3d a = point(1) - point(0), b = point(2) - point(0);
-    const double longest = (std::max)({a.norm(), b.norm(), (b - a).norm()});
-    sum += a.cross(b).norm() / (step * step) + 3 * longest / step;
+    for(const Index_triangle& t : triangles)
+    {
+      const auto point
+        = [&](const std::size_t k) { return points.row(static_cast<Eigen::Index>(t[k])); };
+      const Eigen::Vector3d a = point(1) - point(0), b = point(2) - point(0);
+      m_twice_area += a.cross(b).norm();
+      m_longest_edges += (std::max)({a.norm(), b.norm(), (b - a).norm()});
+    }
   }
-  return sum;
-}
+
+  double operator()(const double step) const
+  {
+    return m_twice_area / (step * step) + 3 * m_longest_edges / step;
+  }
+
+private:
+  double m_twice_area = 0, m_longest_edges = 0; // sums over the triangles
+};
 
 // Chooses surface samples, about one per cube of the given edge length and per direction of the
 // normal (one of six): the one nearest to the center of the cube, so that the choice does not
@@ -98,31 +108,45 @@ inline std::vector<Surface_sample> sample_surface(const Row_points& points,
                                                   const std::vector<Index_triangle>& triangles,
                                                   const double side)
 {
+  constexpr std::size_t faces_per_block = std::size_t(1) << 16;
   using Cube = std::array<int, 4>;                         // and direction
   using Ranked_sample = std::pair<double, Surface_sample>; // by the distance to the center
-  std::unordered_map<Cube, Ranked_sample, boost::hash<Cube>> nearest;
-  for(std::size_t f = 0; f < triangles.size(); ++f)
-  {
+  using Samples = std::unordered_map<Cube, Ranked_sample, boost::hash<Cube>>;
+  const auto add = [](auto& samples, const Cube& cube, const Ranked_sample& sample) {
+    const auto [found, is_new] = samples.try_emplace(cube, sample);
+    if(!is_new && sample.first < found->second.first)
+      found->second = sample;
+  };
+  const auto add_face = [&](const std::size_t f, Samples& samples) {
     const Index_triangle& t = triangles[f];
     const auto point
       = [&](const std::size_t k) { return points.row(static_cast<Eigen::Index>(t[k])); };
     const Eigen::Vector3d normal = (point(1) - point(0)).cross(point(2) - point(0));
     int axis;
     if(!(normal.cwiseAbs().maxCoeff(&axis) > 0))
-      continue;
+      return;
     for_each_sample(points, t, 0.6 * side, [&](const Eigen::Vector3d& p) {
       const Eigen::Vector3d in_cubes = p / side;
       const Eigen::Vector3d cube = in_cubes.array().floor();
       const double distance = (in_cubes - cube - Eigen::Vector3d::Constant(0.5)).squaredNorm();
-      const auto [found, is_new] = nearest.try_emplace(
-        Cube{static_cast<int>(cube[0]), static_cast<int>(cube[1]), static_cast<int>(cube[2]),
-             2 * axis + (normal[axis] > 0 ? 1 : 0)},
-        distance, Surface_sample{f, p});
-      if(!is_new && distance < found->second.first)
-        found->second = {distance, {f, p}};
+      add(samples,
+          {static_cast<int>(cube[0]), static_cast<int>(cube[1]), static_cast<int>(cube[2]),
+           2 * axis + (normal[axis] > 0 ? 1 : 0)},
+          {distance, {f, p}});
     });
-  }
-  const std::map<Cube, Ranked_sample> sorted(nearest.begin(), nearest.end());
+  };
+  std::vector<Samples> blocks(number_of_blocks(triangles.size(), faces_per_block));
+  for_each_block(
+    triangles.size(),
+    [&](const std::size_t block, const std::size_t begin, const std::size_t end) {
+      for(std::size_t f = begin; f < end; ++f)
+        add_face(f, blocks[block]);
+    },
+    faces_per_block);
+  std::map<Cube, Ranked_sample> sorted;
+  for(const Samples& samples : blocks)
+    for(const auto& [cube, sample] : samples)
+      add(sorted, cube, sample);
   std::vector<Surface_sample> chosen;
   for(const auto& [cube, sample] : sorted)
     chosen.push_back(sample.second);

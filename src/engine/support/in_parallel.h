@@ -6,8 +6,12 @@
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/parallel_invoke.h>
+#include <tbb/parallel_sort.h>
 #include <tbb/task_arena.h>
 #endif
+
+#include <algorithm>
+#include <vector>
 
 namespace CGAL {
 namespace Canonical_pose_3 {
@@ -22,6 +26,17 @@ void in_parallel(const First& first, const Second& second)
 #else
   first();
   second();
+#endif
+}
+
+// Sorts values, no two of which are equivalent, in parallel if TBB is available.
+template <class Value>
+void sort_in_parallel(std::vector<Value>& values)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  tbb::parallel_sort(values.begin(), values.end());
+#else
+  std::sort(values.begin(), values.end());
 #endif
 }
 

@@ -30,8 +30,10 @@ namespace internal {
 class Component_orienter
 {
 public:
+  using Side = Manifold_builder::Side;
+
   // `points`: normalized, rows of `surface.origins`. `twins`: see Manifold_builder::twins().
-  Component_orienter(const Point_matrix& points, const std::vector<std::size_t>& twins,
+  Component_orienter(const Point_matrix& points, const std::vector<Side>& twins,
                      Repaired_surface_3& surface)
     : m_points(points), m_twins(twins), m_surface(surface)
   {}
@@ -142,7 +144,7 @@ private:
   }
 
   const Point_matrix& m_points;
-  const std::vector<std::size_t>& m_twins;
+  const std::vector<Side>& m_twins;
   Repaired_surface_3& m_surface;
   std::vector<double> m_double_area; // of each component
   std::vector<std::size_t> m_component_of_cap;

@@ -11,6 +11,7 @@
 #include <CGAL/Canonical_pose_3/internal/surface/Corner_table.h>
 #include <CGAL/Canonical_pose_3/internal/surface/Triangle_soup.h>
 #include <CGAL/Canonical_pose_3/internal/surface/index_faces.h>
+#include <CGAL/Canonical_pose_3/internal/support/Buckets.h>
 #include <CGAL/Canonical_pose_3/internal/support/Disjoint_sets.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
@@ -29,7 +30,9 @@ namespace internal {
 class Manifold_builder
 {
 public:
-  static constexpr std::size_t NONE = Corner_table::NONE;
+  using Side = Corner_table::Index;
+
+  static constexpr Side NONE = Corner_table::NONE;
 
   // `topology`: of the triangles of its soup.
   explicit Manifold_builder(const Soup_topology& topology)
@@ -56,7 +59,7 @@ public:
   }
 
   // Twin of each side, which runs in the opposite direction, or NONE.
-  const std::vector<std::size_t>& twins() const { return m_twin; }
+  const std::vector<Side>& twins() const { return m_twin; }
 
   static std::size_t next(const std::size_t c) { return c % 3 == 2 ? c - 2 : c + 1; }
   static std::size_t previous(const std::size_t c) { return c % 3 == 0 ? c + 2 : c - 1; }
@@ -106,11 +109,13 @@ private:
   // Reverses triangles and their sides.
   void take(const Side_pairing& pairing)
   {
-    const auto turned = [&](const std::size_t side) {
-      return side != NONE && pairing.is_flipped(side / 3) ? side + 2 - 2 * (side % 3) : side;
+    const auto turned = [&](const Side side) {
+      return side != NONE && pairing.is_flipped(side / 3)
+               ? static_cast<Side>(side + 2 - 2 * (side % 3))
+               : side;
     };
     m_twin.resize(pairing.twins().size());
-    for(std::size_t side = 0; side < m_twin.size(); ++side)
+    for(Side side = 0; side < m_twin.size(); ++side)
       m_twin[turned(side)] = turned(pairing.twins()[side]);
     m_complex_edges = pairing.complex_edges();
     for(std::vector<std::size_t>& sides : m_complex_edges)
@@ -129,16 +134,17 @@ private:
     {
       if(m_fan[first] != NONE)
         continue;
+      const auto fan = static_cast<Side>(m_first_of_fan.size());
       std::size_t c = first;
       do
       {
-        m_fan[c] = m_first_of_fan.size();
+        m_fan[c] = fan;
         c = m_twin[c] == NONE ? NONE : next(m_twin[c]);
       } while(c != NONE && c != first);
       if(c == NONE) // the fan is open: also traverse it backward
         for(c = m_twin[previous(first)]; c != NONE; c = m_twin[previous(c)])
-          m_fan[c] = m_first_of_fan.size();
-      m_first_of_fan.push_back(first);
+          m_fan[c] = fan;
+      m_first_of_fan.push_back(static_cast<Side>(first));
     }
   }
 
@@ -188,22 +194,24 @@ private:
   }
 
   // Vertices are sorted by the row of which they are copies, then by their first corner.
-  void make_vertices(Repaired_surface_3& result) const
+  void make_vertices(Repaired_surface_3& result)
   {
     result.representatives = representatives();
-    std::vector<std::pair<std::size_t, std::size_t>> row_and_fan;
-    for(const std::size_t c : m_first_of_fan)
-      row_and_fan.emplace_back(result.representatives[row(c)], row_and_fan.size());
-    std::sort(row_and_fan.begin(), row_and_fan.end());
-    std::vector<std::size_t> vertex_of_fan(row_and_fan.size());
-    for(const auto& [row, fan] : row_and_fan)
-    {
-      vertex_of_fan[fan] = result.origins.size();
-      result.origins.push_back(row);
-    }
-    for(std::size_t c = 0; c < m_fan.size(); c += 3)
-      result.triangles.push_back(
-        {vertex_of_fan[m_fan[c]], vertex_of_fan[m_fan[c + 1]], vertex_of_fan[m_fan[c + 2]]});
+    const Buckets<Side> fans_of_rows(number_of_rows(), [&](const auto& put) {
+      for(Side fan = 0; fan < m_first_of_fan.size(); ++fan)
+        put(result.representatives[row(m_first_of_fan[fan])], fan);
+    });
+    std::vector<std::size_t> vertex_of_fan(m_first_of_fan.size());
+    result.origins.reserve(m_first_of_fan.size());
+    for(std::size_t v = 0; v < number_of_rows(); ++v)
+      for(const Side fan : fans_of_rows[v])
+      {
+        vertex_of_fan[fan] = result.origins.size();
+        result.origins.push_back(v);
+      }
+    result.triangles = std::move(m_soup.triangles);
+    for(std::size_t c = 0; c < m_fan.size(); ++c)
+      result.triangles[c / 3][c % 3] = vertex_of_fan[m_fan[c]];
   }
 
   // Two sides whose twins were separated may still connect the same two vertices.
@@ -225,9 +233,10 @@ private:
   const Soup_topology& m_topology;
   const Point_matrix& m_points;
   Triangle_soup m_soup;
-  std::vector<std::size_t> m_place, m_twin;
+  std::vector<std::size_t> m_place;
+  std::vector<Side> m_twin;
   std::vector<std::vector<std::size_t>> m_complex_edges;
-  std::vector<std::size_t> m_fan, m_first_of_fan;
+  std::vector<Side> m_fan, m_first_of_fan;
 };
 
 } // namespace internal

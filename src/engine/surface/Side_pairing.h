@@ -33,7 +33,9 @@ namespace internal {
 class Side_pairing
 {
 public:
-  static constexpr std::size_t NONE = Corner_table::NONE;
+  using Side = Corner_table::Index;
+
+  static constexpr Side NONE = Corner_table::NONE;
 
   // `corners`: of triangles.
   Side_pairing(const Point_matrix& points, const Corner_table& corners)
@@ -55,7 +57,7 @@ public:
   }
 
   // Twin of each side, or NONE. Side 3t+k of triangle t runs from its corner k to the next.
-  const std::vector<std::size_t>& twins() const { return m_twin; }
+  const std::vector<Side>& twins() const { return m_twin; }
   bool is_flipped(const std::size_t triangle) const { return m_is_flipped[triangle]; }
   // Edges with more than two sides.
   const std::vector<std::vector<std::size_t>>& complex_edges() const { return m_complex_edges; }
@@ -75,8 +77,8 @@ private:
 
   void make_twins(const std::size_t a, const std::size_t b)
   {
-    m_twin[a] = b;
-    m_twin[b] = a;
+    m_twin[a] = static_cast<Side>(b);
+    m_twin[b] = static_cast<Side>(a);
   }
 
   // Whether the side runs from the smaller to the larger vertex in the current orientation of its
@@ -229,7 +231,7 @@ private:
 
   const Point_matrix& m_points;
   const Corner_table& m_corners;
-  std::vector<std::size_t> m_twin;
+  std::vector<Side> m_twin;
   std::vector<bool> m_is_flipped;
   std::vector<std::vector<std::size_t>> m_complex_edges;
   std::vector<std::size_t> m_patch; // of each triangle

@@ -6,6 +6,7 @@
 
 #include "Self_intersections.h"
 #include "Soup_topology.h"
+#include "../support/in_parallel.h"
 
 #include <CGAL/Canonical_pose_3/Diagnosis_3.h>
 #include <CGAL/Canonical_pose_3/Face_list.h>
@@ -13,6 +14,7 @@
 #include <CGAL/Canonical_pose_3/internal/surface/Triangle_soup.h>
 #include <CGAL/Canonical_pose_3/internal/surface/index_faces.h>
 #include <CGAL/Canonical_pose_3/internal/support/Disjoint_sets.h>
+#include <CGAL/Canonical_pose_3/internal/support/for_each_block.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <Eigen/Geometry>
@@ -47,16 +49,26 @@ public:
   {
     if(m_faces.empty())
       m_result.defects.push_back({"no_faces", 1, "face", {}, Checked_soup::NO_FACE});
-    find_degenerate_faces();
-    find_duplicate_faces();
-    examine_edges();
-    find_non_manifold_vertices();
+    std::vector<Corner_table::Index> numbers_of_fans;
+    in_parallel(
+      [&] {
+        find_degenerate_faces();
+        find_duplicate_faces();
+        examine_edges();
+      },
+      [&] { numbers_of_fans = count_fans(); });
+    find_non_manifold_vertices(numbers_of_fans);
     find_components();
     if(searches_self_intersections)
       find_self_intersections();
-    find_holes();
-    find_components_inside_out();
-    find_duplicated_points();
+    std::vector<Vertex_pair> duplicates;
+    in_parallel(
+      [&] {
+        find_holes();
+        find_components_inside_out();
+      },
+      [&] { duplicates = duplicated_points(); });
+    find_duplicated_points(duplicates);
     find_polygons();
     if(!m_result.defects.empty())
       m_result.first_defect = m_result.defects.front().message;
@@ -65,6 +77,8 @@ public:
 
 private:
   static constexpr std::size_t MAXIMUM_NUMBER_OF_EXAMPLES = 5;
+
+  using Vertex_pair = std::pair<std::size_t, std::size_t>;
 
   struct Finding
   {
@@ -111,13 +125,15 @@ private:
 
   void find_degenerate_faces()
   {
+    for_each_block(m_faces.size(),
+                   [&](std::size_t, const std::size_t begin, const std::size_t end) {
+                     for(std::size_t f = begin; f < end; ++f)
+                       m_is_degenerate[f] = has_no_area(f);
+                   });
     Finding found;
     for(std::size_t f = 0; f < m_faces.size(); ++f)
-      if(has_no_area(f))
-      {
-        m_is_degenerate[f] = true;
+      if(m_is_degenerate[f])
         found.add({f});
-      }
     m_result.degenerate_faces = found.count;
     if(found.count > 0)
       add_defect("degenerate_faces", "face", found, "face " + found.first() + " is degenerate");
@@ -169,8 +185,9 @@ private:
                    + " separates two faces of opposite orientation");
   }
 
-  // Two corners of a vertex belong to the same fan if their faces share an edge.
-  void find_non_manifold_vertices()
+  // The number of fans at each vertex. Two corners of a vertex belong to the same fan if their faces
+  // share an edge.
+  std::vector<Corner_table::Index> count_fans() const
   {
     Disjoint_sets fans(m_corners.number_of_corners());
     m_corners.for_each_edge([&](const Corner_table::Edge& sides) {
@@ -180,10 +197,15 @@ private:
           fans.unite(m_corners.corner_of_end(sides[i - 1], end),
                      m_corners.corner_of_end(sides[i], end));
     });
-    std::vector<std::size_t> number_of_fans(m_result.vertices, 0);
+    std::vector<Corner_table::Index> result(m_result.vertices, 0);
     for(std::size_t c = 0; c < m_corners.number_of_corners(); ++c)
       if(fans.representative(c) == c)
-        ++number_of_fans[m_corners.vertex(c)];
+        ++result[m_corners.vertex(c)];
+    return result;
+  }
+
+  void find_non_manifold_vertices(const std::vector<Corner_table::Index>& number_of_fans)
+  {
     Finding found;
     for(std::size_t v = 0; v < m_result.vertices; ++v)
       if(number_of_fans[v] == 0)
@@ -299,17 +321,24 @@ private:
                  "the component of face " + found.first() + " is inside out");
   }
 
-  void find_duplicated_points()
+  // Each vertex at the position of an earlier one, and that vertex.
+  std::vector<Vertex_pair> duplicated_points() const
   {
     std::vector<std::pair<std::array<double, 3>, std::size_t>> sorted;
+    sorted.reserve(m_result.vertices);
     for(std::size_t v = 0; v < m_result.vertices; ++v)
       sorted.push_back({{point(v)[0], point(v)[1], point(v)[2]}, v});
-    std::sort(sorted.begin(), sorted.end());
-    std::vector<std::pair<std::size_t, std::size_t>> duplicates; // the vertex, an earlier one
+    sort_in_parallel(sorted);
+    std::vector<Vertex_pair> result;
     for(std::size_t i = 1; i < sorted.size(); ++i)
       if(sorted[i].first == sorted[i - 1].first)
-        duplicates.emplace_back(sorted[i].second, sorted[i - 1].second);
-    std::sort(duplicates.begin(), duplicates.end());
+        result.emplace_back(sorted[i].second, sorted[i - 1].second);
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+
+  void find_duplicated_points(const std::vector<Vertex_pair>& duplicates)
+  {
     Finding found;
     for(const auto& d : duplicates)
       found.add({d.second, d.first});
@@ -336,7 +365,7 @@ private:
   const Corner_table& m_corners;
   Disjoint_sets m_components; // of vertices
   Component_labels m_labels;  // of faces
-  std::vector<bool> m_is_degenerate;
+  std::vector<char> m_is_degenerate; // not of bool: written in parallel
   std::vector<std::array<std::size_t, 2>> m_boundary_edges;
   std::vector<std::size_t> m_open_faces; // at edges without two consistently oriented faces
   Finding m_isolated;

@@ -75,7 +75,9 @@ struct Soup_topology
   Soup_topology(const Checked_soup& the_soup, const Face_list& the_faces)
     : soup(the_soup), faces(the_faces),
       corners(static_cast<std::size_t>(soup.points().rows()), faces),
-      is_duplicate(is_duplicate_face(static_cast<std::size_t>(soup.points().rows()), faces)),
+      is_duplicate(may_have_duplicates()
+                     ? is_duplicate_face(static_cast<std::size_t>(soup.points().rows()), faces)
+                     : std::vector<bool>(faces.size(), false)),
       places(places_of_boundary(soup.points(), corners))
   {}
 
@@ -84,6 +86,21 @@ struct Soup_topology
   Corner_table corners;
   std::vector<bool> is_duplicate;  // of the faces
   std::vector<std::size_t> places; // see places_of_boundary()
+
+private:
+  // Triangles of three vertices each are only duplicates if two sides at an edge are opposite to the
+  // same vertex.
+  bool may_have_duplicates() const
+  {
+    bool result = &faces != &soup.triangles();
+    corners.for_each_edge([&](const Corner_table::Edge& sides) {
+      const auto opposite
+        = [&](const std::size_t side) { return corners.target(corners.next(side)); };
+      result = result || sides.size() > 2
+               || (sides.size() == 2 && opposite(sides[0]) == opposite(sides[1]));
+    });
+    return result;
+  }
 };
 
 } // namespace internal

@@ -21,10 +21,10 @@ namespace internal {
 // the twin is visited for the first time; on_twin may separate twins. Then calls
 // on_patch(triangles), in the order of the traversal.
 template <class On_twin, class On_patch>
-std::vector<std::size_t> label_patches(const std::vector<std::size_t>& twins,
+std::vector<std::size_t> label_patches(const std::vector<Corner_table::Index>& twins,
                                        const On_twin& on_twin, const On_patch& on_patch)
 {
-  constexpr std::size_t none = Corner_table::NONE;
+  constexpr auto none = Corner_table::NONE;
   std::vector<std::size_t> result(twins.size() / 3, none);
   std::vector<std::size_t> patch; // triangles; before `done`: neighbors visited
   std::size_t label = 0;

@@ -4,8 +4,12 @@
 #ifndef CGAL_CANONICAL_POSE_3_INTERNAL_SUPPORT_BUCKETS_H
 #define CGAL_CANONICAL_POSE_3_INTERNAL_SUPPORT_BUCKETS_H
 
+#include <CGAL/Canonical_pose_3/internal/support/for_each_block.h>
+
 #include <CGAL/Iterator_range.h>
 
+#include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <numeric>
 #include <vector>
@@ -33,6 +37,43 @@ public:
     std::vector<std::size_t> end(m_begin.begin(), m_begin.end() - 1);
     for_each_value(
       [&](const std::size_t bucket, const Value& value) { m_values[end[bucket]++] = value; });
+  }
+
+  // Buckets whose values are sorted, filled in parallel. `for_each_value(i, put)` calls put(bucket,
+  // value) for all values of item i of [0, number_of_items). It is called twice.
+  template <class Function>
+  static Buckets sorted(const std::size_t number_of_buckets, const std::size_t number_of_items,
+                        const Function& for_each_value)
+  {
+    Buckets result;
+    std::vector<std::atomic<std::size_t>> end(number_of_buckets);
+    const auto next = [&](const std::size_t bucket) {
+      return end[bucket].fetch_add(1, std::memory_order_relaxed);
+    };
+    const auto for_each_item = [&](const auto& put) {
+      for_each_block(number_of_items,
+                     [&](std::size_t, const std::size_t first, const std::size_t last) {
+                       for(std::size_t i = first; i < last; ++i)
+                         for_each_value(i, put);
+                     });
+    };
+    for_each_item([&](const std::size_t bucket, const Value&) { next(bucket); });
+    result.m_begin.reserve(number_of_buckets + 1);
+    for(std::atomic<std::size_t>& number : end)
+    {
+      const std::size_t begin = result.m_begin.back();
+      result.m_begin.push_back(begin + number);
+      number = begin;
+    }
+    result.m_values.resize(result.m_begin.back());
+    for_each_item(
+      [&](const std::size_t bucket, const Value& value) { result.m_values[next(bucket)] = value; });
+    for_each_block(number_of_buckets,
+                   [&](std::size_t, const std::size_t first, const std::size_t last) {
+                     for(std::size_t bucket = first; bucket < last; ++bucket)
+                       std::sort(result[bucket].begin(), result[bucket].end());
+                   });
+    return result;
   }
 
   std::size_t number_of_buckets() const { return m_begin.size() - 1; }

@@ -8,6 +8,7 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <cstddef>
+#include <cstdint>
 #include <numeric>
 #include <vector>
 
@@ -15,16 +16,17 @@ namespace CGAL {
 namespace Canonical_pose_3 {
 namespace internal {
 
-// Disjoint sets of the numbers from 0 to n - 1.
+// Disjoint sets of the numbers from 0 to n - 1, which fit into 32 bits.
 class Disjoint_sets
 {
 public:
   static constexpr std::size_t NONE = std::size_t(-1);
 
   explicit Disjoint_sets(const std::size_t n)
-    : m_rank(n, 0), m_parent(n), m_sets(Map(m_rank.data()), Map(m_parent.data()))
+    : m_rank(n, 0), m_parent(n),
+      m_sets(Map<std::uint8_t>(m_rank.data()), Map<std::uint32_t>(m_parent.data()))
   {
-    std::iota(m_parent.begin(), m_parent.end(), std::size_t(0));
+    std::iota(m_parent.begin(), m_parent.end(), std::uint32_t(0));
   }
   Disjoint_sets(const Disjoint_sets&) = delete;
   Disjoint_sets& operator=(const Disjoint_sets&) = delete;
@@ -35,11 +37,12 @@ public:
 
 private:
   // Not pointers: for them, get() of other headers of Boost would hide the right one.
-  using Map
-    = boost::iterator_property_map<std::size_t*, boost::typed_identity_property_map<std::size_t>>;
+  template <class Value>
+  using Map = boost::iterator_property_map<Value*, boost::typed_identity_property_map<std::size_t>>;
 
-  std::vector<std::size_t> m_rank, m_parent;
-  boost::disjoint_sets<Map, Map> m_sets;
+  std::vector<std::uint8_t> m_rank; // at most the logarithm of n
+  std::vector<std::uint32_t> m_parent;
+  boost::disjoint_sets<Map<std::uint8_t>, Map<std::uint32_t>> m_sets;
 };
 
 // The sets to which items belong.

@@ -6,7 +6,6 @@
 
 #include <CGAL/Canonical_pose_3/Face_list.h>
 #include <CGAL/Canonical_pose_3/internal/support/Buckets.h>
-#include <CGAL/Canonical_pose_3/internal/support/for_each_block.h>
 
 #include <boost/range/iterator_range.hpp>
 
@@ -27,9 +26,9 @@ namespace internal {
 class Corner_table
 {
 public:
-  static constexpr std::size_t NONE = std::size_t(-1); // neither a corner nor a side
-
   using Index = Face_list::Index;
+
+  static constexpr Index NONE = Index(-1); // neither a corner nor a side
 
   // Sides with the same two ends, in order.
   using Edge = boost::iterator_range<const Index*>;
@@ -88,16 +87,11 @@ private:
   void sort_sides(const std::size_t number_of_vertices)
   {
     using End_and_side = std::pair<Index, Index>; // the larger end
-    Buckets<End_and_side> sides_of_smaller_ends(number_of_vertices, [&](const auto& put) {
-      for(std::size_t c = 0; c < number_of_corners(); ++c)
+    const auto sides_of_smaller_ends = Buckets<End_and_side>::sorted(
+      number_of_vertices, number_of_corners(), [&](const std::size_t c, const auto& put) {
         if(const auto [smaller, larger] = ends(c); smaller != larger)
           put(smaller, End_and_side(static_cast<Index>(larger), static_cast<Index>(c)));
-    });
-    for_each_block(number_of_vertices,
-                   [&](std::size_t, const std::size_t begin, const std::size_t end) {
-                     for(std::size_t v = begin; v < end; ++v)
-                       std::sort(sides_of_smaller_ends[v].begin(), sides_of_smaller_ends[v].end());
-                   });
+      });
     m_sides.reserve(sides_of_smaller_ends.values().size());
     for(std::size_t v = 0; v < number_of_vertices; ++v)
     {
