@@ -35,6 +35,18 @@ std::optional<long long> integer_of(const py::handle& value)
                         : (std::numeric_limits<long long>::min)();
 }
 
+// Rows of an array of numbers begin with indices that are whole, but no integers.
+std::optional<long long> index_of(const py::object& value)
+{
+  constexpr double most = 9e15;
+  if(PyFloat_Check(value.ptr()) == 0)
+    return integer_of(value);
+  const double number = value.cast<double>();
+  if(number != std::floor(number) || !(std::abs(number) < most))
+    return std::nullopt;
+  return static_cast<long long>(number);
+}
+
 void take_geodesics(Keywords& keywords, Options& options)
 {
   static const Canonical_pose_tool::Option_values<std::string> choices
@@ -89,7 +101,7 @@ std::vector<Constraint_values> take_constraints(Keywords& keywords, const char* 
     Constraint_values constraint;
     for(std::size_t i = 0; i < number_of_vertices; ++i)
     {
-      const std::optional<long long> vertex = integer_of(entries[i]);
+      const std::optional<long long> vertex = index_of(entries[i]);
       if(!vertex || *vertex < 0)
         throw std::invalid_argument(
           element + " does not begin with "

@@ -32,6 +32,8 @@ py::array any_array(const py::object& values, const std::string& name)
   const py::object array = values.is_none() ? values : py::array::ensure(values);
   if(!array || array.is_none())
     throw std::invalid_argument(name + " must be an array of numbers");
+  if(py::module_::import("numpy").attr("ma").attr("is_masked")(values).cast<bool>())
+    throw std::invalid_argument(name + " has masked elements");
   return array;
 }
 
@@ -56,7 +58,14 @@ Integers integers_of(const py::object& values, const std::string& name)
   const py::array array = any_array(values, name);
   if(array.size() > 0 && std::strchr("iu", array.dtype().kind()) == nullptr)
     throw std::invalid_argument(name + " must be integers, the indices of vertices");
-  return Integers(array);
+  const Integers result(array);
+  if(array.dtype().kind() == 'u')
+    for(const long long* index = result.data(); index != result.data() + result.size(); ++index)
+      if(*index < 0)
+        throw std::invalid_argument(name + " names vertex "
+                                    + std::to_string(static_cast<unsigned long long>(*index))
+                                    + ", which is too large");
+  return result;
 }
 
 void check_number_of_columns(const py::array& array, const py::ssize_t columns,

@@ -194,7 +194,8 @@ void remove_files_on_signals()
   }
 }
 
-Output_files::Output_files(const std::vector<std::string>& paths)
+Output_files::Output_files(const std::vector<std::string>& paths,
+                           const std::vector<std::string>& inputs)
 {
   std::set<fs::path> places;
   for(const std::string& path : paths)
@@ -210,6 +211,9 @@ Output_files::Output_files(const std::vector<std::string>& paths)
       throw std::invalid_argument(cannot_write(path, "it is not a file"));
     if(access(place.parent_path().c_str(), W_OK) != 0)
       throw std::invalid_argument(cannot_write(path, "the directory cannot be written to"));
+    for(const std::string& input : inputs)
+      if(std::error_code none; !input.empty() && fs::equivalent(place, input, none))
+        throw std::invalid_argument(cannot_write(path, "it is an input"));
     if(!places.insert(place).second)
       throw std::invalid_argument(cannot_write(path, "another output has the same name"));
     m_places[path] = place;

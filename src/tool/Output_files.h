@@ -24,9 +24,10 @@ void remove_files_on_signals();
 class Output_files
 {
 public:
-  // Checks whether `paths` can be written, ignoring empty ones. Writes nothing.
-  // Throws std::invalid_argument that names the path.
-  explicit Output_files(const std::vector<std::string>& paths);
+  // Checks whether `paths` can be written and are none of the inputs, ignoring empty ones. Writes
+  // nothing. Throws std::invalid_argument that names the path.
+  explicit Output_files(const std::vector<std::string>& paths,
+                        const std::vector<std::string>& inputs = {});
 
   // Removes all files that were not committed.
   ~Output_files();

@@ -66,7 +66,9 @@ bool is_shown(const std::string& path)
 Format format_of_output(const std::string& path)
 try
 {
-  return format_of(path);
+  const Format format = format_of(path, Use::WRITE);
+  check_format_holds(format, Mesh_file());
+  return format;
 }
 catch(const std::invalid_argument& error)
 {

@@ -305,7 +305,7 @@ TEST(Gltf, unsupported_content_is_refused_by_name)
       };
   const std::string primitive = "/meshes/0/primitives/0/";
   expect_refusal("/extensionsRequired", {"KHR_draco_mesh_compression"},
-                 "the extension 'KHR_draco_mesh_compr' is required, but not supported");
+                 "the extension 'KHR_draco_mesh_compression' is required, but not supported");
   expect_refusal(primitive + "mode", 5,
                  "the primitive consists of triangle strips, but triangles are needed");
   expect_refusal(primitive + "mode", 9, "unknown mode 9");
@@ -333,6 +333,8 @@ TEST(Gltf, unsupported_content_is_refused_by_name)
   expect_refusal("/buffers/0/uri", "../b.bin",
                  "a buffer is in '../b.bin', which is not beside this file");
   expect_refusal("/buffers/0/uri", "https://a.b/c.bin", "which is not beside this file");
+  expect_refusal("/bufferViews/0/byteOffset", -4,
+                 "byteOffset of element 0 of bufferViews is negative");
   const json part = {{"bufferView", 0}, {"componentType", 5125}};
   expect_refusal("/accessors/0/sparse", {{"count", 1}, {"indices", part}, {"values", part}},
                  "is sparse");
@@ -365,6 +367,34 @@ TEST(Gltf, nodes_move_the_mesh)
   }
 }
 
+// Only what the default scene shows, otherwise the first one, is part of the surface.
+TEST(Gltf, scenes)
+{
+  const Mesh_file mesh = ball();
+  const std::size_t n = mesh.points.size();
+  const auto number_of_vertices = [&](const json& scenes, const int scene) {
+    const std::string bytes = written(mesh);
+    json model = json_of(bytes);
+    model["nodes"] = {{{"mesh", 0}}, {{"children", {2}}}, {{"mesh", 0}}, {{"mesh", 0}}};
+    model.erase("scene");
+    model.erase("scenes");
+    if(!scenes.is_null())
+      model["scenes"] = scenes;
+    if(scene >= 0)
+      model["scene"] = scene;
+    return read(with_json(bytes, model)).points.size();
+  };
+  const json scenes = {{{"nodes", {0, 1}}}, {{"nodes", {3}}}, {{"name", "empty"}}};
+  EXPECT_EQ(number_of_vertices(scenes, 1), n);
+  EXPECT_EQ(number_of_vertices(scenes, 0), 2 * n);
+  EXPECT_EQ(number_of_vertices(scenes, -1), 2 * n);
+  EXPECT_EQ(number_of_vertices({}, -1), 3 * n);
+  EXPECT_THROW_WITH(number_of_vertices(scenes, 2), std::invalid_argument,
+                    "the scene shows no mesh");
+  EXPECT_THROW_WITH(number_of_vertices(scenes, 3), std::invalid_argument,
+                    "scene 3 is shown, but there are 3");
+}
+
 // Meshes, and primitives of a mesh, are one surface: those that share vertices remain connected, and a mesh that several
 // nodes show is there several times. A node that mirrors turns the faces over, so that they remain outward.
 TEST(Gltf, several_meshes_and_primitives)
@@ -383,6 +413,7 @@ TEST(Gltf, several_meshes_and_primitives)
   model = json_of(bytes);
   model["meshes"].push_back(model["meshes"][0]);
   model["nodes"] = {{{"mesh", 0}}, {{"mesh", 1}, {"scale", {1, 1, -1}}}, {{"mesh", 0}}};
+  model["scenes"][0]["nodes"] = {0, 1, 2};
   const Mesh_file merged = read(with_json(bytes, model));
   ASSERT_EQ(merged.points.size(), 3 * n);
   ASSERT_EQ(merged.faces.size(), 3 * mesh.faces.size());
@@ -448,6 +479,7 @@ TEST(Gltf, rewritten)
   // A mesh that is shown twice has two poses.
   model = json_of(file);
   model["nodes"].push_back({{"mesh", 0}});
+  model["scenes"][0]["nodes"].push_back(2);
   mesh = read(with_json(file, model));
   mesh.source
     = std::make_shared<const Source_file>(Source_file{Format::GLB, with_json(file, model)});

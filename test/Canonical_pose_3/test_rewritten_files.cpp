@@ -112,6 +112,11 @@ TEST(Rewritten_files, attributes)
   EXPECT_EQ(attributes_of_file(read("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")), Names());
   EXPECT_EQ(attributes_of_file(read("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nusemtl a\nf 1/1 2/1 3/1\n")),
             (Names{"texture coordinates", "materials"}));
+  EXPECT_EQ(
+    attributes_of_file(
+      read("a.mesh", "MeshVersionFormatted 2\nDimension 3\nVertices\n4\n0 0 0 0\n1 0 0 0\n0 1 0 0\n"
+                     "0 0 1 0\nNormals\n1\n0 0 1\nTetrahedra\n1\n1 2 3 4 1\nEnd\n")),
+    Names{"turned normals"});
   EXPECT_EQ(attributes_of_file(read("a.ply", "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
                                              "property float z\nproperty uchar red\nelement face 1\n"
                                              "property list uchar int vertex_indices\nelement edge 0\nproperty int v\n"
@@ -122,11 +127,55 @@ TEST(Rewritten_files, attributes)
 // Normals that do not exist are left alone.
 TEST(Rewritten_files, wrong_normals)
 {
-  for(const std::string& index : {"9", "-9", "1e300", "-1e300", "nan", "x", ""})
+  for(const std::string& index : {"9", "-9", "0", "9223372036854775807", ""})
   {
     const std::string text = "v 0 0 0\nv 1 0 0\nv 0 0 1\nvn 0 1 0\nf 1//1 2//" + index + " 3//1\n";
     EXPECT_NE(rewritten(read("wrong.obj", text)).find("2//" + index + " 3//1"), std::string::npos);
   }
+}
+
+// Normals of vertices in OFF turn, whatever follows them.
+TEST(Rewritten_files, normals_of_off)
+{
+  expect_same_text(
+    rewritten(read("normals.off",
+                   "STCNOFF\n3 1 0\n0 0 0 0 0 2 9 9 9 1 .5 .5\n1 0 0 0 0 1 8 8 8 1 .5 .25\n"
+                   "0 1 0 0 0 1 7 7 7 1 0 0 # last\n3 0 1 2\n")),
+    "STCNOFF\n3 1 0\n0 -0 0 0 -2 0 9 9 9 1 .5 .5\n1 -0 0 0 -1 0 8 8 8 1 .5 .25\n"
+    "0 -0 1 0 -1 0 7 7 7 1 0 0 # last\n3 0 1 2\n");
+}
+
+// So do normals of faces in PLY, each with its face.
+TEST(Rewritten_files, normals_of_faces_in_ply)
+{
+  const std::string header
+    = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float "
+      "z\n"
+      "element face 1\nproperty list uchar int vertex_indices\nproperty float nx\n"
+      "property float ny\nproperty float nz\nproperty int label\nend_header\n";
+  expect_same_text(rewritten(read("faces.ply", header + "0 0 0\n1 0 0\n0 1 0\n3 0 1 2 0 0 1 77\n")),
+                   header + "0 -0 0\n1 -0 0\n0 -0 1\n3 0 1 2 0 -1 0 77\n");
+}
+
+// The upper of two triangles with one normal is folded up by a right angle: the normal becomes two, and the indices of
+// it and of later ones follow, whether they are absolute or relative.
+TEST(Rewritten_files, shared_normals_of_obj)
+{
+  const std::string text
+    = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 5 0 0\nv 6 0 0\nv 5 1 0\nvn 0 0 2\nvn 1 0 0\n"
+      "f 1//1 2//1 3//1\nf 4//1 5//-2 6/7/1\nf 1//2 3//-1 2\n";
+  const Mesh_file mesh = read("shared.obj", text);
+  Points points = mesh.points;
+  points[5] = {5, 0, 1};
+  std::ostringstream out;
+  rewrite_mesh(out, mesh, points, {});
+  expect_same_text(
+    out.str(),
+    "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 5 0 0\nv 6 0 0\nv 5 0 1\nvn 0 0 2\nvn 0 -2 0\nvn 1 0 0\n"
+    "f 1//1 2//1 3//1\nf 4//2 5//-2 6/7/2\nf 1//3 3//-1 2\n");
+  std::ostringstream again;
+  rewrite_mesh(again, mesh, mesh.points, {});
+  expect_same_text(again.str(), text);
 }
 
 // Values of vertices are added, or replace those of the same name.

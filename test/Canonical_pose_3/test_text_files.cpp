@@ -14,6 +14,7 @@
 #include <map>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace test_text_files {
@@ -87,6 +88,32 @@ TEST(Text_files, byte_order_marks_and_line_ends)
 }
 
 // Lines of messages are those that an editor shows.
+// Of texture coordinates and normals, only the syntax matters. What is not a face is not one without a word.
+TEST(Text_files, corners_of_obj)
+{
+  const std::string vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  const Mesh_file expected = read_mesh_file(written_file("corners.obj", vertices + "f 1 2 3\n"));
+  for(const std::string& face :
+      {"fo 1 2 3", "f 1/0/0 2//-9 3/7", "f 1// 2/ 3"}) // fo: an old spelling
+    expect_equal(read_mesh_file(written_file("corners.obj", vertices + face + "\n")), expected);
+  const std::vector<std::pair<std::string, std::string>> cases
+    = {{"f 1/abc/1 2 3", "face 1: 'abc' is not an integer"},
+       {"f 1//$ 2 3", "face 1: '$' is not an integer"},
+       {"f 1/1/1/1 2 3", "face 1: a corner has more than three indices"},
+       {"f\xC2\xA0"
+        "1\xC2\xA0"
+        "2\xC2\xA0"
+        "3",
+        "is not ASCII"}};
+  for(const auto& [face, defect] : cases)
+    EXPECT_THROW_WITH(
+      read_mesh_file(written_file("corners.obj", vertices + "f 1 2 3\n" + face + "\n")),
+      std::invalid_argument, defect);
+  EXPECT_THROW_WITH(
+    read_mesh_file(written_file("counts.off", "OFF\n3 1 x\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")),
+    std::invalid_argument, "the number of edges: 'x' is not an integer");
+}
+
 TEST(Text_files, lines_of_messages)
 {
   for(const std::string& end : {"\n", "\r\n", "\r"})

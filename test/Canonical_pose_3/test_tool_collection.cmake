@@ -79,6 +79,9 @@ file(WRITE ${WORK}/classes.txt "ball round\nball flat\n")
 expect_refusal("line 2: 'ball' already has a class" evaluate --database rows.db --classes classes.txt)
 file(WRITE ${WORK}/classes.txt "ball round\nlink flat\n")
 expect_refusal("no two shapes are of the same class" evaluate --database rows.db --classes classes.txt)
+run_tool(collection ball.off ball.obj --database stems.db --rounds 0 --descriptor shape-distribution-d2)
+file(WRITE ${WORK}/classes.txt "ball round\n")
+expect_refusal("have the same stem, so their classes are ambiguous" evaluate --database stems.db --classes classes.txt)
 
 if(MAKE_FIGURE)
   # Two kinds of shapes in several poses: what is like each of them is obvious.

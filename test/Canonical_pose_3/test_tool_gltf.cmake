@@ -69,7 +69,7 @@ expect_refusal("this is not valid glTF: " pose words.gltf -o out/a.off)
 file(WRITE ${WORK}/empty.glb "")
 expect_refusal("the file is empty" pose empty.glb -o out/a.off)
 
-expect_refusal("choose .glb" pose ball.off -o out/a.gltf)
+expect_wrong_usage("choose .glb" pose ball.off -o out/a.gltf)
 expect_refusal("choose .glb" segment embedded.gltf --method sweep -o out/parts/)
 expect_wrong_usage("is not a .glb file" pose ball.off -o out/a.off --scene out/a.ply)
 expect_refusal("same name" pose ball.off -o out/a.glb --scene out/a.glb)

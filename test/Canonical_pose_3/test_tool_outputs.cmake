@@ -39,6 +39,32 @@ foreach(words IN ITEMS "geodesics ball.off --source 0 -o ''" "check ball.off --r
   expect_match("${exit_code}<${stderr}>" "^2<[^\n]*the path is empty\n")
 endforeach()
 
+# ---- no output replaces an input, but the pose ---------------------------------------------------------------
+
+file(MAKE_DIRECTORY ${WORK}/kept)
+foreach(name IN ITEMS ball.off numbers.txt target.off)
+  file(COPY_FILE ${WORK}/ball.off ${WORK}/kept/${name})
+endforeach()
+file(COPY_FILE ${WORK}/ball.ply ${WORK}/kept/ball.ply)
+file(CREATE_LINK ball.off ${WORK}/kept/link.off SYMBOLIC)
+file(READ ${WORK}/kept/ball.off ball)
+foreach(words IN ITEMS "pose kept/ball.off -o out/a.off --report kept/ball.off" "pose kept/ball.off -o out/a.off --report kept/link.off"
+    "pose kept/ball.off -o out/a.off --target kept/ball.off" "pose ball.off -o kept/target.off --given-target kept/target.off"
+    "pose ball.off -o out/a.off --stiffness kept/numbers.txt --report kept/numbers.txt" "check kept/ball.off --report kept/ball.off"
+    "geodesics kept/ball.ply --source 0 -o kept/ball.ply" "segment ball.off -o out/a.txt --pose kept/ball.off --report kept/ball.off"
+    "evaluate --database ball.db --classes kept/numbers.txt --csv kept/numbers.txt"
+    "collection kept/ball.off --database out/a.db --poses kept --descriptor shape-distribution-d2")
+  run_sh("exec \"$TOOL\" ${words}")
+  expect_match("${exit_code}<${stderr}>" "^1<[^\n]*(it is an input|would replace it)\n")
+  expect_content(kept/ball.off "${ball}")
+  expect_content(kept/target.off "${ball}")
+endforeach()
+expect_exit(0 pose kept/ball.off -o kept/ball.off --rounds 0)
+expect_wrong_usage("'a.txt' is not a .json file" describe ball.off -o a.txt)
+expect_wrong_usage("'a.txt' is not a .html file" page ball.glb -o a.txt)
+expect_wrong_usage("'a.jpg' is not a .png file" evaluate --database a.db --classes a.txt --plot a.jpg)
+expect_wrong_usage(".off, .obj, .ply, .stl, .mesh, .glb, .vtu\n" pose ball.off -o a.xyz)
+
 # ---- symbolic links are followed, even if their target does not exist yet ----------------------------------
 
 run_tool(geodesics ball.off --source 0 -o distances.txt)

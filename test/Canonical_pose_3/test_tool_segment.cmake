@@ -32,6 +32,11 @@ run_tool(segment ball.off --parts 2 --method sweep -o out/parts/)
 foreach(part RANGE 1)
   expect_exit(0 check out/parts/part_${part}.off)
 endforeach()
+run_tool(segment ball.off --parts 3 --method sweep -o out/parts/)
+run_tool(segment ball.off --parts 2 --method sweep -o out/parts/) # in place of the run before
+if(EXISTS ${WORK}/out/parts/part_2.off)
+  fail("a part of another run is left.")
+endif()
 file(REMOVE_RECURSE ${WORK}/out/parts ${WORK}/out/parts.txt ${WORK}/out/parts.ply ${WORK}/out/parts.json)
 
 foreach(parts IN ITEMS 0 -1 1.5 many)

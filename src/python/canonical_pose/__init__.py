@@ -321,6 +321,8 @@ def segment(vertices, faces, *, parts="auto", method="consensus", pose=None, **o
         raise ValueError(f"option method is {method!r}, but must be one of consensus, kmeans, sweep")
     if parts == "auto":
         parts = 0
+    elif not hasattr(parts, "__index__"):
+        raise TypeError("option parts must be an integer or 'auto'")
     elif parts < 1:
         raise ValueError(f"option parts is {parts}, but must be >= 1, or 'auto'")
     part_of_face, report = _core.segment(vertices, faces, parts, method, pose,

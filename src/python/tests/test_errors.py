@@ -36,6 +36,7 @@ BAD_VERTICES = [
     (lambda v: v.astype(str), "vertices must be an array of numbers"),
     (lambda v: v.astype(object), "vertices must be an array of numbers"),
     (lambda v: [[0, 0, 0], [1, 2]], "vertices must be an array of numbers"),
+    (lambda v: np.ma.masked_array(v, mask=v > v.mean()), "vertices has masked elements"),
     (lambda v: with_value(v, (3, 1), np.nan), NOT_FINITE),
     (lambda v: with_value(v, (3, 1), -np.inf), NOT_FINITE),
     (lambda v: v[:0], "names vertex .*, but there are 0"),
@@ -48,7 +49,8 @@ BAD_FACES = [
     (lambda f: f[:, :2], "face 0 is not a polygon"),
     (lambda f: with_value(f, (3, 1), -1), "face 3 names vertex -1, but there are 240"),
     (lambda f: with_value(f, (3, 1), 240), "face 3 names vertex 240, but there are 240"),
-    (lambda f: with_value(f.astype(np.uint64), (3, 1), 2**64 - 1), "face 3 names vertex -1"),
+    (lambda f: with_value(f.astype(np.uint64), (3, 1), 2**64 - 1),
+     "faces names vertex 18446744073709551615, which is too large"),
     (lambda f: [*f.tolist(), [1, 2]], "face .* is not a polygon"),
     (lambda f: [[0, 1, 2], 3], "face 1 must be a sequence of indices"),
     (lambda f: [[0, 1, "a"]], "face 0 must be integers"),
@@ -159,6 +161,22 @@ def test_cells(cells, message):
 def test_options(options, message, tube):
     with pytest.raises(ValueError, match=message):
         canonical_pose.pose(*tube, **options)
+
+
+# Rows of an array begin with indices that are whole numbers; what is not masked is not lost.
+def test_constraints_of_an_array(tube):
+    vertices, faces = tube
+    rows = [(0, 100, .1), (1, 101, .2)]
+    expected, _ = canonical_pose.pose(*tube, spring=rows)
+    for arguments in ((vertices, np.array(rows)), (np.ma.masked_array(vertices), rows)):
+        pose, _ = canonical_pose.pose(arguments[0], faces, spring=arguments[1])
+        assert np.array_equal(pose, expected)
+
+
+def test_types_of_parts(tube):
+    for parts in ("3", 2., None):
+        with pytest.raises(TypeError, match="option parts must be an integer or 'auto'"):
+            canonical_pose.segment(*tube, parts=parts)
 
 
 @pytest.mark.parametrize("options", [

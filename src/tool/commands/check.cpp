@@ -28,7 +28,7 @@ void add_check_options(Command_options& o)
 int run_check(Arguments& arguments)
 {
   Stage_clock clock;
-  Output_files files({arguments.report});
+  Output_files files({arguments.report}, {arguments.input});
   const Mesh_file input = read_mesh_file(arguments.input);
   const double seconds_to_read = clock.lap();
   const auto diagnosis = diagnosis_of(input);

@@ -139,9 +139,14 @@ void check_pose_files(const Arguments& arguments, const std::vector<std::string>
 {
   std::map<std::string, std::string> path_of;
   for(const std::string& path : paths)
-    if(const auto [other, is_new] = path_of.emplace(pose_file(arguments, path), path); !is_new)
+  {
+    const std::string file = pose_file(arguments, path);
+    if(const auto [other, is_new] = path_of.emplace(file, path); !is_new)
       throw std::invalid_argument("the poses of '" + other->second + "' and '" + path
                                   + "' would have the same name");
+    if(std::error_code none; fs::equivalent(file, path, none))
+      throw std::invalid_argument("the pose of '" + path + "' would replace it");
+  }
 }
 
 // A larger limit is reason to try again.

@@ -57,6 +57,11 @@ Classified_shapes classified(const Described_collection& shapes,
     if(const std::string stem = fs::path(shapes.paths[i]).stem().string(); class_of.count(stem) > 0)
       order.emplace_back(stem, i);
   std::sort(order.begin(), order.end());
+  for(std::size_t i = 1; i < order.size(); ++i)
+    if(order[i].first == order[i - 1].first)
+      throw std::invalid_argument("'" + shapes.paths[order[i - 1].second] + "' and '"
+                                  + shapes.paths[order[i].second]
+                                  + "' have the same stem, so their classes are ambiguous");
   Classified_shapes result;
   for(const auto& [stem, column] : order)
     result.names.push_back(class_of.at(stem));
@@ -240,7 +245,9 @@ void add_evaluate_options(Command_options& o)
 
 int run_evaluate(Arguments& arguments)
 {
-  Output_files files({arguments.csv, arguments.plot});
+  if(!arguments.plot.empty() && fs::path(arguments.plot).extension() != ".png")
+    throw Usage_error("'" + arguments.plot + "' is not a .png file");
+  Output_files files({arguments.csv, arguments.plot}, {arguments.classes, arguments.database});
   Collection_database database(arguments.database, false);
   const std::vector<std::string> options = database.options();
   if(options.size() > 1)

@@ -39,7 +39,7 @@ void add_geodesics_options(Command_options& o)
 int run_geodesics(Arguments& arguments)
 {
   check_format_of_values(arguments.output);
-  Output_files files({arguments.output});
+  Output_files files({arguments.output}, {arguments.input});
   const Mesh_file input = read_mesh_file(arguments.input);
   check_is_surface(input);
   const bool is_exact = arguments.geodesics == "exact";

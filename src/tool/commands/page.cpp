@@ -71,6 +71,8 @@ void add_page_options(Command_options& o)
 
 int run_page(Arguments& arguments)
 {
+  if(std::filesystem::path(arguments.output).extension() != ".html")
+    throw Usage_error("'" + arguments.output + "' is not a .html file");
   Output_files files({arguments.output});
   std::vector<std::string> scenes;
   for(const std::string& path : arguments.inputs)

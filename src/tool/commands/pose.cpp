@@ -16,9 +16,11 @@
 #include <Eigen/Core>
 
 #include <cstdlib>
+#include <filesystem>
 #include <iostream>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <unistd.h>
 #include <vector>
 
@@ -88,7 +90,7 @@ void warn_of_losses(const Mesh_file& input, const std::string& output,
   const bool is_rewritten = !names.empty() && is_rewritable(input, format_of(output));
   std::string lost;
   for(const std::string& name : names)
-    if(!is_rewritten || name == "animations" || name == "morph targets")
+    if(!is_rewritten || name == "animations" || name == "morph targets" || name == "turned normals")
       lost += (lost.empty() ? "" : ", ") + name;
   if(!lost.empty())
     summary.warnings.push_back("the pose in '" + output + "' lacks " + lost + " of the input");
@@ -158,7 +160,13 @@ int run_pose(Arguments& arguments)
 {
   Stage_clock clock;
   check_formats(arguments);
-  Output_files files({arguments.output, arguments.target, arguments.scene, arguments.report});
+  std::vector<std::string> inputs = {arguments.matching_weights, arguments.stiffness,
+                                     arguments.given_target, arguments.given_distances};
+  // The pose may replace the input.
+  if(std::error_code none; !std::filesystem::equivalent(arguments.input, arguments.output, none))
+    inputs.push_back(arguments.input);
+  Output_files files({arguments.output, arguments.target, arguments.scene, arguments.report},
+                     inputs);
   say(arguments, "reading " + arguments.input);
   const Mesh_file input = read_mesh_file(arguments.input, Source::KEPT);
   check_format_holds(format_of(arguments.output), input);

@@ -94,6 +94,20 @@ std::string part_path(const Arguments& arguments, const std::size_t part)
          + std::filesystem::path(arguments.input).extension().string();
 }
 
+std::vector<std::string> inputs_of(const Arguments& arguments)
+{
+  return {arguments.input, arguments.pose};
+}
+
+// Removes the parts of a run before that had more of them.
+void remove_further_parts(const Arguments& arguments, const std::size_t number_of_parts)
+{
+  std::error_code error;
+  for(std::size_t part = number_of_parts;
+      std::filesystem::remove(part_path(arguments, part), error); ++part)
+    ;
+}
+
 void write_parts(const Mesh_file& input, const std::vector<std::size_t>& parts,
                  const std::size_t number_of_parts, const Arguments& arguments,
                  const Segmentation_report& report, Stage_clock& clock)
@@ -104,7 +118,7 @@ void write_parts(const Mesh_file& input, const std::vector<std::size_t>& parts,
       paths.push_back(part_path(arguments, part));
   else
     paths.push_back(arguments.output);
-  Output_files files(paths);
+  Output_files files(paths, inputs_of(arguments));
   if(is_folder(arguments.output))
     for(std::size_t part = 0; part < number_of_parts; ++part)
       files.write(part_path(arguments, part), [&](std::ostream& out) {
@@ -121,6 +135,8 @@ void write_parts(const Mesh_file& input, const std::vector<std::size_t>& parts,
   files.write(arguments.report,
               [&](std::ostream& out) { write_report(out, report, clock.lap(), clock.total()); });
   files.commit();
+  if(is_folder(arguments.output))
+    remove_further_parts(arguments, number_of_parts);
 }
 
 void add_segment_options(Command_options& o)
@@ -150,7 +166,8 @@ int run_segment(Arguments& arguments)
                       + "' is neither a .txt nor a .ply nor a .glb file, nor a folder ending in /");
   // What cannot be written fails early.
   Output_folder folder(is_folder(arguments.output) ? arguments.output : std::string());
-  Output_files({is_folder(arguments.output) ? std::string() : arguments.output, arguments.report});
+  Output_files({is_folder(arguments.output) ? std::string() : arguments.output, arguments.report},
+               inputs_of(arguments));
   const Mesh_file input = read_mesh_file(arguments.input);
   check_is_surface(input);
   Segmentation_report report;

@@ -43,7 +43,7 @@ int run_shape(Arguments& arguments)
 {
   namespace CP = CGAL::Canonical_pose_3;
   Stage_clock clock;
-  Output_files files({arguments.output});
+  Output_files files({arguments.output}, {arguments.input});
   const std::vector<Descriptor> chosen
     = arguments.has_no_descriptor ? std::vector<Descriptor>() : descriptors(arguments.descriptors);
   const Mesh_file input

@@ -58,6 +58,7 @@ struct Format_entry
   const char* name;
   const char* beginning; // of a file
   void (*read)(const std::string& bytes, const std::string& path, Mesh_file& mesh);
+  bool is_written = true;
 };
 
 template <void (*READ)(const std::string&, Mesh_file&)>
@@ -73,7 +74,7 @@ constexpr std::array<Format_entry, 8> FORMATS
       {Format::STL, ".stl", "STL", "solid", read_alone<read_stl>},
       {Format::MEDIT, ".mesh", "MEDIT", "MeshVersionFormatted", read_alone<read_medit>},
       {Format::GLB, ".glb", "binary glTF", "glTF", read_gltf},
-      {Format::GLTF, ".gltf", "glTF", "{", read_gltf},
+      {Format::GLTF, ".gltf", "glTF", "{", read_gltf, false},
       {Format::VTU, ".vtu", "VTK", "<", nullptr}}};
 
 const Format_entry& entry_of(const Format format)
@@ -94,7 +95,7 @@ std::string other_look(const std::string& bytes, const Format format)
 
 } // namespace
 
-Format format_of(const std::string& path)
+Format format_of(const std::string& path, const Use use)
 {
   std::string extension = std::filesystem::path(path).extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
@@ -106,7 +107,8 @@ Format format_of(const std::string& path)
   {
     std::string message = "the extension of '" + path + "' is not one of ";
     for(const Format_entry& entry : FORMATS)
-      message += std::string(&entry == FORMATS.data() ? "" : ", ") + entry.extension;
+      if(use == Use::WRITE ? entry.is_written : entry.read != nullptr)
+        message += std::string(&entry == FORMATS.data() ? "" : ", ") + entry.extension;
     throw std::invalid_argument(message);
   }
   if((found->format == Format::GLB || found->format == Format::GLTF) && !is_gltf_available())

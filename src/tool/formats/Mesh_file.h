@@ -38,8 +38,10 @@ struct Mesh_file
   std::shared_ptr<const Source_file> source;                // if it was kept
 };
 
-// Returns the format for the extension; throws std::invalid_argument if it is not supported.
-Format format_of(const std::string& path);
+// Returns the format for the extension; throws std::invalid_argument, which lists those for this use,
+// if it is not supported.
+enum class Use { READ, WRITE };
+Format format_of(const std::string& path, Use use = Use::READ);
 
 // Reads a file. Afterward, coordinates are finite and indices in range; nothing else is checked.
 // Throws std::invalid_argument with the defect and the element. This is why CGAL's readers are not

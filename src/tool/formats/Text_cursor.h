@@ -165,7 +165,7 @@ public:
   static std::string shown(const std::string_view word)
   {
     std::string result = "'";
-    for(const char c : word.substr(0, 20))
+    for(const char c : word.substr(0, 40))
       result += c < ' ' || c > '~' ? '?' : c;
     return result + '\'';
   }

@@ -45,6 +45,15 @@ public:
     return m_sums[m_place[vertex]] * normal;
   }
 
+  // The same for the normal of a face.
+  static Eigen::Vector3d turned_with_face(const Face_list::Face face, const Points& before,
+                                          const Points& after, const Eigen::Vector3d& normal)
+  {
+    const auto from = frame(face, before), to = frame(face, after);
+    return from && to ? Eigen::Vector3d(*to * (from->transpose() * normal))
+                      : Eigen::Vector3d(Eigen::Vector3d::Zero());
+  }
+
   // The turned normal, with the length of the normal; the normal itself if there is no direction.
   static Eigen::Vector3d result(const Eigen::Vector3d& turned, const Eigen::Vector3d& normal)
   {
@@ -53,6 +62,9 @@ public:
              ? Eigen::Vector3d(direction * normal.stableNorm())
              : normal;
   }
+
+  // The first vertex at the same position.
+  std::size_t place(const std::size_t vertex) const { return m_place[vertex]; }
 
 private:
   // For each vertex, the first one at its position.

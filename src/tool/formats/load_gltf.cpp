@@ -6,6 +6,8 @@
 
 #include <Eigen/Geometry>
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -187,12 +189,52 @@ Eigen::Affine3d own_transformation(const tinygltf::Node& node)
 
 } // namespace
 
+// Whether each node is shown: by the default scene, otherwise the first one, or always if there is none.
+std::vector<bool> nodes_of_scene(const tinygltf::Model& model)
+{
+  std::vector<bool> result(model.nodes.size(), model.scenes.empty());
+  if(model.scenes.empty())
+    return result;
+  const auto scene = static_cast<std::size_t>((std::max)(model.defaultScene, 0));
+  if(scene >= model.scenes.size())
+    throw std::invalid_argument("scene " + std::to_string(scene) + " is shown, but there are "
+                                + std::to_string(model.scenes.size()));
+  std::vector<int> pending = model.scenes[scene].nodes;
+  while(!pending.empty())
+  {
+    const auto node = static_cast<std::size_t>(pending.back());
+    pending.pop_back();
+    if(node >= result.size() || result[node])
+      continue;
+    result[node] = true;
+    const std::vector<int>& children = model.nodes[node].children;
+    pending.insert(pending.end(), children.begin(), children.end());
+  }
+  return result;
+}
+
+// Throws std::invalid_argument if a position in a buffer is negative: tinygltf takes it for 0.
+void check_positions(const std::string_view json)
+{
+  const auto parsed = nlohmann::json::parse(json.begin(), json.end(), nullptr, false);
+  for(const char* const list : {"accessors", "bufferViews"})
+    if(const auto found = parsed.find(list); found != parsed.end() && found->is_array())
+      for(std::size_t i = 0; i < found->size(); ++i)
+        for(const char* const name : {"byteOffset", "byteLength", "byteStride", "count"})
+          if(const auto& element = (*found)[i]; element.is_object() && element.contains(name)
+                                                && element[name].is_number()
+                                                && element[name].get<double>() < 0)
+            throw std::invalid_argument(std::string(name) + " of element " + std::to_string(i)
+                                        + " of " + list + " is negative");
+}
+
 tinygltf::Model load_gltf(const std::string& bytes, const std::string& path)
 {
   if(bytes.size() > std::numeric_limits<std::uint32_t>::max())
     throw std::invalid_argument("the file has more than 4 GB");
   const bool is_binary = bytes.compare(0, MAGIC.size(), MAGIC) == 0;
-  check_is_flat(is_binary ? json_of_glb(bytes) : bytes);
+  const std::string_view json = is_binary ? json_of_glb(bytes) : bytes;
+  check_is_flat(json);
   Files_beside files(path);
   tinygltf::TinyGLTF loader;
   loader.SetFsCallbacks(callbacks(files));
@@ -221,6 +263,7 @@ tinygltf::Model load_gltf(const std::string& bytes, const std::string& path)
   if(!is_loaded)
     throw std::invalid_argument(
       !files.defect().empty() ? files.defect() : "this is not valid glTF: " + shortened(error));
+  check_positions(json);
   return model;
 }
 
@@ -244,6 +287,7 @@ Glb_chunks chunks_of_glb(const std::string& bytes)
 std::vector<Mesh_instance> mesh_instances(const tinygltf::Model& model)
 {
   constexpr std::size_t none = std::size_t(-1);
+  const std::vector<bool> is_in_scene = nodes_of_scene(model);
   std::vector<std::size_t> parents(model.nodes.size(), none);
   for(std::size_t n = 0; n < model.nodes.size(); ++n)
     for(const int child : model.nodes[n].children)
@@ -252,7 +296,7 @@ std::vector<Mesh_instance> mesh_instances(const tinygltf::Model& model)
   std::vector<Mesh_instance> result;
   for(std::size_t n = 0; n < model.nodes.size(); ++n)
   {
-    if(model.nodes[n].mesh < 0)
+    if(model.nodes[n].mesh < 0 || !is_in_scene[n])
       continue;
     const auto mesh = static_cast<std::size_t>(model.nodes[n].mesh);
     if(mesh >= model.meshes.size())
@@ -271,10 +315,12 @@ std::vector<Mesh_instance> mesh_instances(const tinygltf::Model& model)
         = own_transformation(model.nodes[node]) * result.back().transformation;
     }
   }
-  if(result.empty() && model.meshes.size() == 1)
+  if(result.empty() && model.meshes.size() == 1 && model.scenes.empty())
     result.push_back({0, Eigen::Affine3d::Identity(), std::nullopt});
   if(result.empty())
-    throw std::invalid_argument(model.meshes.empty() ? "there is no mesh" : "no node has a mesh");
+    throw std::invalid_argument(model.meshes.empty()   ? "there is no mesh"
+                                : model.scenes.empty() ? "no node has a mesh"
+                                                       : "the scene shows no mesh");
   return result;
 }
 

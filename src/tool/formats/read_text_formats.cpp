@@ -26,6 +26,31 @@ void check_keyword(const std::string_view keyword)
                                   + " is not supported");
 }
 
+// Texture coordinates and normals of a corner of a face, of which only the syntax matters.
+void check_rest_of_corner(const Text_cursor& text, std::string_view word, const Element& face)
+{
+  for(int number = 0; !word.empty(); ++number)
+  {
+    word.remove_prefix(1);
+    if(number == 2)
+      throw std::invalid_argument(face.name() + ": a corner has more than three indices (line "
+                                  + std::to_string(text.line()) + ")");
+    const std::string_view index = word.substr(0, word.find('/'));
+    if(!index.empty())
+      text.integer(index, face);
+    word.remove_prefix(index.size());
+  }
+}
+
+// Other letters may be blanks of other kinds, and what follows them part of the line.
+void check_keyword_of_obj(const Text_cursor& text, const std::string_view word)
+{
+  if(std::any_of(word.begin(), word.end(), [](const char c) { return c < ' ' || c > '~'; }))
+    throw std::invalid_argument("the keyword " + Text_cursor::shown(word)
+                                + " has a letter that is not ASCII (line "
+                                + std::to_string(text.line()) + ")");
+}
+
 } // namespace
 
 void read_off(const std::string& bytes, Mesh_file& mesh)
@@ -43,6 +68,8 @@ void read_off(const std::string& bytes, Mesh_file& mesh)
     throw std::invalid_argument("line 1: binary OFF is not supported");
   const std::size_t vertices = text.count(word, Element{"the number of vertices"});
   const std::size_t faces = text.count(text.word_on_line(), Element{"the number of faces"});
+  if(const std::string_view edges = text.word_on_line(); !edges.empty())
+    text.count(edges, Element{"the number of edges"});
   text.skip_line();
   mesh.points.reserve((std::min)(vertices, bytes.size() / 6)); // the numbers may be wrong
   mesh.faces.reserve((std::min)(faces, bytes.size() / 6));
@@ -87,12 +114,14 @@ void read_obj(const std::string& bytes, Mesh_file& mesh)
       check_is_finite(point, v);
       mesh.points.push_back(point);
     }
-    else if(word == "f")
+    else if(is_face_of_obj(word))
     {
       const Element f{"face", ends.size()};
       for(word = text.word_on_line(); !word.empty(); word = text.word_on_line())
       {
-        const long long index = text.integer(word.substr(0, word.find('/')), f);
+        const std::string_view vertex = word.substr(0, word.find('/'));
+        const long long index = text.integer(vertex, f);
+        check_rest_of_corner(text, word.substr(vertex.size()), f);
         const long long n = static_cast<long long>(mesh.points.size());
         if(index < -n)
           throw std::invalid_argument(f.name() + " names vertex " + std::to_string(index)
@@ -103,6 +132,8 @@ void read_obj(const std::string& bytes, Mesh_file& mesh)
                        f);
       ends.push_back(corners.size());
     }
+    else
+      check_keyword_of_obj(text, word);
   add_faces(corners, ends, 1, mesh);
 }
 

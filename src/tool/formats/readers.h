@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <iosfwd>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace Canonical_pose_tool {
@@ -55,6 +56,9 @@ void check_is_finite(const std::array<double, 3>& point, const Element& element)
 
 // Throws if a face has fewer than three corners.
 void check_is_polygon(long long number_of_corners, const Element& face);
+
+// Whether a word of an OBJ file begins a face; `fo` is the old spelling.
+inline bool is_face_of_obj(const std::string_view word) { return word == "f" || word == "fo"; }
 
 } // namespace Canonical_pose_tool
 

@@ -17,6 +17,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <map>
 #include <optional>
 #include <ostream>
 #include <set>
@@ -39,12 +40,16 @@ public:
     use_shortest_numbers(out);
   }
 
-  void replace(const std::string_view word, const double number)
+  template <class Number>
+  void replace(const std::string_view word, const Number number)
   {
     copy_to(word.data());
     m_out << number;
     m_position = word.data() + word.size();
   }
+
+  // After what was inserted.
+  void append(const double number) { m_out << ' ' << number; }
 
   void insert(const char* const position, const std::string& text)
   {
@@ -66,80 +71,180 @@ private:
   const char* m_end;
 };
 
-void rewrite_off(std::ostream& out, const std::string& bytes, const Points& points)
+// The first end of a line, for others.
+std::string line_end_of(const std::string& bytes)
+{
+  const std::size_t end = bytes.find_first_of("\r\n");
+  return end == std::string::npos             ? "\n"
+         : bytes.compare(end, 2, "\r\n") == 0 ? "\r\n"
+                                              : bytes.substr(end, 1);
+}
+
+void rewrite_off(std::ostream& out, const std::string& bytes, const Mesh_file& mesh,
+                 const Points& points)
 {
   Text_cursor text(bytes);
   Text_copy copy(out, bytes);
-  if(text.word().back() == 'F') // otherwise with the first number
+  const std::string_view keyword = text.word();
+  if(keyword.back() == 'F') // otherwise with the first number
     text.word();
   text.skip_line();
-  for(const std::array<double, 3>& point : points)
+  std::optional<Vertex_rotations> rotations;
+  if(keyword.substr(0, keyword.find("OFF")).find('N') != std::string_view::npos)
+    rotations.emplace(mesh, points);
+  for(std::size_t v = 0; v < points.size(); ++v)
   {
-    copy.replace(text.word(), point[0]);
-    copy.replace(text.word_on_line(), point[1]);
-    copy.replace(text.word_on_line(), point[2]);
+    copy.replace(text.word(), points[v][0]);
+    copy.replace(text.word_on_line(), points[v][1]);
+    copy.replace(text.word_on_line(), points[v][2]);
+    if(rotations)
+    {
+      std::array<std::string_view, 3> words;
+      Eigen::Vector3d normal;
+      for(std::size_t k = 0; k < 3; ++k)
+      {
+        words[k] = text.word_on_line();
+        normal[static_cast<Eigen::Index>(k)] = text.number_or(words[k], 0);
+      }
+      normal = Vertex_rotations::result(rotations->turned(v, normal), normal);
+      for(std::size_t k = 0; k < 3 && !words[k].empty(); ++k)
+        copy.replace(words[k], normal[static_cast<Eigen::Index>(k)]);
+    }
     text.skip_line();
   }
   copy.finish();
 }
 
-// The normals of an OBJ file, turned, in their order.
-std::vector<Eigen::Vector3d> turned_normals_of_obj(const std::string& bytes, const Mesh_file& mesh,
-                                                   const Points& points)
+// The normals of an OBJ file, turned. A normal that vertices with different rotations share becomes
+// several normals.
+class Turned_normals_of_obj
 {
+public:
+  Turned_normals_of_obj(const std::string& bytes, const Mesh_file& mesh, const Points& points)
+  {
+    read(bytes);
+    if(m_normals.empty())
+      return;
+    m_turned.resize(m_normals.size());
+    std::vector<std::map<Rounded, std::size_t>> known(m_normals.size());
+    const Vertex_rotations rotations(mesh, points);
+    for(Use& use : m_uses)
+    {
+      const Eigen::Vector3d normal = Vertex_rotations::result(
+        rotations.turned(mesh.faces[use.face][use.corner], m_normals[use.normal]),
+        m_normals[use.normal]);
+      std::vector<Eigen::Vector3d>& turned = m_turned[use.normal];
+      const auto [variant, is_new] = known[use.normal].try_emplace(rounded(normal), turned.size());
+      if(is_new)
+        turned.push_back(normal);
+      use.variant = variant->second;
+    }
+    std::size_t number = 0;
+    for(std::size_t i = 0; i < m_normals.size(); ++i)
+    {
+      if(m_turned[i].empty())
+        m_turned[i].push_back(m_normals[i]);
+      m_first.push_back(number);
+      number += m_turned[i].size();
+    }
+    m_first.push_back(number);
+  }
+
+  // One or more for each normal.
+  const std::vector<Eigen::Vector3d>& operator[](const std::size_t normal) const
+  {
+    return m_turned[normal];
+  }
+
+  bool are_more() const { return !m_first.empty() && m_first.back() > m_normals.size(); }
+
+  // The index, from 0, of the normal of a use among those that are written.
+  std::size_t index_of_use(const std::size_t use) const
+  {
+    return m_first[m_uses[use].normal] + m_uses[use].variant;
+  }
+  // The number of normals that are written for the first ones of the file.
+  std::size_t number_written(const std::size_t number) const { return m_first[number]; }
+
+  // Calls f(word, is_relative) for each index of a normal in a line of corners, in the order of the
+  // uses. `number`: of the normals before it.
+  template <class Function>
+  static void for_each_index(Text_cursor& text, const std::size_t number_in_file,
+                             const std::size_t number, const Function& f)
+  {
+    std::size_t corner = 0;
+    for(std::string_view word = text.word_on_line(); !word.empty();
+        word = text.word_on_line(), ++corner)
+    {
+      const std::size_t last = word.rfind('/');
+      if(last == std::string_view::npos || word.find('/') == last || last + 1 == word.size())
+        continue;
+      const std::string_view index = word.substr(last + 1);
+      const double value = text.number_or(index, 0);
+      const double i = value < 0 ? static_cast<double>(number) + value : value - 1;
+      if(i >= 0 && i < static_cast<double>(number_in_file))
+        f(corner, index, value < 0, static_cast<std::size_t>(i));
+    }
+  }
+
+  std::size_t size() const { return m_normals.size(); }
+
+private:
   struct Use
   {
-    std::size_t face, corner;
-    long long normal;
+    std::size_t face, corner, normal;
+    std::size_t variant = 0;
   };
-  std::vector<Eigen::Vector3d> normals;
-  std::vector<Use> uses;
-  Text_cursor text(bytes, Text_cursor::Lines::CONTINUED);
-  std::size_t face = 0;
-  for(std::string_view word = text.word(); !word.empty(); text.skip_line(), word = text.word())
-    if(word == "vn")
-    {
-      Eigen::Vector3d normal;
-      for(double& x : normal)
-        x = text.number_or(text.word_on_line(), 0);
-      normals.push_back(normal);
-    }
-    else if(word == "f")
-    {
-      std::size_t corner = 0;
-      for(word = text.word_on_line(); !word.empty(); word = text.word_on_line(), ++corner)
+  using Rounded = std::array<long, 3>;
+
+  // Directions that differ by a twentieth of a degree are not distinguished.
+  static Rounded rounded(const Eigen::Vector3d& normal)
+  {
+    const double steps = 1000;
+    const Eigen::Vector3d direction = normal.stableNormalized() * steps;
+    return {std::lround(direction[0]), std::lround(direction[1]), std::lround(direction[2])};
+  }
+
+  void read(const std::string& bytes)
+  {
+    Text_cursor text(bytes, Text_cursor::Lines::CONTINUED);
+    for(std::string_view word = text.word(); !word.empty(); text.skip_line(), word = text.word())
+      if(word == "vn")
       {
-        const std::size_t last = word.rfind('/');
-        if(last == std::string_view::npos || word.find('/') == last)
-          continue;
-        const double number = text.number_or(word.substr(last + 1), 0);
-        if(!(std::abs(number) <= static_cast<double>(bytes.size())))
-          continue;
-        const auto n = static_cast<long long>(number);
-        uses.push_back({face, corner, n < 0 ? static_cast<long long>(normals.size()) + n : n - 1});
+        Eigen::Vector3d normal;
+        for(double& x : normal)
+          x = text.number_or(text.word_on_line(), 0);
+        m_normals.push_back(normal);
       }
-      ++face;
-    }
-  if(normals.empty())
-    return normals;
-  const Vertex_rotations rotations(mesh, points);
-  std::vector<Eigen::Vector3d> sums(normals.size(), Eigen::Vector3d::Zero());
-  for(const Use& use : uses)
-    if(use.normal >= 0 && use.normal < static_cast<long long>(normals.size()))
-      sums[static_cast<std::size_t>(use.normal)] += rotations.turned(
-        mesh.faces[use.face][use.corner], normals[static_cast<std::size_t>(use.normal)]);
-  for(std::size_t i = 0; i < normals.size(); ++i)
-    normals[i] = Vertex_rotations::result(sums[i], normals[i]);
-  return normals;
-}
+    Text_cursor faces(bytes, Text_cursor::Lines::CONTINUED);
+    std::size_t face = 0, number = 0;
+    for(std::string_view word = faces.word(); !word.empty(); faces.skip_line(), word = faces.word())
+      if(word == "vn")
+        ++number;
+      else if(is_face_of_obj(word))
+      {
+        for_each_index(
+          faces, m_normals.size(), number,
+          [&](const std::size_t corner, std::string_view, bool, const std::size_t normal) {
+            m_uses.push_back({face, corner, normal});
+          });
+        ++face;
+      }
+  }
+
+  std::vector<Eigen::Vector3d> m_normals; // of the file
+  std::vector<Use> m_uses;
+  std::vector<std::vector<Eigen::Vector3d>> m_turned; // for each normal
+  std::vector<std::size_t> m_first; // for each normal, the index of the first that is written
+};
 
 void rewrite_obj(std::ostream& out, const std::string& bytes, const Mesh_file& mesh,
                  const Points& points)
 {
-  const std::vector<Eigen::Vector3d> normals = turned_normals_of_obj(bytes, mesh, points);
+  const Turned_normals_of_obj normals(bytes, mesh, points);
   Text_cursor text(bytes, Text_cursor::Lines::CONTINUED);
   Text_copy copy(out, bytes);
-  std::size_t vertex = 0, normal = 0;
+  std::size_t vertex = 0, normal = 0, use = 0;
   for(std::string_view word = text.word(); !word.empty(); text.skip_line(), word = text.word())
     if(word == "v")
     {
@@ -149,11 +254,28 @@ void rewrite_obj(std::ostream& out, const std::string& bytes, const Mesh_file& m
     }
     else if(word == "vn")
     {
-      for(const double x : normals[normal])
+      const std::vector<Eigen::Vector3d>& turned = normals[normal];
+      for(const double x : turned[0])
         if(const std::string_view number = text.word_on_line(); !number.empty())
           copy.replace(number, x);
+      text.skip_line();
+      for(std::size_t i = 1; i < turned.size(); ++i)
+      {
+        copy.insert(text.position(), line_end_of(bytes) + "vn");
+        for(const double x : turned[i])
+          copy.append(x);
+      }
       ++normal;
     }
+    else if(is_face_of_obj(word) && normals.are_more())
+      Turned_normals_of_obj::for_each_index(
+        text, normals.size(), normal,
+        [&](std::size_t, const std::string_view index, const bool is_relative, std::size_t) {
+          const auto written = static_cast<long long>(normals.index_of_use(use++));
+          copy.replace(index, is_relative
+                                ? written - static_cast<long long>(normals.number_written(normal))
+                                : written + 1);
+        });
   copy.finish();
 }
 
@@ -253,9 +375,8 @@ public:
   {
     use_shortest_numbers(out);
     for(const Ply_element& element : m_header.elements)
-      if(element.is_vertex())
-        for(const Ply_property& property : element.properties)
-          m_has_normals = m_has_normals || normal_coordinate_of(property) < 3;
+      for(const Ply_property& property : element.properties)
+        m_has_normals = m_has_normals || has_normals(element, property);
     if(m_has_normals)
       find_normals();
   }
@@ -267,6 +388,11 @@ public:
       for(std::size_t i = 0; i < element.number; ++i)
         copy_element(element, i);
     m_out.write(m_byte, m_text.end() - m_byte);
+  }
+
+  static bool has_normals(const Ply_element& element, const Ply_property& property)
+  {
+    return (element.is_vertex() || element.is_face()) && normal_coordinate_of(property) < 3;
   }
 
   static std::size_t normal_coordinate_of(const Ply_property& property)
@@ -311,15 +437,9 @@ private:
         continue;
       for(const Vertex_values& values : m_values)
         if(is_added(m_header.elements[element - 1], values))
-          copy.insert(text.position(), "property double " + values.name + line_end());
+          copy.insert(text.position(), "property double " + values.name + line_end_of(m_bytes));
     }
     copy.insert(m_byte, "");
-  }
-
-  std::string line_end() const
-  {
-    const std::size_t end = m_bytes.find_first_of("\r\n");
-    return m_bytes.compare(end, 2, "\r\n") == 0 ? "\r\n" : m_bytes.substr(end, 1);
   }
 
   // Advances over a number.
@@ -350,14 +470,17 @@ private:
     }
   }
 
-  std::optional<double> new_value(const Ply_property& property, const std::size_t v) const
+  std::optional<double> new_value(const Ply_element& element, const Ply_property& property,
+                                  const std::size_t v) const
   {
-    if(property.is_list)
+    if(has_normals(element, property))
+      return (element.is_vertex()
+                ? m_normals
+                : m_face_normals)[v][static_cast<Eigen::Index>(normal_coordinate_of(property))];
+    if(property.is_list || !element.is_vertex())
       return std::nullopt;
     if(const std::size_t k = coordinate_of(property); k < 3)
       return m_points[v][k];
-    if(const std::size_t k = normal_coordinate_of(property); k < 3)
-      return m_normals[v][static_cast<Eigen::Index>(k)];
     if(const Vertex_values* const values = values_of(property))
       return values->values[static_cast<Eigen::Index>(v)];
     return std::nullopt;
@@ -370,8 +493,7 @@ private:
     {
       for_each_property(element,
                         [&](const Ply_property& property, double, const char* const begin) {
-                          const auto value = is_vertex ? new_value(property, i) : std::nullopt;
-                          if(value)
+                          if(const auto value = new_value(element, property, i))
                             m_out << m_header.bytes_of(*value, property.value);
                           else
                             m_out.write(begin, m_byte - begin);
@@ -383,7 +505,7 @@ private:
                                        ply_number_type_of_double());
       return;
     }
-    if(!is_vertex || element.properties.empty())
+    if(!(is_vertex || (element.is_face() && m_has_normals)) || element.properties.empty())
     {
       for_each_property(element, [](const Ply_property&, double, const char*) {});
       m_out.write(m_byte, m_text.position() - m_byte);
@@ -391,7 +513,7 @@ private:
       return;
     }
     for_each_property(element, [&](const Ply_property& property, double, const char*) {
-      if(const auto value = new_value(property, i))
+      if(const auto value = new_value(element, property, i))
       {
         m_out.write(m_byte, m_word.data() - m_byte);
         m_out << *value;
@@ -401,7 +523,7 @@ private:
     m_out.write(m_byte, m_text.position() - m_byte);
     m_byte = m_text.position();
     for(const Vertex_values& values : m_values)
-      if(is_added(element, values))
+      if(is_vertex && is_added(element, values))
         m_out << ' ' << values.values[static_cast<Eigen::Index>(i)];
   }
 
@@ -411,19 +533,27 @@ private:
     const Text_cursor text = m_text;
     const char* const byte = m_byte;
     m_normals.assign(m_points.size(), Eigen::Vector3d::Zero());
+    m_face_normals.assign(m_mesh.faces.size(), Eigen::Vector3d::Zero());
     for(const Ply_element& element : m_header.elements)
       for(std::size_t i = 0; i < element.number; ++i)
-        for_each_property(element,
-                          [&](const Ply_property& property, const double value, const char*) {
-                            const std::size_t k = normal_coordinate_of(property);
-                            if(element.is_vertex() && k < 3)
-                              m_normals[i][static_cast<Eigen::Index>(k)] = value;
-                          });
+        for_each_property(
+          element, [&](const Ply_property& property, const double value, const char*) {
+            if(has_normals(element, property))
+              (element.is_vertex()
+                 ? m_normals
+                 : m_face_normals)[i][static_cast<Eigen::Index>(normal_coordinate_of(property))]
+                = value;
+          });
     m_text = text;
     m_byte = byte;
     const Vertex_rotations rotations(m_mesh, m_points);
     for(std::size_t v = 0; v < m_normals.size(); ++v)
       m_normals[v] = Vertex_rotations::result(rotations.turned(v, m_normals[v]), m_normals[v]);
+    for(std::size_t f = 0; f < m_face_normals.size(); ++f)
+      m_face_normals[f]
+        = Vertex_rotations::result(Vertex_rotations::turned_with_face(
+                                     m_mesh.faces[f], m_mesh.points, m_points, m_face_normals[f]),
+                                   m_face_normals[f]);
   }
 
   std::ostream& m_out;
@@ -436,7 +566,7 @@ private:
   const char* m_byte; // the next one that is not yet copied
   std::string_view m_word;
   bool m_has_normals = false;
-  std::vector<Eigen::Vector3d> m_normals; // turned
+  std::vector<Eigen::Vector3d> m_normals, m_face_normals; // turned
 };
 
 // Integers cannot hold any position.
@@ -444,11 +574,11 @@ bool holds_positions(const std::string& bytes)
 {
   Text_cursor text(bytes);
   for(const Ply_element& element : read_ply_header(text).elements)
-    if(element.is_vertex())
-      for(const Ply_property& property : element.properties)
-        if((coordinate_of(property) < 3 || Ply_rewriter::normal_coordinate_of(property) < 3)
-           && property.value.is_integer)
-          return false;
+    for(const Ply_property& property : element.properties)
+      if(((element.is_vertex() && coordinate_of(property) < 3)
+          || Ply_rewriter::has_normals(element, property))
+         && property.value.is_integer)
+        return false;
   return true;
 }
 
@@ -510,6 +640,10 @@ std::vector<std::string> attributes_of_file(const Mesh_file& mesh)
     return attributes_of_obj(mesh.source->bytes);
   case Format::PLY:
     return attributes_of_ply(mesh.source->bytes);
+  case Format::MEDIT: // the rest of the file is kept
+    return mesh.source->bytes.find("Normals") == std::string::npos
+             ? std::vector<std::string>()
+             : std::vector<std::string>{"turned normals"};
   case Format::GLB:
   case Format::GLTF:
     return attributes_of_gltf(mesh);
@@ -545,7 +679,7 @@ void rewrite_mesh(std::ostream& out, const Mesh_file& mesh, const Points& points
   switch(mesh.source->format)
   {
   case Format::OFF:
-    return rewrite_off(out, bytes, points);
+    return rewrite_off(out, bytes, mesh, points);
   case Format::OBJ:
     return rewrite_obj(out, bytes, mesh, points);
   case Format::MEDIT:
