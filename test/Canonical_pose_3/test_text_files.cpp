@@ -123,6 +123,40 @@ TEST(Text_files, lines_of_messages)
 }
 
 // An extension that lies is named.
+TEST(Text_files, formats_by_content)
+{
+  const auto format_of_content = [](const std::string& name, const std::string& bytes) {
+    return format_of(written_file(name, bytes));
+  };
+  const std::map<std::string, Format> formats = {{"off", Format::OFF},
+                                                 {"obj", Format::OBJ},
+                                                 {"ply", Format::PLY},
+                                                 {"stl", Format::STL},
+                                                 {"mesh", Format::MEDIT}};
+  for(const auto& [name, text] : TEXTS)
+    for(const std::string& other : {"content.txt", "content", "content.off.bak"})
+      for(const std::string& before : {"", "\xEF\xBB\xBF", "\n\n"})
+      {
+        if(name == "tetrahedron.ply" && before == "\n\n")
+          continue; // nothing may come first
+        EXPECT_EQ(format_of_content(other, before + text), formats.at(name.substr(12))) << name;
+        expect_equal(read_mesh_file(written_file(other, before + text)),
+                     read_mesh_file(written_file(name, text)));
+      }
+  EXPECT_EQ(format_of_content("content", "# by hand\nSTCNOFF 3 1 0\n"), Format::OFF);
+  EXPECT_EQ(format_of_content("content", "# by hand\nmtllib a.mtl\no b\nv 0 0 0\n"), Format::OBJ);
+  EXPECT_EQ(format_of_content("content", std::string(80, '\0') + std::string({1, 0, 0, 0})
+                                           + std::string(50, '\0')),
+            Format::STL);
+  for(const std::string& text : {"", "hello\n", "OF", "GIF89a", "<html>", "TOFFEE"})
+    EXPECT_THROW_WITH(format_of_content("content.txt", text), std::invalid_argument,
+                      "is not one of .off, .obj, .ply, .stl, .mesh, .glb, .gltf");
+  EXPECT_THROW_WITH(format_of("nowhere"), std::invalid_argument,
+                    "the extension of 'nowhere' is not one of");
+  EXPECT_THROW_WITH(format_of(written_file("content.txt", "OFF\n"), Use::WRITE),
+                    std::invalid_argument, ".glb, .vtu");
+}
+
 TEST(Text_files, content_of_another_format)
 {
   EXPECT_THROW_WITH(read_mesh_file(written_file("lie.off", TEXTS.at("tetrahedron.ply"))),

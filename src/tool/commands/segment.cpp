@@ -91,7 +91,7 @@ bool is_text(const std::string& path) { return std::filesystem::path(path).exten
 std::string part_path(const Arguments& arguments, const std::size_t part)
 {
   return arguments.output + "part_" + std::to_string(part)
-         + std::filesystem::path(arguments.input).extension().string();
+         + extension_of_format(format_of(arguments.input));
 }
 
 std::vector<std::string> inputs_of(const Arguments& arguments)

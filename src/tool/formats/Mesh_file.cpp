@@ -17,6 +17,7 @@
 #include <fstream>
 #include <ios>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -93,6 +94,36 @@ std::string other_look(const std::string& bytes, const Format format)
   return "";
 }
 
+// The format of a file by its beginning, if it is a file, and its format can be read.
+std::optional<Format> format_by_content(const std::string& path)
+{
+  const std::size_t most = 4096;
+  std::error_code error;
+  if(!std::filesystem::is_regular_file(path, error))
+    return std::nullopt;
+  std::ifstream in(path, std::ios::binary);
+  std::string bytes(most, '\0');
+  in.read(bytes.data(), static_cast<std::streamsize>(most));
+  bytes.resize(static_cast<std::size_t>(in.gcount()));
+  if(bytes.compare(0, 3, BYTE_ORDER_MARK) == 0)
+    bytes.erase(0, 3);
+  Text_cursor text(bytes);
+  std::string_view word = text.word();
+  for(const Format_entry& entry : FORMATS)
+    if(entry.beginning && entry.read
+       && word.substr(0, std::strlen(entry.beginning)) == entry.beginning)
+      return entry.format;
+  if(word.size() > 3 && word.find_first_not_of("STCN") == word.size() - 3
+     && word.substr(word.size() - 3) == "OFF")
+    return Format::OFF;
+  if(is_binary_stl(bytes, std::filesystem::file_size(path, error)))
+    return Format::STL;
+  for(; !word.empty(); text.skip_line(), word = text.word())
+    if(word == "v")
+      return Format::OBJ;
+  return std::nullopt;
+}
+
 } // namespace
 
 Format format_of(const std::string& path, const Use use)
@@ -105,6 +136,8 @@ Format format_of(const std::string& path, const Use use)
   });
   if(found == FORMATS.end())
   {
+    if(const auto format = use == Use::READ ? format_by_content(path) : std::nullopt)
+      return *format;
     std::string message = "the extension of '" + path + "' is not one of ";
     for(const Format_entry& entry : FORMATS)
       if(use == Use::WRITE ? entry.is_written : entry.read != nullptr)
@@ -115,6 +148,8 @@ Format format_of(const std::string& path, const Use use)
     throw std::invalid_argument("'" + path + "' is glTF, but this program was built without it");
   return found->format;
 }
+
+std::string extension_of_format(const Format format) { return entry_of(format).extension; }
 
 Mesh_file read_mesh_file(const std::string& path, const Source source)
 {

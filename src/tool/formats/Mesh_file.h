@@ -38,10 +38,13 @@ struct Mesh_file
   std::shared_ptr<const Source_file> source;                // if it was kept
 };
 
-// Returns the format for the extension; throws std::invalid_argument, which lists those for this use,
-// if it is not supported.
+// Returns the format for the extension or, of a file to read with another one or none, by its content.
+// Throws std::invalid_argument, which lists the extensions for this use, if there is none.
 enum class Use { READ, WRITE };
 Format format_of(const std::string& path, Use use = Use::READ);
+
+// With its dot, in small letters.
+std::string extension_of_format(Format format);
 
 // Reads a file. Afterward, coordinates are finite and indices in range; nothing else is checked.
 // Throws std::invalid_argument with the defect and the element. This is why CGAL's readers are not

@@ -153,11 +153,13 @@ bool is_ascii(const std::string& bytes)
 
 } // namespace
 
-bool is_binary_stl(const std::string& bytes)
+bool is_binary_stl(const std::string& beginning, const std::uintmax_t size)
 {
-  return bytes.size() >= STL_HEADER_SIZE
-         && bytes.size() == STL_HEADER_SIZE + STL_FACE_SIZE * number_of_binary_faces(bytes);
+  return beginning.size() >= STL_HEADER_SIZE
+         && size == STL_HEADER_SIZE + STL_FACE_SIZE * number_of_binary_faces(beginning);
 }
+
+bool is_binary_stl(const std::string& bytes) { return is_binary_stl(bytes, bytes.size()); }
 
 bool is_binary_stl_content(const std::string& bytes)
 {

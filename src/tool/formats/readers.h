@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <iosfwd>
 #include <string>
 #include <string_view>
@@ -24,6 +25,7 @@ void read_stl(const std::string& bytes, Mesh_file& mesh);
 // Bytes of a binary file.
 constexpr std::size_t STL_HEADER_SIZE = 84, STL_FACE_SIZE = 50;
 // Whether a file has the size that its header announces; and whether it is read as binary.
+bool is_binary_stl(const std::string& beginning, std::uintmax_t size);
 bool is_binary_stl(const std::string& bytes);
 bool is_binary_stl_content(const std::string& bytes);
 void read_medit(const std::string& bytes, Mesh_file& mesh);
