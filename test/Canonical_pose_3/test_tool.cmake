@@ -56,7 +56,9 @@ endforeach()
 expect_refusal("falls into 2 components" pose edge.off -o out/a.off --components refuse) # the fin is one
 expect_refusal("No such file" pose missing.off -o out/a.off)
 expect_refusal("directory" pose folder.off -o out/a.off)
-expect_refusal("extension" pose ball.txt -o out/a.off)
+expect_exit(0 check ball.txt) # by its content
+file(WRITE ${WORK}/words.txt "no shape\n")
+expect_refusal("extension" pose words.txt -o out/a.off)
 expect_wrong_usage("canonical-pose: the extension of 'out/a.xyz' is not one of" pose ball.off -o out/a.xyz)
 expect_refusal("no such directory" pose ball.off -o out/nowhere/a.off)
 expect_refusal("not a file" pose ball.off -o folder.off)
