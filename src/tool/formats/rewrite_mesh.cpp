@@ -115,8 +115,8 @@ void rewrite_off(std::ostream& out, const std::string& bytes, const Mesh_file& m
   copy.finish();
 }
 
-// The normals of an OBJ file, turned. A normal that vertices with different rotations share becomes
-// several normals.
+// The normals of an OBJ file, turned at each position with the faces that use them there. One with several directions
+// becomes several normals.
 class Turned_normals_of_obj
 {
 public:
@@ -126,13 +126,20 @@ public:
     if(m_normals.empty())
       return;
     m_turned.resize(m_normals.size());
-    std::vector<std::map<Rounded, std::size_t>> known(m_normals.size());
     const Vertex_rotations rotations(mesh, points);
+    const auto key_of = [&](const Use& use) {
+      return std::make_pair(use.normal, rotations.place(mesh.faces[use.face][use.corner]));
+    };
+    std::map<std::pair<std::size_t, std::size_t>, Eigen::Vector3d> sums;
+    for(const Use& use : m_uses)
+      sums.try_emplace(key_of(use), Eigen::Vector3d::Zero()).first->second
+        += Vertex_rotations::turned_with_face(mesh.faces[use.face], mesh.points, points,
+                                              m_normals[use.normal]);
+    std::vector<std::map<Rounded, std::size_t>> known(m_normals.size());
     for(Use& use : m_uses)
     {
-      const Eigen::Vector3d normal = Vertex_rotations::result(
-        rotations.turned(mesh.faces[use.face][use.corner], m_normals[use.normal]),
-        m_normals[use.normal]);
+      const Eigen::Vector3d normal
+        = Vertex_rotations::result(sums.at(key_of(use)), m_normals[use.normal]);
       std::vector<Eigen::Vector3d>& turned = m_turned[use.normal];
       const auto [variant, is_new] = known[use.normal].try_emplace(rounded(normal), turned.size());
       if(is_new)
