@@ -33,7 +33,7 @@ py::array any_array(const py::object& values, const std::string& name)
   if(!array || array.is_none())
     throw std::invalid_argument(name + " must be an array of numbers");
   if(py::module_::import("numpy").attr("ma").attr("is_masked")(values).cast<bool>())
-    throw std::invalid_argument(name + " has masked elements");
+    throw std::invalid_argument(name + " must not have masked elements");
   return array;
 }
 

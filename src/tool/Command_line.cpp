@@ -11,6 +11,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace Canonical_pose_tool {
 
@@ -44,6 +45,16 @@ void check_values(char** const begin, char** const end)
       throw CLI::ValidationError(text.substr(0, text.size() - 1), "the value is empty");
 }
 
+// What is wrong. CLI11 names words that it does not expect in reverse order.
+std::string message_of(const CLI::App& app, const CLI::Error& error)
+{
+  const std::vector<std::string> words = app.remaining(true);
+  if(error.get_exit_code() != static_cast<int>(CLI::ExitCodes::ExtrasError) || words.empty())
+    return error.what();
+  return std::string("The following argument") + (words.size() == 1 ? " was" : "s were")
+         + " not expected: " + CLI::detail::join(words, " ");
+}
+
 } // namespace
 
 std::optional<int> parse_command_line(const int argc, char* argv[], Arguments& arguments)
@@ -52,8 +63,8 @@ std::optional<int> parse_command_line(const int argc, char* argv[], Arguments& a
   CLI::App app("Brings 3D shapes into their detail-preserving canonical pose.", "canonical-pose");
   app.set_version_flag("--version", CGAL_CANONICAL_POSE_3_VERSION);
   app.require_subcommand(1);
-  app.failure_message([](const CLI::App*, const CLI::Error& error) { // one line for bad values
-    return std::string("canonical-pose: ") + error.what()
+  app.failure_message([](const CLI::App* app, const CLI::Error& error) { // one line for bad values
+    return "canonical-pose: " + message_of(*app, error)
            + (error.get_name() == "ValidationError" ? "\n" : "; see --help\n");
   });
   const Command* const chosen = first_command(argv + 1, argv + argc);

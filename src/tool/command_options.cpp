@@ -141,10 +141,11 @@ CLI::Option* add_path(Command_options& o, const std::string& name, std::string& 
   return o.app.add_option(name, value, help)->check(path());
 }
 
-void add_input(Command_options& o)
+void add_input(Command_options& o, const Shapes shapes)
 {
   add_path(o, "INPUT", o.arguments.input,
-           "surface (.off, .obj, .ply, .stl, .glb, .gltf) or tetrahedral mesh (MEDIT, .mesh)")
+           std::string("surface (.off, .obj, .ply, .stl, .glb, .gltf)")
+             + (shapes == Shapes::SURFACES ? "" : " or tetrahedral mesh (MEDIT, .mesh)"))
     ->required();
 }
 

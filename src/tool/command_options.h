@@ -63,7 +63,8 @@ CLI::Validator path();
 CLI::Option* add_path(Command_options& o, const std::string& name, std::string& value,
                       const std::string& help);
 
-void add_input(Command_options& o);
+enum class Shapes { SURFACES, ALL };
+void add_input(Command_options& o, Shapes shapes = Shapes::ALL);
 void add_report(Command_options& o);
 void add_quiet(Command_options& o);
 

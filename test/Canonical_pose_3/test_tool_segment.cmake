@@ -37,6 +37,10 @@ run_tool(segment ball.off --parts 2 --method sweep -o out/parts/) # in place of 
 if(EXISTS ${WORK}/out/parts/part_2.off)
   fail("a part of another run is left.")
 endif()
+file(MAKE_DIRECTORY ${WORK}/same)
+file(COPY_FILE ${WORK}/ball.off ${WORK}/same/part_2.off)
+expect_refusal("part_2.off' cannot be written: it is an input" segment same/part_2.off --parts 2 --method sweep -o same/)
+expect_exit(0 check same/part_2.off)
 file(REMOVE_RECURSE ${WORK}/out/parts ${WORK}/out/parts.txt ${WORK}/out/parts.ply ${WORK}/out/parts.json)
 
 foreach(parts IN ITEMS 0 -1 1.5 many)

@@ -36,7 +36,7 @@ BAD_VERTICES = [
     (lambda v: v.astype(str), "vertices must be an array of numbers"),
     (lambda v: v.astype(object), "vertices must be an array of numbers"),
     (lambda v: [[0, 0, 0], [1, 2]], "vertices must be an array of numbers"),
-    (lambda v: np.ma.masked_array(v, mask=v > v.mean()), "vertices has masked elements"),
+    (lambda v: np.ma.masked_array(v, mask=v > v.mean()), "vertices must not have masked elements"),
     (lambda v: with_value(v, (3, 1), np.nan), NOT_FINITE),
     (lambda v: with_value(v, (3, 1), -np.inf), NOT_FINITE),
     (lambda v: v[:0], "names vertex .*, but there are 0"),

@@ -22,7 +22,7 @@ namespace {
 
 void add_describe_options(Command_options& o)
 {
-  add_input(o);
+  add_input(o, Shapes::SURFACES);
   add_path(o, "-o,--output", o.arguments.output, "the values of the descriptors (.json)")
     ->required();
   o.app

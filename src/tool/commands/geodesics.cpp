@@ -25,7 +25,7 @@ namespace {
 
 void add_geodesics_options(Command_options& o)
 {
-  add_input(o);
+  add_input(o, Shapes::SURFACES);
   o.app.add_option("--source", o.arguments.sources, "number of a vertex, from 0; may be repeated")
     ->required()
     ->transform(integer(std::size_t(0)))

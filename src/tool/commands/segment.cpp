@@ -99,13 +99,16 @@ std::vector<std::string> inputs_of(const Arguments& arguments)
   return {arguments.input, arguments.pose};
 }
 
-// Removes the parts of a run before that had more of them.
-void remove_further_parts(const Arguments& arguments, const std::size_t number_of_parts)
+// The parts of a run before that had more of them.
+std::vector<std::string> further_parts(const Arguments& arguments,
+                                       const std::size_t number_of_parts)
 {
+  std::vector<std::string> result;
   std::error_code error;
   for(std::size_t part = number_of_parts;
-      std::filesystem::remove(part_path(arguments, part), error); ++part)
-    ;
+      std::filesystem::exists(part_path(arguments, part), error); ++part)
+    result.push_back(part_path(arguments, part));
+  return result;
 }
 
 void write_parts(const Mesh_file& input, const std::vector<std::size_t>& parts,
@@ -119,6 +122,10 @@ void write_parts(const Mesh_file& input, const std::vector<std::size_t>& parts,
   else
     paths.push_back(arguments.output);
   Output_files files(paths, inputs_of(arguments));
+  const std::vector<std::string> removed = is_folder(arguments.output)
+                                             ? further_parts(arguments, number_of_parts)
+                                             : std::vector<std::string>();
+  Output_files(removed, inputs_of(arguments)); // none may be an input
   if(is_folder(arguments.output))
     for(std::size_t part = 0; part < number_of_parts; ++part)
       files.write(part_path(arguments, part), [&](std::ostream& out) {
@@ -135,13 +142,14 @@ void write_parts(const Mesh_file& input, const std::vector<std::size_t>& parts,
   files.write(arguments.report,
               [&](std::ostream& out) { write_report(out, report, clock.lap(), clock.total()); });
   files.commit();
-  if(is_folder(arguments.output))
-    remove_further_parts(arguments, number_of_parts);
+  std::error_code error;
+  for(const std::string& path : removed)
+    std::filesystem::remove(path, error);
 }
 
 void add_segment_options(Command_options& o)
 {
-  add_input(o);
+  add_input(o, Shapes::SURFACES);
   add_path(o, "-o,--output", o.arguments.output,
            "the parts: numbers of the faces (.txt), colors (.ply, .glb), or a file each (folder/)")
     ->required();
