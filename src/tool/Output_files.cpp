@@ -194,6 +194,12 @@ void remove_files_on_signals()
   }
 }
 
+bool is_same_file(const std::string& path, const std::string& other)
+{
+  std::error_code error;
+  return fs::equivalent(path, other, error);
+}
+
 Output_files::Output_files(const std::vector<std::string>& paths,
                            const std::vector<std::string>& inputs)
 {
@@ -212,7 +218,7 @@ Output_files::Output_files(const std::vector<std::string>& paths,
     if(access(place.parent_path().c_str(), W_OK) != 0)
       throw std::invalid_argument(cannot_write(path, "the directory cannot be written to"));
     for(const std::string& input : inputs)
-      if(std::error_code none; !input.empty() && fs::equivalent(place, input, none))
+      if(is_same_file(place.string(), input))
         throw std::invalid_argument(cannot_write(path, "it is an input"));
     if(!places.insert(place).second)
       throw std::invalid_argument(cannot_write(path, "another output has the same name"));

@@ -18,6 +18,9 @@ namespace Canonical_pose_tool {
 // with 128 plus the number of the signal. A signal during commit() waits for its end.
 void remove_files_on_signals();
 
+// Whether both paths lead to one file, which exists.
+bool is_same_file(const std::string& path, const std::string& other);
+
 // The output files of a run: either all of them are written completely, or none. They are first
 // written to the same directories under unused names, and then renamed together. Symbolic links are
 // followed, whether or not their target exists.

@@ -75,6 +75,12 @@ catch(const std::invalid_argument& error)
   throw Usage_error(error.what());
 }
 
+void check_extension(const std::string& path, const std::string& extension)
+{
+  if(extension_of(path) != extension)
+    throw Usage_error("'" + path + "' is not a " + extension + " file");
+}
+
 void check_format_of_values(const std::string& path)
 {
   for(const char* const extension : {".off", ".obj", ".stl", ".mesh", ".gltf", ".vtu"})

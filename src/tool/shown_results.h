@@ -27,6 +27,9 @@ bool is_shown(const std::string& path);
 // The format of an output. Throws Usage_error if its extension is unknown.
 Format format_of_output(const std::string& path);
 
+// Throws Usage_error unless the path has this extension.
+void check_extension(const std::string& path, const std::string& extension);
+
 // Throws Usage_error if this is the extension of a mesh that does not show values.
 void check_format_of_values(const std::string& path);
 

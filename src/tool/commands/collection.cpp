@@ -144,7 +144,7 @@ void check_pose_files(const Arguments& arguments, const std::vector<std::string>
     if(const auto [other, is_new] = path_of.emplace(file, path); !is_new)
       throw std::invalid_argument("the poses of '" + other->second + "' and '" + path
                                   + "' would have the same name");
-    if(std::error_code none; fs::equivalent(file, path, none))
+    if(is_same_file(file, path))
       throw std::invalid_argument("the pose of '" + path + "' would replace it");
   }
 }

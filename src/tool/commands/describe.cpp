@@ -12,7 +12,6 @@
 #include "formats/Mesh_file.h"
 
 #include <cstdlib>
-#include <filesystem>
 #include <ostream>
 #include <vector>
 
@@ -36,8 +35,7 @@ void add_describe_options(Command_options& o)
 
 int run_describe(Arguments& arguments)
 {
-  if(std::filesystem::path(arguments.output).extension() != ".json")
-    throw Usage_error("'" + arguments.output + "' is not a .json file");
+  check_extension(arguments.output, ".json");
   Output_files files({arguments.output});
   const std::vector<Descriptor> chosen = descriptors(arguments.descriptors);
   const Shape_description shape

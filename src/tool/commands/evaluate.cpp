@@ -245,8 +245,8 @@ void add_evaluate_options(Command_options& o)
 
 int run_evaluate(Arguments& arguments)
 {
-  if(!arguments.plot.empty() && fs::path(arguments.plot).extension() != ".png")
-    throw Usage_error("'" + arguments.plot + "' is not a .png file");
+  if(!arguments.plot.empty())
+    check_extension(arguments.plot, ".png");
   Output_files files({arguments.csv, arguments.plot}, {arguments.classes, arguments.database});
   Collection_database database(arguments.database, false);
   const std::vector<std::string> options = database.options();

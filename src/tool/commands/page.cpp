@@ -71,8 +71,7 @@ void add_page_options(Command_options& o)
 
 int run_page(Arguments& arguments)
 {
-  if(std::filesystem::path(arguments.output).extension() != ".html")
-    throw Usage_error("'" + arguments.output + "' is not a .html file");
+  check_extension(arguments.output, ".html");
   Output_files files({arguments.output});
   std::vector<std::string> scenes;
   for(const std::string& path : arguments.inputs)

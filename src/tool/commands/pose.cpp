@@ -16,11 +16,9 @@
 #include <Eigen/Core>
 
 #include <cstdlib>
-#include <filesystem>
 #include <iostream>
 #include <stdexcept>
 #include <string>
-#include <system_error>
 #include <unistd.h>
 #include <vector>
 
@@ -163,7 +161,7 @@ int run_pose(Arguments& arguments)
   std::vector<std::string> inputs = {arguments.matching_weights, arguments.stiffness,
                                      arguments.given_target, arguments.given_distances};
   // The pose may replace the input.
-  if(std::error_code none; !std::filesystem::equivalent(arguments.input, arguments.output, none))
+  if(!is_same_file(arguments.input, arguments.output))
     inputs.push_back(arguments.input);
   Output_files files({arguments.output, arguments.target, arguments.scene, arguments.report},
                      inputs);

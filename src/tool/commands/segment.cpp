@@ -88,53 +88,40 @@ private:
 bool is_folder(const std::string& path) { return path.back() == '/'; }
 bool is_text(const std::string& path) { return std::filesystem::path(path).extension() == ".txt"; }
 
-std::string part_path(const Arguments& arguments, const std::size_t part)
-{
-  return arguments.output + "part_" + std::to_string(part)
-         + extension_of_format(format_of(arguments.input));
-}
-
 std::vector<std::string> inputs_of(const Arguments& arguments)
 {
   return {arguments.input, arguments.pose};
-}
-
-// The parts of a run before that had more of them.
-std::vector<std::string> further_parts(const Arguments& arguments,
-                                       const std::size_t number_of_parts)
-{
-  std::vector<std::string> result;
-  std::error_code error;
-  for(std::size_t part = number_of_parts;
-      std::filesystem::exists(part_path(arguments, part), error); ++part)
-    result.push_back(part_path(arguments, part));
-  return result;
 }
 
 void write_parts(const Mesh_file& input, const std::vector<std::size_t>& parts,
                  const std::size_t number_of_parts, const Arguments& arguments,
                  const Segmentation_report& report, Stage_clock& clock)
 {
-  std::vector<std::string> paths = {arguments.report};
-  if(is_folder(arguments.output))
+  const bool has_folder = is_folder(arguments.output);
+  std::vector<std::string> outputs = {arguments.output}, removed; // those of a run before
+  if(has_folder)
+  {
+    const std::string extension = extension_of_format(format_of(arguments.input));
+    const auto part_path = [&](const std::size_t part) {
+      return arguments.output + "part_" + std::to_string(part) + extension;
+    };
+    outputs.clear();
     for(std::size_t part = 0; part < number_of_parts; ++part)
-      paths.push_back(part_path(arguments, part));
-  else
-    paths.push_back(arguments.output);
+      outputs.push_back(part_path(part));
+    std::error_code error;
+    for(std::size_t part = number_of_parts; std::filesystem::exists(part_path(part), error); ++part)
+      removed.push_back(part_path(part));
+  }
+  std::vector<std::string> paths = outputs;
+  paths.push_back(arguments.report);
+  paths.insert(paths.end(), removed.begin(), removed.end()); // are neither an input nor an output
   Output_files files(paths, inputs_of(arguments));
-  const std::vector<std::string> removed = is_folder(arguments.output)
-                                             ? further_parts(arguments, number_of_parts)
-                                             : std::vector<std::string>();
-  Output_files(removed, inputs_of(arguments)); // none may be an input
-  if(is_folder(arguments.output))
-    for(std::size_t part = 0; part < number_of_parts; ++part)
-      files.write(part_path(arguments, part), [&](std::ostream& out) {
-        write_mesh(out, format_of(arguments.input), part_of(input, parts, part));
-      });
-  else
-    files.write(arguments.output, [&](std::ostream& out) {
-      if(is_shown(arguments.output))
-        write_shown(out, format_of(arguments.output), shown_parts(input, parts));
+  for(std::size_t i = 0; i < outputs.size(); ++i)
+    files.write(outputs[i], [&](std::ostream& out) {
+      if(has_folder)
+        write_mesh(out, format_of(arguments.input), part_of(input, parts, i));
+      else if(is_shown(outputs[i]))
+        write_shown(out, format_of(outputs[i]), shown_parts(input, parts));
       else
         for(const std::size_t part : parts)
           out << part << '\n';

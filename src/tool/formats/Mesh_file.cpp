@@ -84,14 +84,22 @@ const Format_entry& entry_of(const Format format)
                        [&](const Format_entry& entry) { return entry.format == format; });
 }
 
+// The format whose files begin like a text; null if there is none.
+const Format_entry* entry_of_beginning(const std::string_view text)
+{
+  const auto found = std::find_if(FORMATS.begin(), FORMATS.end(), [&](const Format_entry& entry) {
+    return entry.beginning && text.substr(0, std::strlen(entry.beginning)) == entry.beginning;
+  });
+  return found == FORMATS.end() ? nullptr : &*found;
+}
+
 // What a file is, if it begins like that, and not like its extension says.
 std::string other_look(const std::string& bytes, const Format format)
 {
   const std::size_t first = (std::min)(bytes.find_first_not_of(" \t\r\n"), bytes.size());
-  for(const Format_entry& entry : FORMATS)
-    if(entry.beginning && bytes.compare(first, std::strlen(entry.beginning), entry.beginning) == 0)
-      return entry.format == format ? "" : std::string("; its content looks like ") + entry.name;
-  return "";
+  const Format_entry* const entry = entry_of_beginning(std::string_view(bytes).substr(first));
+  return !entry || entry->format == format ? ""
+                                           : std::string("; its content looks like ") + entry->name;
 }
 
 // The format of a file by its beginning, if it is a file, and its format can be read.
@@ -109,10 +117,8 @@ std::optional<Format> format_by_content(const std::string& path)
     bytes.erase(0, 3);
   Text_cursor text(bytes);
   std::string_view word = text.word();
-  for(const Format_entry& entry : FORMATS)
-    if(entry.beginning && entry.read
-       && word.substr(0, std::strlen(entry.beginning)) == entry.beginning)
-      return entry.format;
+  if(const Format_entry* const entry = entry_of_beginning(word); entry && entry->read)
+    return entry->format;
   if(word.size() > 3 && word.find_first_not_of("STCN") == word.size() - 3
      && word.substr(word.size() - 3) == "OFF")
     return Format::OFF;

@@ -22,88 +22,83 @@ using Points = std::vector<std::array<double, 3>>;
 
 inline Eigen::Vector3d vector_of(const std::array<double, 3>& p) { return {p[0], p[1], p[2]}; }
 
+// For each vertex, the first one at its position.
+inline std::vector<std::size_t> places_of(const Points& points)
+{
+  std::vector<std::size_t> order(points.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::vector<std::size_t> result = order;
+  std::stable_sort(order.begin(), order.end(),
+                   [&](const std::size_t v, const std::size_t w) { return points[v] < points[w]; });
+  for(std::size_t i = 1; i < order.size(); ++i)
+    if(points[order[i]] == points[order[i - 1]])
+      result[order[i]] = result[order[i - 1]];
+  return result;
+}
+
+// The direction of the first side that has one, and the normal; nothing if the face has no area.
+inline std::optional<Eigen::Matrix3d> frame_of_face(const Face_list::Face face, const Points& points)
+{
+  const Eigen::Vector3d origin = vector_of(points[face[0]]);
+  Eigen::Vector3d side = Eigen::Vector3d::Zero(), normal = Eigen::Vector3d::Zero();
+  for(std::size_t k = 1; k < face.size(); ++k)
+  {
+    const Eigen::Vector3d q = vector_of(points[face[k]]) - origin;
+    if(side.isZero(0))
+      side = q;
+    if(k > 1)
+      normal += (vector_of(points[face[k - 1]]) - origin).cross(q);
+  }
+  const Eigen::Vector3d z = normal.stableNormalized(),
+                        x = (side - z.dot(side) * z).stableNormalized();
+  if(!z.allFinite() || !x.allFinite() || z.isZero(0) || x.isZero(0))
+    return std::nullopt;
+  Eigen::Matrix3d result;
+  result << x, z.cross(x), z;
+  return result;
+}
+
+// How a face turns from one position of the vertices to another; 0 if it has no area in one of them.
+inline Eigen::Matrix3d rotation_of_face(const Face_list::Face face, const Points& before,
+                                        const Points& after)
+{
+  const auto from = frame_of_face(face, before), to = frame_of_face(face, after);
+  return from && to ? Eigen::Matrix3d(*to * from->transpose())
+                    : Eigen::Matrix3d(Eigen::Matrix3d::Zero());
+}
+
+// The direction of a turned normal, with the length of the normal; the normal itself if there is none.
+inline Eigen::Vector3d turned_normal(const Eigen::Vector3d& turned, const Eigen::Vector3d& normal)
+{
+  const Eigen::Vector3d direction = turned.stableNormalized();
+  return direction.allFinite() && direction.squaredNorm() > .5
+           ? Eigen::Vector3d(direction * normal.stableNorm())
+           : normal;
+}
+
 // How normals turn with the faces at a vertex, from one position of the vertices to another. Vertices at the same position
 // belong together, so that normals along seams remain equal.
 class Vertex_rotations
 {
 public:
   Vertex_rotations(const Mesh_file& mesh, const Points& points)
-    : m_place(places(mesh.points)), m_sums(mesh.points.size(), Eigen::Matrix3d::Zero())
+    : m_place(places_of(mesh.points)), m_sums(mesh.points.size(), Eigen::Matrix3d::Zero())
   {
     for(const Face_list::Face face : mesh.faces)
     {
-      const auto before = frame(face, mesh.points), after = frame(face, points);
-      if(before && after)
-        for(const std::size_t v : face)
-          m_sums[m_place[v]] += *after * before->transpose();
+      const Eigen::Matrix3d rotation = rotation_of_face(face, mesh.points, points);
+      for(const std::size_t v : face)
+        m_sums[m_place[v]] += rotation;
     }
   }
 
-  // A multiple of the turned normal, 0 without faces.
-  Eigen::Vector3d turned(const std::size_t vertex, const Eigen::Vector3d& normal) const
+  // The normal of a vertex after the rotation.
+  Eigen::Vector3d operator()(const std::size_t vertex, const Eigen::Vector3d& normal) const
   {
-    return m_sums[m_place[vertex]] * normal;
+    return turned_normal(m_sums[m_place[vertex]] * normal, normal);
   }
-
-  // The same for the normal of a face.
-  static Eigen::Vector3d turned_with_face(const Face_list::Face face, const Points& before,
-                                          const Points& after, const Eigen::Vector3d& normal)
-  {
-    const auto from = frame(face, before), to = frame(face, after);
-    return from && to ? Eigen::Vector3d(*to * (from->transpose() * normal))
-                      : Eigen::Vector3d(Eigen::Vector3d::Zero());
-  }
-
-  // The turned normal, with the length of the normal; the normal itself if there is no direction.
-  static Eigen::Vector3d result(const Eigen::Vector3d& turned, const Eigen::Vector3d& normal)
-  {
-    const Eigen::Vector3d direction = turned.stableNormalized();
-    return direction.allFinite() && direction.squaredNorm() > .5
-             ? Eigen::Vector3d(direction * normal.stableNorm())
-             : normal;
-  }
-
-  // The first vertex at the same position.
-  std::size_t place(const std::size_t vertex) const { return m_place[vertex]; }
 
 private:
-  // For each vertex, the first one at its position.
-  static std::vector<std::size_t> places(const Points& points)
-  {
-    std::vector<std::size_t> order(points.size());
-    std::iota(order.begin(), order.end(), std::size_t(0));
-    std::vector<std::size_t> result = order;
-    std::stable_sort(order.begin(), order.end(), [&](const std::size_t v, const std::size_t w) {
-      return points[v] < points[w];
-    });
-    for(std::size_t i = 1; i < order.size(); ++i)
-      if(points[order[i]] == points[order[i - 1]])
-        result[order[i]] = result[order[i - 1]];
-    return result;
-  }
-
-  // The direction of the first side that has one, and the normal; nothing if the face has no area.
-  static std::optional<Eigen::Matrix3d> frame(const Face_list::Face face, const Points& points)
-  {
-    const Eigen::Vector3d origin = vector_of(points[face[0]]);
-    Eigen::Vector3d side = Eigen::Vector3d::Zero(), normal = Eigen::Vector3d::Zero();
-    for(std::size_t k = 1; k < face.size(); ++k)
-    {
-      const Eigen::Vector3d q = vector_of(points[face[k]]) - origin;
-      if(side.isZero(0))
-        side = q;
-      if(k > 1)
-        normal += (vector_of(points[face[k - 1]]) - origin).cross(q);
-    }
-    const Eigen::Vector3d z = normal.stableNormalized(),
-                          x = (side - z.dot(side) * z).stableNormalized();
-    if(!z.allFinite() || !x.allFinite() || z.isZero(0) || x.isZero(0))
-      return std::nullopt;
-    Eigen::Matrix3d result;
-    result << x, z.cross(x), z;
-    return result;
-  }
-
   std::vector<std::size_t> m_place;
   std::vector<Eigen::Matrix3d> m_sums; // of the rotations of faces
 };

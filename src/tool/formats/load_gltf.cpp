@@ -67,6 +67,14 @@ std::string_view json_of_glb(const std::string& bytes)
   return std::string_view(bytes).substr(HEADER + CHUNK_HEADER, number_at(bytes, HEADER));
 }
 
+bool is_glb(const std::string& bytes) { return bytes.compare(0, MAGIC.size(), MAGIC) == 0; }
+
+// That of a text or binary file.
+std::string_view json_of(const std::string& bytes)
+{
+  return is_glb(bytes) ? json_of_glb(bytes) : bytes;
+}
+
 // tinygltf descends into what is nested by recursion.
 void check_is_flat(const std::string_view json)
 {
@@ -187,8 +195,6 @@ Eigen::Affine3d own_transformation(const tinygltf::Node& node)
   return result;
 }
 
-} // namespace
-
 // Whether each node is shown: by the default scene, otherwise the first one, or always if there is none.
 std::vector<bool> nodes_of_scene(const tinygltf::Model& model)
 {
@@ -213,28 +219,14 @@ std::vector<bool> nodes_of_scene(const tinygltf::Model& model)
   return result;
 }
 
-// Throws std::invalid_argument if a position in a buffer is negative: tinygltf takes it for 0.
-void check_positions(const std::string_view json)
-{
-  const auto parsed = nlohmann::json::parse(json.begin(), json.end(), nullptr, false);
-  for(const char* const list : {"accessors", "bufferViews"})
-    if(const auto found = parsed.find(list); found != parsed.end() && found->is_array())
-      for(std::size_t i = 0; i < found->size(); ++i)
-        for(const char* const name : {"byteOffset", "byteLength", "byteStride", "count"})
-          if(const auto& element = (*found)[i]; element.is_object() && element.contains(name)
-                                                && element[name].is_number()
-                                                && element[name].get<double>() < 0)
-            throw std::invalid_argument(std::string(name) + " of element " + std::to_string(i)
-                                        + " of " + list + " is negative");
-}
+} // namespace
 
 tinygltf::Model load_gltf(const std::string& bytes, const std::string& path)
 {
   if(bytes.size() > std::numeric_limits<std::uint32_t>::max())
     throw std::invalid_argument("the file has more than 4 GB");
-  const bool is_binary = bytes.compare(0, MAGIC.size(), MAGIC) == 0;
-  const std::string_view json = is_binary ? json_of_glb(bytes) : bytes;
-  check_is_flat(json);
+  check_is_flat(json_of(bytes));
+  const bool is_binary = is_glb(bytes);
   Files_beside files(path);
   tinygltf::TinyGLTF loader;
   loader.SetFsCallbacks(callbacks(files));
@@ -263,8 +255,22 @@ tinygltf::Model load_gltf(const std::string& bytes, const std::string& path)
   if(!is_loaded)
     throw std::invalid_argument(
       !files.defect().empty() ? files.defect() : "this is not valid glTF: " + shortened(error));
-  check_positions(json);
   return model;
+}
+
+void check_positions(const std::string& bytes)
+{
+  const std::string_view json = json_of(bytes);
+  const auto parsed = nlohmann::json::parse(json.begin(), json.end(), nullptr, false);
+  for(const char* const list : {"accessors", "bufferViews"})
+    if(const auto found = parsed.find(list); found != parsed.end() && found->is_array())
+      for(std::size_t i = 0; i < found->size(); ++i)
+        for(const char* const name : {"byteOffset", "byteLength", "byteStride", "count"})
+          if(const auto& element = (*found)[i]; element.is_object() && element.contains(name)
+                                                && element[name].is_number()
+                                                && element[name].get<double>() < 0)
+            throw std::invalid_argument(std::string(name) + " of element " + std::to_string(i)
+                                        + " of " + list + " is negative");
 }
 
 Glb_chunks chunks_of_glb(const std::string& bytes)

@@ -21,6 +21,10 @@ namespace Canonical_pose_tool {
 // Throws std::invalid_argument.
 tinygltf::Model load_gltf(const std::string& bytes, const std::string& path);
 
+// Throws std::invalid_argument if a position or length in a file that was loaded is negative: tinygltf
+// takes it for 0.
+void check_positions(const std::string& bytes);
+
 // The parts of a binary file that was read.
 struct Glb_chunks
 {
@@ -36,8 +40,8 @@ struct Mesh_instance
   std::optional<std::size_t> node;
 };
 
-// The meshes of all nodes, in the order of the nodes; or the only mesh, if no node shows it. Throws std::invalid_argument
-// if there is none, or a node is wrong.
+// The meshes of all nodes that the scene shows, in the order of the nodes; without scenes, of all nodes, or the only mesh
+// if no node has it. Throws std::invalid_argument if there is none, or a node or the scene is wrong.
 std::vector<Mesh_instance> mesh_instances(const tinygltf::Model& model);
 
 } // namespace Canonical_pose_tool

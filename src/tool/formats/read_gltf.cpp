@@ -168,6 +168,7 @@ bool is_gltf_available() { return true; }
 void read_gltf(const std::string& bytes, const std::string& path, Mesh_file& mesh)
 {
   const Model model = load_gltf(bytes, path);
+  check_positions(bytes);
   check_extensions(model);
   const std::vector<Mesh_instance> shown = mesh_instances(model);
   for(const Mesh_instance& instance : shown)

@@ -197,9 +197,7 @@ void change_instance(const tinygltf::Model& model, const Mesh_instance& instance
             if(name == "POSITION")
               return from_scene * vector_of(points[begin + i]);
             const Eigen::Vector3d direction = there * before;
-            return (back
-                    * Vertex_rotations::result(rotations.turned(begin + i, direction), direction))
-              .normalized();
+            return (back * rotations(begin + i, direction)).normalized();
           });
       mesh["primitives"][p]["attributes"][name] = accessor->second;
     }

@@ -106,7 +106,7 @@ void rewrite_off(std::ostream& out, const std::string& bytes, const Mesh_file& m
         words[k] = text.word_on_line();
         normal[static_cast<Eigen::Index>(k)] = text.number_or(words[k], 0);
       }
-      normal = Vertex_rotations::result(rotations->turned(v, normal), normal);
+      normal = (*rotations)(v, normal);
       for(std::size_t k = 0; k < 3 && !words[k].empty(); ++k)
         copy.replace(words[k], normal[static_cast<Eigen::Index>(k)]);
     }
@@ -126,20 +126,24 @@ public:
     if(m_normals.empty())
       return;
     m_turned.resize(m_normals.size());
-    const Vertex_rotations rotations(mesh, points);
+    const std::vector<std::size_t> places = places_of(mesh.points);
     const auto key_of = [&](const Use& use) {
-      return std::make_pair(use.normal, rotations.place(mesh.faces[use.face][use.corner]));
+      return std::make_pair(use.normal, places[mesh.faces[use.face][use.corner]]);
     };
     std::map<std::pair<std::size_t, std::size_t>, Eigen::Vector3d> sums;
-    for(const Use& use : m_uses)
+    Eigen::Matrix3d rotation;
+    for(std::size_t i = 0; i < m_uses.size(); ++i)
+    {
+      const Use& use = m_uses[i];
+      if(i == 0 || use.face != m_uses[i - 1].face)
+        rotation = rotation_of_face(mesh.faces[use.face], mesh.points, points);
       sums.try_emplace(key_of(use), Eigen::Vector3d::Zero()).first->second
-        += Vertex_rotations::turned_with_face(mesh.faces[use.face], mesh.points, points,
-                                              m_normals[use.normal]);
+        += rotation * m_normals[use.normal];
+    }
     std::vector<std::map<Rounded, std::size_t>> known(m_normals.size());
     for(Use& use : m_uses)
     {
-      const Eigen::Vector3d normal
-        = Vertex_rotations::result(sums.at(key_of(use)), m_normals[use.normal]);
+      const Eigen::Vector3d normal = turned_normal(sums.at(key_of(use)), m_normals[use.normal]);
       std::vector<Eigen::Vector3d>& turned = m_turned[use.normal];
       const auto [variant, is_new] = known[use.normal].try_emplace(rounded(normal), turned.size());
       if(is_new)
@@ -173,11 +177,10 @@ public:
   // The number of normals that are written for the first ones of the file.
   std::size_t number_written(const std::size_t number) const { return m_first[number]; }
 
-  // Calls f(word, is_relative) for each index of a normal in a line of corners, in the order of the
-  // uses. `number`: of the normals before it.
+  // Calls f(corner, word, is_relative, normal) for each index of a normal in a line of corners, in the
+  // order of the uses. `number`: of the normals before it.
   template <class Function>
-  static void for_each_index(Text_cursor& text, const std::size_t number_in_file,
-                             const std::size_t number, const Function& f)
+  void for_each_index(Text_cursor& text, const std::size_t number, const Function& f) const
   {
     std::size_t corner = 0;
     for(std::string_view word = text.word_on_line(); !word.empty();
@@ -189,12 +192,10 @@ public:
       const std::string_view index = word.substr(last + 1);
       const double value = text.number_or(index, 0);
       const double i = value < 0 ? static_cast<double>(number) + value : value - 1;
-      if(i >= 0 && i < static_cast<double>(number_in_file))
+      if(i >= 0 && i < static_cast<double>(m_normals.size()))
         f(corner, index, value < 0, static_cast<std::size_t>(i));
     }
   }
-
-  std::size_t size() const { return m_normals.size(); }
 
 private:
   struct Use
@@ -231,7 +232,7 @@ private:
       else if(is_face_of_obj(word))
       {
         for_each_index(
-          faces, m_normals.size(), number,
+          faces, number,
           [&](const std::size_t corner, std::string_view, bool, const std::size_t normal) {
             m_uses.push_back({face, corner, normal});
           });
@@ -275,8 +276,8 @@ void rewrite_obj(std::ostream& out, const std::string& bytes, const Mesh_file& m
       ++normal;
     }
     else if(is_face_of_obj(word) && normals.are_more())
-      Turned_normals_of_obj::for_each_index(
-        text, normals.size(), normal,
+      normals.for_each_index(
+        text, normal,
         [&](std::size_t, const std::string_view index, const bool is_relative, std::size_t) {
           const auto written = static_cast<long long>(normals.index_of_use(use++));
           copy.replace(index, is_relative
@@ -555,12 +556,11 @@ private:
     m_byte = byte;
     const Vertex_rotations rotations(m_mesh, m_points);
     for(std::size_t v = 0; v < m_normals.size(); ++v)
-      m_normals[v] = Vertex_rotations::result(rotations.turned(v, m_normals[v]), m_normals[v]);
+      m_normals[v] = rotations(v, m_normals[v]);
     for(std::size_t f = 0; f < m_face_normals.size(); ++f)
-      m_face_normals[f]
-        = Vertex_rotations::result(Vertex_rotations::turned_with_face(
-                                     m_mesh.faces[f], m_mesh.points, m_points, m_face_normals[f]),
-                                   m_face_normals[f]);
+      m_face_normals[f] = turned_normal(rotation_of_face(m_mesh.faces[f], m_mesh.points, m_points)
+                                          * m_face_normals[f],
+                                        m_face_normals[f]);
   }
 
   std::ostream& m_out;
