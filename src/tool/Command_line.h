@@ -50,7 +50,8 @@ struct Arguments
   std::string pose_options;            // the same as a text
   bool is_segmented = false;
   bool has_no_descriptor = false;
-  bool is_listed = false, are_failures_listed = false;
+  bool is_listed = false, are_failures_listed = false, is_json = false, is_merged = false;
+  std::size_t shard = 1, number_of_shards = 1;
   std::size_t number_of_workers = 0;
   double time_limit = 3600, memory_limit = 0; // seconds, megabytes; 0: none
   std::size_t number_of_answers = 10;

@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "Output_files.h"
+#include "formats/Mesh_file.h"
+#include "formats/gzip.h"
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cerrno>
@@ -11,9 +14,11 @@
 #include <fcntl.h>
 #include <filesystem>
 #include <functional>
+#include <iostream>
 #include <map>
 #include <ostream>
 #include <set>
+#include <sstream>
 #include <stdexcept>
 #include <streambuf>
 #include <string>
@@ -183,7 +188,7 @@ private:
 
 void remove_files_on_signals()
 {
-  for(const int signal : {SIGINT, SIGTERM, SIGHUP, SIGXFSZ})
+  for(const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGXFSZ})
   {
     struct sigaction action = {};
     sigaction(signal, nullptr, &action);
@@ -192,6 +197,11 @@ void remove_files_on_signals()
     action.sa_handler = remove_files_and_exit;
     sigaction(signal, &action, nullptr);
   }
+}
+
+std::ostream& messages_beside(const std::vector<std::string>& outputs)
+{
+  return std::any_of(outputs.begin(), outputs.end(), is_standard_stream) ? std::cerr : std::cout;
 }
 
 bool is_same_file(const std::string& path, const std::string& other)
@@ -208,6 +218,14 @@ Output_files::Output_files(const std::vector<std::string>& paths,
   {
     if(path.empty())
       continue;
+    if(is_compressed(path) && !is_gzip_available())
+      throw std::invalid_argument(cannot_write(path, "this program was built without zlib"));
+    if(is_standard_stream(path))
+    {
+      if(!places.insert("-").second)
+        throw std::invalid_argument("two outputs cannot both be the standard output");
+      continue;
+    }
     const fs::path place = place_of(path);
     std::error_code error;
     const fs::file_status status = fs::status(place, error);
@@ -246,6 +264,13 @@ void Output_files::write(const std::string& path,
 {
   if(path.empty())
     return;
+  if(is_standard_stream(path))
+  {
+    std::ostringstream out;
+    write_to(out);
+    m_standard_output = out.str();
+    return;
+  }
   const fs::path& place = m_places.at(path);
   int descriptor = -1;
   const fs::path name = make_beside(place, [&](const char* const candidate) {
@@ -256,7 +281,14 @@ void Output_files::write(const std::string& path,
   m_files.push_back({path, place, name});
   Descriptor_buffer buffer(descriptor);
   std::ostream out(&buffer);
-  write_to(out);
+  if(is_compressed(path))
+  {
+    std::ostringstream content;
+    write_to(content);
+    out << compressed(content.str());
+  }
+  else
+    write_to(out);
   if(!buffer.close())
     throw std::runtime_error(cannot_write(path, std::strerror(errno)));
   if(!out)
@@ -265,6 +297,8 @@ void Output_files::write(const std::string& path,
 
 void Output_files::commit()
 {
+  if(!(std::cout << m_standard_output).flush())
+    throw std::runtime_error("the standard output cannot be written");
   keep_what_is_there();
   is_committing = true; // until the files that were there are removed
   for(std::size_t i = 0; i < m_files.size(); ++i)

@@ -14,16 +14,20 @@
 
 namespace Canonical_pose_tool {
 
-// On SIGINT, SIGTERM, SIGHUP and SIGXFSZ, unless they are ignored: removes the files that are not committed, and exits
+// On SIGINT, SIGTERM, SIGHUP, SIGPIPE and SIGXFSZ, unless they are ignored: removes the files that are not committed, and exits
 // with 128 plus the number of the signal. A signal during commit() waits for its end.
 void remove_files_on_signals();
+
+// Where messages go: not to the standard output if it is one of the outputs.
+std::ostream& messages_beside(const std::vector<std::string>& outputs);
 
 // Whether both paths lead to one file, which exists.
 bool is_same_file(const std::string& path, const std::string& other);
 
 // The output files of a run: either all of them are written completely, or none. They are first
 // written to the same directories under unused names, and then renamed together. Symbolic links are
-// followed, whether or not their target exists.
+// followed, whether or not their target exists. Files with the extension ".gz" are compressed. The
+// standard output gets its bytes before files are renamed.
 class Output_files
 {
 public:
@@ -60,6 +64,7 @@ private:
   void undo(std::size_t number_of_renamed_files);
 
   std::map<std::string, std::filesystem::path> m_places;
+  std::string m_standard_output;
   std::vector<File> m_files;
 };
 

@@ -6,6 +6,7 @@
 #include "Command_line.h"
 #include "Output_files.h"
 #include "commands/commands.h"
+#include "formats/Mesh_file.h"
 
 #include <CGAL/assertions_behaviour.h>
 
@@ -56,7 +57,7 @@ int main(int argc, char* argv[])
     if(const std::optional<int> exit_code = parse_command_line(argc, argv, arguments))
       return *exit_code;
     if(!arguments.input.empty())
-      subject = arguments.input + ": ";
+      subject = (is_standard_stream(arguments.input) ? "standard input" : arguments.input) + ": ";
     const int exit_code = arguments.command->run(arguments);
     if(!std::cout.flush())
       throw std::runtime_error("the standard output cannot be written");

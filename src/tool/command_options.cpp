@@ -135,18 +135,27 @@ CLI::Validator path()
     "PATH");
 }
 
-CLI::Option* add_path(Command_options& o, const std::string& name, std::string& value,
-                      const std::string& help)
-{
-  return o.app.add_option(name, value, help)->check(path());
-}
-
 void add_input(Command_options& o, const Shapes shapes)
 {
   add_path(o, "INPUT", o.arguments.input,
            std::string("surface (.off, .obj, .ply, .stl, .glb, .gltf)")
              + (shapes == Shapes::SURFACES ? "" : " or tetrahedral mesh (MEDIT, .mesh)"))
     ->required();
+}
+
+void add_output(Command_options& o, const std::string& help,
+                const std::vector<std::string>& formats)
+{
+  add_path(o, "-o,--output", o.arguments.output, help)->required();
+  if(formats.empty())
+    return;
+  std::string names;
+  for(const std::string& format : formats)
+    names += (names.empty() ? "" : ", ") + format;
+  o.app
+    .add_option("--format", o.raw.format,
+                "format of OUTPUT if that is the standard output (-): " + names)
+    ->check(CLI::IsMember(formats));
 }
 
 void add_report(Command_options& o)
@@ -299,9 +308,9 @@ void add_given_pose(Command_options& o)
   add_path(o, "--pose", o.arguments.pose, "take this pose instead of computing one");
 }
 
-void add_database(Command_options& o)
+CLI::Option* add_database(Command_options& o)
 {
-  add_path(o, "--database", o.arguments.database, "the collection (SQLite)")->required();
+  return add_path(o, "--database", o.arguments.database, "the collection (SQLite)")->required();
 }
 
 void add_weighted_descriptors(Command_options& o)
@@ -342,6 +351,13 @@ void take(const Raw_arguments& raw, Arguments& arguments)
   }
   if(options.target_mode == Options::Target_mode::UNFOLDING && !arguments.given_target.empty())
     throw CLI::ValidationError("--target-mode", "unfold excludes --given-target");
+  if(!raw.format.empty())
+  {
+    if(arguments.output != "-")
+      throw CLI::ValidationError("--format", "the output is a file, whose extension is its format");
+    if(raw.format != "txt")
+      arguments.output += '.' + raw.format;
+  }
   take_constraints(raw, options);
   if(raw.parts != "auto")
   {

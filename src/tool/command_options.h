@@ -27,6 +27,7 @@ struct Raw_arguments
               frame = "input", target_mode = "mds", contacts = "keep", paper_weights,
               parts = "auto";
   std::vector<std::string> springs, directions, handles, symmetric_pairs;
+  std::string format; // of the standard output
 };
 
 // What a command adds its options to. The defaults are what `arguments` and `raw` hold then.
@@ -59,12 +60,24 @@ CLI::Validator number(double least, double largest);
 // An empty path, for example from an unset shell variable, is not the same as a missing option.
 CLI::Validator path();
 
-// A file or folder; not required.
-CLI::Option* add_path(Command_options& o, const std::string& name, std::string& value,
-                      const std::string& help);
+// Files or folders; not required.
+template <class Value>
+CLI::Option* add_path(CLI::App& app, const std::string& name, Value& value, const std::string& help)
+{
+  return app.add_option(name, value, help)->check(path());
+}
+
+inline CLI::Option* add_path(Command_options& o, const std::string& name, std::string& value,
+                             const std::string& help)
+{
+  return add_path(o.app, name, value, help);
+}
 
 enum class Shapes { SURFACES, ALL };
 void add_input(Command_options& o, Shapes shapes = Shapes::ALL);
+// --output, and --format if it can have one of these.
+void add_output(Command_options& o, const std::string& help,
+                const std::vector<std::string>& formats = {});
 void add_report(Command_options& o);
 void add_quiet(Command_options& o);
 
@@ -85,7 +98,7 @@ void add_recorded_method_options(Command_options& o);
 // --pose, of those that need one.
 void add_given_pose(Command_options& o);
 
-void add_database(Command_options& o);
+CLI::Option* add_database(Command_options& o); // required
 void add_weighted_descriptors(Command_options& o);
 
 // Converts what was parsed. Throws CLI::ValidationError.

@@ -9,10 +9,8 @@
 #include <CGAL/Canonical_pose_3/triangulate_polygons.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <cstddef>
-#include <filesystem>
 #include <numeric>
 #include <stdexcept>
 #include <string>
@@ -25,14 +23,6 @@ namespace {
 namespace CP = CGAL::Canonical_pose_3;
 
 const double LARGEST_SHOWN_STRAIN = 0.5; // edges of 0.6 or 1.65 times their length
-
-std::string extension_of(const std::string& path)
-{
-  std::string extension = std::filesystem::path(path).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](const unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
-}
 
 Eigen::VectorXd strains(const Mesh_file& input, const Point_matrix& pose)
 {
@@ -77,7 +67,7 @@ catch(const std::invalid_argument& error)
 
 void check_extension(const std::string& path, const std::string& extension)
 {
-  if(extension_of(path) != extension)
+  if(path != "-" && extension_of(path) != extension)
     throw Usage_error("'" + path + "' is not a " + extension + " file");
 }
 

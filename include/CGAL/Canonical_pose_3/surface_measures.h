@@ -41,15 +41,21 @@ inline Eigen::VectorXd vertex_area_shares(const Point_matrix& points,
 {
   internal::check_elements(triangles, static_cast<std::size_t>(points.rows()));
   const double unit = points.size() > 0 ? points.cwiseAbs().maxCoeff() : 0;
+  Eigen::VectorXd thirds(static_cast<Eigen::Index>(triangles.size()));
+  internal::for_each_block(
+    triangles.size(), [&](std::size_t, const std::size_t first, const std::size_t last) {
+      for(std::size_t i = first; i < last; ++i)
+      {
+        const auto& t = triangles[i];
+        const Eigen::Vector3d e = (points.row(t[1]) - points.row(t[0])) / unit;
+        const Eigen::Vector3d f = (points.row(t[2]) - points.row(t[0])) / unit;
+        thirds[static_cast<Eigen::Index>(i)] = e.cross(f).norm() / 6;
+      }
+    });
   Eigen::VectorXd area = Eigen::VectorXd::Zero(points.rows());
-  for(const auto& t : triangles)
-  {
-    const Eigen::Vector3d e = (points.row(t[1]) - points.row(t[0])) / unit;
-    const Eigen::Vector3d f = (points.row(t[2]) - points.row(t[0])) / unit;
-    const double third = e.cross(f).norm() / 6;
-    for(const std::size_t v : t)
-      area[static_cast<Eigen::Index>(v)] += third;
-  }
+  for(std::size_t i = 0; i < triangles.size(); ++i)
+    for(const std::size_t v : triangles[i])
+      area[static_cast<Eigen::Index>(v)] += thirds[static_cast<Eigen::Index>(i)];
   const double sum = area.sum();
   if(!(sum > 0) || !std::isfinite(sum))
     throw std::invalid_argument("the surface has no area");
@@ -180,19 +186,32 @@ Eigen::VectorXd vertex_strains(const Point_matrix& rest, const Point_matrix& pos
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(rest.rows());
   Eigen::VectorXd number = Eigen::VectorXd::Zero(rest.rows());
   const std::size_t n = static_cast<std::size_t>(rest.rows());
-  internal::for_each_edge(internal::larger_ends(n, elements), 0, n,
-                          [&](const Eigen::Index v, const Eigen::Index w) {
-                            const double at_rest = (rest.row(v) - rest.row(w)).stableNorm();
-                            const double in_pose = (pose.row(v) - pose.row(w)).stableNorm();
-                            if(!(at_rest > 0) || !(in_pose > 0))
-                              return;
-                            const double strain = std::abs(std::log(in_pose / at_rest));
-                            for(const Eigen::Index end : {v, w})
-                            {
-                              sum[end] += strain;
-                              ++number[end];
-                            }
-                          });
+  const auto ends = internal::larger_ends(n, elements);
+  std::vector<std::vector<double>> blocks(internal::number_of_blocks(n)); // negative: none
+  internal::for_each_block(
+    n, [&](const std::size_t block, const std::size_t first, const std::size_t last) {
+      internal::for_each_edge(ends, first, last, [&](const Eigen::Index v, const Eigen::Index w) {
+        const double at_rest = (rest.row(v) - rest.row(w)).stableNorm();
+        const double in_pose = (pose.row(v) - pose.row(w)).stableNorm();
+        const bool has_strain = at_rest > 0 && in_pose > 0;
+        blocks[block].push_back(has_strain ? std::abs(std::log(in_pose / at_rest)) : -1);
+      });
+    });
+  for(std::size_t block = 0; block < blocks.size(); ++block)
+  {
+    auto strain = blocks[block].begin();
+    internal::for_each_edge(ends, block * internal::block_size,
+                            (std::min)(n, (block + 1) * internal::block_size),
+                            [&](const Eigen::Index v, const Eigen::Index w) {
+                              if(*strain >= 0)
+                                for(const Eigen::Index end : {v, w})
+                                {
+                                  sum[end] += *strain;
+                                  ++number[end];
+                                }
+                              ++strain;
+                            });
+  }
   return sum.cwiseQuotient(number.cwiseMax(1));
 }
 

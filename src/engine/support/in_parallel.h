@@ -11,18 +11,34 @@
 #endif
 
 #include <algorithm>
+#include <array>
+#include <exception>
 #include <vector>
 
 namespace CGAL {
 namespace Canonical_pose_3 {
 namespace internal {
 
-// Calls both functions, in parallel if TBB is available.
+// Calls both functions, in parallel if TBB is available. If both throw, the first exception remains.
 template <class First, class Second>
 void in_parallel(const First& first, const Second& second)
 {
 #ifdef CGAL_LINKED_WITH_TBB
-  tbb::parallel_invoke(first, second);
+  std::array<std::exception_ptr, 2> errors;
+  const auto call = [](const auto& function, std::exception_ptr& error) {
+    try
+    {
+      function();
+    }
+    catch(...)
+    {
+      error = std::current_exception();
+    }
+  };
+  tbb::parallel_invoke([&] { call(first, errors[0]); }, [&] { call(second, errors[1]); });
+  for(const std::exception_ptr& error : errors)
+    if(error)
+      std::rethrow_exception(error);
 #else
   first();
   second();

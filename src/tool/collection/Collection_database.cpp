@@ -7,27 +7,42 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cstdint>
 #include <cstring>
+#include <fcntl.h>
+#include <filesystem>
 #include <map>
 #include <stdexcept>
+#include <sys/stat.h>
+#include <system_error>
+#include <unistd.h>
 
 namespace Canonical_pose_tool {
 
 namespace {
 
 // The identification of the files of this tool, and of their tables.
-constexpr int APPLICATION = 0x43506f33, TABLES = 1;
+constexpr int APPLICATION = 0x43506f33, TABLES = 2;
 
-const char* const create_tables = R"(
+const char* const create_shapes = R"(
 CREATE TABLE shape(
-  id INTEGER PRIMARY KEY, path TEXT NOT NULL UNIQUE, checksum TEXT NOT NULL, options TEXT NOT NULL,
+  id INTEGER PRIMARY KEY, path TEXT NOT NULL, checksum TEXT NOT NULL, options TEXT NOT NULL,
   version TEXT NOT NULL, outcome TEXT NOT NULL, message TEXT NOT NULL, report TEXT NOT NULL,
   has_pose INTEGER NOT NULL, parts BLOB NOT NULL, seconds REAL NOT NULL, time_limit REAL NOT NULL,
-  memory_limit REAL NOT NULL);
+  memory_limit REAL NOT NULL, UNIQUE(path, options));
+CREATE INDEX content ON shape(checksum);
+)";
+const char* const create_descriptors = R"(
 CREATE TABLE descriptor(
   shape INTEGER NOT NULL REFERENCES shape(id) ON DELETE CASCADE, name TEXT NOT NULL,
   version INTEGER NOT NULL, "values" BLOB NOT NULL, PRIMARY KEY(shape, name));
+)";
+// In version 1, there was one row per path.
+const char* const begin_upgrade = "ALTER TABLE shape RENAME TO shape_1;";
+const char* const end_upgrade = R"(
+INSERT INTO shape SELECT * FROM shape_1;
+DROP TABLE shape_1;
 )";
 
 constexpr std::array<Outcome, 5> all_outcomes
@@ -147,6 +162,50 @@ std::string name_of(const Outcome outcome)
   }
 }
 
+// Held by the process that writes a database, on a file beside it: a lock of SQLite would keep others
+// from reading, too. The system releases it with the process.
+class Collection_database::Write_lock
+{
+public:
+  explicit Write_lock(const std::string& database) : m_path(database + ".lock")
+  {
+    while(!is_held(database))
+      ::close(m_file);
+  }
+  Write_lock(const Write_lock&) = delete;
+  Write_lock& operator=(const Write_lock&) = delete;
+  ~Write_lock()
+  {
+    unlink(m_path.c_str());
+    ::close(m_file);
+  }
+
+private:
+  // Whether the lock is on the file that now has this path: the process before may have removed it.
+  bool is_held(const std::string& database)
+  {
+    m_file = open(m_path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    if(m_file < 0)
+      throw std::runtime_error("'" + m_path + "' cannot be created: " + std::strerror(errno));
+    struct flock lock = {};
+    lock.l_type = F_WRLCK;
+    lock.l_whence = SEEK_SET;
+    if(fcntl(m_file, F_SETLK, &lock) != 0 && (errno == EACCES || errno == EAGAIN))
+    {
+      ::close(m_file);
+      throw std::runtime_error(
+        "another process writes the database '" + database
+        + "'; run again after it has ended, or write another database and merge them");
+    }
+    struct stat of_file, of_path;
+    return fstat(m_file, &of_file) == 0 && stat(m_path.c_str(), &of_path) == 0
+           && of_file.st_ino == of_path.st_ino && of_file.st_dev == of_path.st_dev;
+  }
+
+  std::string m_path;
+  int m_file = -1;
+};
+
 void Collection_database::Close::operator()(sqlite3* database) const { sqlite3_close(database); }
 
 Collection_database::Collection_database(const std::string& path, const bool is_writable)
@@ -161,26 +220,35 @@ Collection_database::Collection_database(const std::string& path, const bool is_
     fail(database, path);
   constexpr int milliseconds_to_wait = 10000;
   sqlite3_busy_timeout(database, milliseconds_to_wait);
+  if(is_writable)
+    m_lock = std::make_unique<Write_lock>(path);
   const auto pragma = [&](const std::string& name) {
     Statement statement(database, m_path, "PRAGMA " + name);
     return statement.step() ? statement.integer(0) : 0;
   };
   const std::int64_t application = pragma("application_id"), tables = pragma("user_version"),
                      number_of_pages = pragma("page_count");
-  if(number_of_pages == 0 && is_writable)
-  {
-    execute("BEGIN IMMEDIATE");
-    execute(create_tables);
-    execute(("PRAGMA application_id = " + std::to_string(APPLICATION)).c_str());
-    execute(("PRAGMA user_version = " + std::to_string(TABLES)).c_str());
-    execute("COMMIT");
-  }
-  else if(application != APPLICATION)
+  const bool is_new = number_of_pages == 0 && is_writable;
+  if(!is_new && application != APPLICATION)
     throw std::runtime_error("'" + path + "' is not a collection of this program");
-  else if(tables != TABLES)
+  if(!is_new && tables != TABLES && tables != 1)
     throw std::runtime_error("'" + path + "' was written by another version of this program");
+  if(is_writable && (is_new || tables == 1))
+  {
+    execute("PRAGMA legacy_alter_table = ON"); // descriptors go on referring to `shape`
+    in_transaction([&] {
+      if(!is_new)
+        execute(begin_upgrade);
+      execute(create_shapes);
+      execute(is_new ? create_descriptors : end_upgrade);
+      execute(("PRAGMA application_id = " + std::to_string(APPLICATION)).c_str());
+      execute(("PRAGMA user_version = " + std::to_string(TABLES)).c_str());
+    });
+  }
   execute("PRAGMA foreign_keys = ON");
 }
+
+Collection_database::~Collection_database() = default;
 
 void Collection_database::execute(const char* const sql)
 {
@@ -188,12 +256,30 @@ void Collection_database::execute(const char* const sql)
     fail(m_database.get(), m_path);
 }
 
-std::optional<Shape_row> Collection_database::row_of(const std::string& path)
+template <class Function>
+void Collection_database::in_transaction(const Function& f)
+{
+  execute("BEGIN IMMEDIATE");
+  try
+  {
+    f();
+    execute("COMMIT");
+  }
+  catch(...)
+  {
+    sqlite3_exec(m_database.get(), "ROLLBACK", nullptr, nullptr, nullptr);
+    throw;
+  }
+}
+
+std::optional<Shape_row> Collection_database::row_of(const std::string& path,
+                                                     const std::string& options)
 {
   Statement statement(m_database.get(), m_path,
                       "SELECT checksum, options, version, outcome, message, has_pose, "
-                      "length(parts), time_limit, memory_limit, id FROM shape WHERE path = ?");
-  if(!statement.bind(path).step())
+                      "length(parts), time_limit, memory_limit, id FROM shape "
+                      "WHERE path = ? AND options = ?");
+  if(!statement.bind(path).bind(options).step())
     return std::nullopt;
   Shape_row row;
   row.key = {path, statement.text(0), statement.text(1), statement.text(2)};
@@ -212,55 +298,125 @@ std::optional<Shape_row> Collection_database::row_of(const std::string& path)
   return row;
 }
 
+// Adds what row_of() leaves out.
+void Collection_database::complete(Shape_row& row)
+{
+  Statement statement(
+    m_database.get(), m_path,
+    "SELECT report, parts, seconds, id FROM shape WHERE path = ? AND options = ?");
+  statement.bind(row.key.path).bind(row.key.options).step();
+  row.report = statement.text(0);
+  statement.copy_blob(1, row.parts.data(), row.parts.size() * sizeof(int));
+  row.seconds = statement.number(2);
+  for(Descriptor_values& descriptor : row.descriptors)
+  {
+    Statement values(
+      m_database.get(), m_path,
+      "SELECT length(\"values\"), \"values\" FROM descriptor WHERE shape = ? AND name = ?");
+    values.bind(statement.integer(3)).bind(descriptor.name).step();
+    const auto size = static_cast<std::size_t>(values.integer(0));
+    descriptor.values.resize(static_cast<Eigen::Index>(size / sizeof(double)));
+    if(!values.copy_blob(1, descriptor.values.data(), descriptor.values.size() * sizeof(double)))
+      throw std::runtime_error("the database '" + m_path + "' has wrong values of "
+                               + descriptor.name + " for '" + row.key.path + "'");
+  }
+}
+
+void Collection_database::for_each_row(const std::function<void(const Shape_row&)>& f)
+{
+  Statement keys(m_database.get(), m_path,
+                 "SELECT path, options FROM shape ORDER BY path, options");
+  while(keys.step())
+    if(std::optional<Shape_row> row = row_of(keys.text(0), keys.text(1)))
+    {
+      complete(*row);
+      f(*row);
+    }
+}
+
 void Collection_database::write(const Shape_row& row)
 {
-  execute("BEGIN IMMEDIATE");
-  try
-  {
-    const std::optional<Shape_row> before = row_of(row.key.path);
-    if(before && (!(before->key == row.key) || row.outcome != Outcome::DONE))
-      Statement(m_database.get(), m_path, "DELETE FROM shape WHERE path = ?")
-        .bind(row.key.path)
-        .step();
-    Statement(m_database.get(), m_path,
-              "INSERT INTO shape(path, checksum, options, version, outcome, message, report, "
-              "has_pose, parts, seconds, time_limit, memory_limit) "
-              "VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?) ON CONFLICT(path) DO UPDATE SET "
-              "outcome = excluded.outcome, message = excluded.message, report = excluded.report, "
-              "has_pose = has_pose OR excluded.has_pose, "
-              "parts = iif(length(excluded.parts) > 0, excluded.parts, parts), "
-              "seconds = excluded.seconds, time_limit = excluded.time_limit, "
-              "memory_limit = excluded.memory_limit")
+  in_transaction([&] { write_row(row); });
+}
+
+void Collection_database::write_row(const Shape_row& row)
+{
+  const std::optional<Shape_row> before = row_of(row.key.path, row.key.options);
+  if(before && (!(before->key == row.key) || row.outcome != Outcome::DONE))
+    Statement(m_database.get(), m_path, "DELETE FROM shape WHERE path = ? AND options = ?")
       .bind(row.key.path)
-      .bind(row.key.checksum)
       .bind(row.key.options)
-      .bind(row.key.version)
-      .bind(name_of(row.outcome))
-      .bind(row.message)
-      .bind(row.report)
-      .bind(static_cast<std::int64_t>(row.has_pose))
-      .bind_blob(row.parts.data(), row.parts.size() * sizeof(int))
-      .bind(row.seconds)
-      .bind(row.time_limit)
-      .bind(row.memory_limit)
       .step();
-    for(const Descriptor_values& descriptor : row.descriptors)
-      Statement(m_database.get(), m_path,
-                "INSERT OR REPLACE INTO descriptor(shape, name, version, \"values\") "
-                "SELECT id, ?, ?, ? FROM shape WHERE path = ?")
-        .bind(descriptor.name)
-        .bind(static_cast<std::int64_t>(descriptor.version))
-        .bind_blob(descriptor.values.data(),
-                   static_cast<std::size_t>(descriptor.values.size()) * sizeof(double))
-        .bind(row.key.path)
-        .step();
-    execute("COMMIT");
-  }
-  catch(...)
+  Statement(m_database.get(), m_path,
+            "INSERT INTO shape(path, checksum, options, version, outcome, message, report, "
+            "has_pose, parts, seconds, time_limit, memory_limit) "
+            "VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?) ON CONFLICT(path, options) DO UPDATE SET "
+            "outcome = excluded.outcome, message = excluded.message, report = excluded.report, "
+            "has_pose = has_pose OR excluded.has_pose, "
+            "parts = iif(length(excluded.parts) > 0, excluded.parts, parts), "
+            "seconds = excluded.seconds, time_limit = excluded.time_limit, "
+            "memory_limit = excluded.memory_limit")
+    .bind(row.key.path)
+    .bind(row.key.checksum)
+    .bind(row.key.options)
+    .bind(row.key.version)
+    .bind(name_of(row.outcome))
+    .bind(row.message)
+    .bind(row.report)
+    .bind(static_cast<std::int64_t>(row.has_pose))
+    .bind_blob(row.parts.data(), row.parts.size() * sizeof(int))
+    .bind(row.seconds)
+    .bind(row.time_limit)
+    .bind(row.memory_limit)
+    .step();
+  for(const Descriptor_values& descriptor : row.descriptors)
+    Statement(m_database.get(), m_path,
+              "INSERT OR REPLACE INTO descriptor(shape, name, version, \"values\") "
+              "SELECT id, ?, ?, ? FROM shape WHERE path = ? AND options = ?")
+      .bind(descriptor.name)
+      .bind(static_cast<std::int64_t>(descriptor.version))
+      .bind_blob(descriptor.values.data(),
+                 static_cast<std::size_t>(descriptor.values.size()) * sizeof(double))
+      .bind(row.key.path)
+      .bind(row.key.options)
+      .step();
+}
+
+bool Collection_database::take_moved(const Shape_key& key)
+{
+  std::optional<std::string> moved;
   {
-    sqlite3_exec(m_database.get(), "ROLLBACK", nullptr, nullptr, nullptr);
-    throw;
+    Statement rows(m_database.get(), m_path,
+                   "SELECT path FROM shape WHERE checksum = ? AND options = ? AND version = ? "
+                   "ORDER BY path");
+    rows.bind(key.checksum).bind(key.options).bind(key.version);
+    namespace fs = std::filesystem;
+    std::error_code error;
+    while(!moved && rows.step())
+      if(const fs::path path = rows.text(0);
+         path.extension() == fs::path(key.path).extension() && !fs::exists(path, error))
+        moved = path.string();
   }
+  if(moved) // under all options
+    Statement(m_database.get(), m_path,
+              "UPDATE OR IGNORE shape SET path = ? WHERE path = ? AND checksum = ?")
+      .bind(key.path)
+      .bind(*moved)
+      .bind(key.checksum)
+      .step();
+  return moved.has_value();
+}
+
+void Collection_database::merge(const std::vector<Collection_database*>& others)
+{
+  in_transaction([&] {
+    for(Collection_database* const other : others)
+      other->for_each_row([&](const Shape_row& row) {
+        const auto before = row_of(row.key.path, row.key.options);
+        if(!before || before->outcome != Outcome::DONE || row.outcome == Outcome::DONE)
+          write_row(row);
+      });
+  });
 }
 
 std::vector<std::pair<std::string, int>> Collection_database::descriptors()
@@ -282,14 +438,9 @@ std::vector<std::string> Collection_database::texts(const char* const sql)
   return result;
 }
 
-std::vector<std::string> Collection_database::paths()
-{
-  return texts("SELECT path FROM shape ORDER BY path");
-}
-
 std::vector<std::string> Collection_database::paths_of_described()
 {
-  return texts("SELECT path FROM shape WHERE outcome = 'done' ORDER BY path");
+  return texts("SELECT DISTINCT path FROM shape WHERE outcome = 'done' ORDER BY path");
 }
 
 std::vector<std::string> Collection_database::options()
@@ -298,7 +449,7 @@ std::vector<std::string> Collection_database::options()
 }
 
 Described_collection Collection_database::values(const std::vector<Requested_descriptor>& requested,
-                                                 const std::optional<std::string>& options)
+                                                 const std::string& options)
 {
   // One pass per descriptor; then the shapes that have them all.
   std::map<std::string, std::vector<Eigen::VectorXd>> values_of;
@@ -306,11 +457,10 @@ Described_collection Collection_database::values(const std::vector<Requested_des
   {
     Statement statement(m_database.get(), m_path,
                         "SELECT path, \"values\" FROM descriptor JOIN shape ON shape.id = shape "
-                        "WHERE name = ? AND descriptor.version = ?"
-                          + std::string(options ? " AND options = ?" : ""));
-    statement.bind(requested[k].name).bind(static_cast<std::int64_t>(requested[k].version));
-    if(options)
-      statement.bind(*options);
+                        "WHERE name = ? AND descriptor.version = ? AND options = ?");
+    statement.bind(requested[k].name)
+      .bind(static_cast<std::int64_t>(requested[k].version))
+      .bind(options);
     while(statement.step())
     {
       const std::string path = statement.text(0);

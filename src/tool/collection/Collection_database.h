@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -64,35 +65,45 @@ struct Described_collection
   std::vector<Eigen::MatrixXd> values; // per requested descriptor
 };
 
-// The shapes of a collection in a file of SQLite. Each change is a transaction, so that the file is
-// whole at any time. All functions throw std::runtime_error if SQLite fails.
+// The shapes of a collection in a file of SQLite, one row per path and options. Each change is a
+// transaction, so that the file is whole at any time. All functions throw std::runtime_error if SQLite
+// fails.
 class Collection_database
 {
 public:
   // Creates the file if `is_writable` and it does not exist. Throws std::runtime_error if it cannot be
-  // opened, or is not a database of this tool.
+  // opened, is not a database of this tool, or is to be written, and another process writes it.
   Collection_database(const std::string& path, bool is_writable);
 
+  ~Collection_database();
+
   // Returns the row of a shape, without report, parts and values of the descriptors.
-  std::optional<Shape_row> row_of(const std::string& path);
+  std::optional<Shape_row> row_of(const std::string& path, const std::string& options);
+
+  // Returns all rows, complete, in the order of paths and options.
+  void for_each_row(const std::function<void(const Shape_row&)>& f);
 
   // Replaces the row of a shape. Descriptors that are there already are kept if the key is the same.
   void write(const Shape_row& row);
 
+  // If there is a row with this checksum, options and version whose file is gone, the rows of that file
+  // get this path. Returns whether there was one.
+  bool take_moved(const Shape_key& key);
+
+  // Writes the rows of others, all or none. Results stay if others have none for the same shape.
+  void merge(const std::vector<Collection_database*>& others);
+
   // Returns name and version of each descriptor that a shape has.
   std::vector<std::pair<std::string, int>> descriptors();
 
-  // Returns the paths of all shapes, in their order.
-  std::vector<std::string> paths();
-
-  // The same, of those with a result.
+  // Returns the paths of all shapes with a result, in their order.
   std::vector<std::string> paths_of_described();
 
   // Returns the options under which shapes were described.
   std::vector<std::string> options();
 
-  // Returns the shapes, described under these options (any, if there are none), that have all
-  // the descriptors, given by name, version and size.
+  // Returns the shapes, described under these options, that have all the descriptors, given by name,
+  // version and size.
   struct Requested_descriptor
   {
     std::string name;
@@ -100,7 +111,7 @@ public:
     Eigen::Index size;
   };
   Described_collection values(const std::vector<Requested_descriptor>& requested,
-                              const std::optional<std::string>& options);
+                              const std::string& options);
 
 private:
   struct Close
@@ -108,13 +119,23 @@ private:
     void operator()(sqlite3* database) const;
   };
 
+  class Write_lock;
+
   void execute(const char* sql);
+
+  // All of it, or nothing.
+  template <class Function>
+  void in_transaction(const Function& f);
+
+  void write_row(const Shape_row& row);
+  void complete(Shape_row& row);
 
   // The first column of the answer.
   std::vector<std::string> texts(const char* sql);
 
   std::string m_path;
   std::unique_ptr<sqlite3, Close> m_database;
+  std::unique_ptr<Write_lock> m_lock;
 };
 
 } // namespace Canonical_pose_tool

@@ -25,12 +25,13 @@ std::optional<double> take_weight(std::string& name)
   return weight;
 }
 
-} // namespace
-
+// How messages name the options of `pose`.
 std::string name_of_options(const std::string& options)
 {
   return options.empty() ? "the default options" : "'" + options + "'";
 }
+
+} // namespace
 
 std::vector<Weighted_descriptor> chosen_descriptors(const Arguments& arguments,
                                                     Collection_database& database)
@@ -62,7 +63,7 @@ std::vector<Weighted_descriptor> chosen_descriptors(const Arguments& arguments,
 
 Described_collection values_of(Collection_database& database,
                                const std::vector<Weighted_descriptor>& chosen,
-                               const std::optional<std::string>& options)
+                               const std::string& options)
 {
   std::vector<Collection_database::Requested_descriptor> requested;
   std::string names;
@@ -75,13 +76,13 @@ Described_collection values_of(Collection_database& database,
   Described_collection result = database.values(requested, options);
   if(result.paths.empty())
   {
-    std::string message = "the database has no shape with " + names;
-    if(options)
-      message += " under " + name_of_options(*options);
+    const std::string message
+      = "the database has no shape with " + names + " under " + name_of_options(options);
+    std::string others;
     for(const std::string& other : database.options())
-      if(options && other != *options)
-        message += ", but some under " + name_of_options(other);
-    throw std::invalid_argument(message);
+      if(other != options)
+        others += (others.empty() ? "; it has some under " : ", ") + name_of_options(other);
+    throw std::invalid_argument(message + others);
   }
   return result;
 }

@@ -10,7 +10,6 @@
 #include "descriptors.h"
 
 #include <iosfwd>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,19 +21,16 @@ struct Weighted_descriptor
   double weight;
 };
 
-// How messages name the options of `pose`.
-std::string name_of_options(const std::string& options);
-
 // The requested descriptors, or those that the database has. Throws std::invalid_argument if there is
 // none, or one has a wrong name or weight.
 std::vector<Weighted_descriptor> chosen_descriptors(const Arguments& arguments,
                                                     Collection_database& database);
 
-// The shapes that have all these descriptors, described under these options, if given. Throws
+// The shapes that have all these descriptors, described under these options. Throws
 // std::invalid_argument if there is none.
 Described_collection values_of(Collection_database& database,
                                const std::vector<Weighted_descriptor>& chosen,
-                               const std::optional<std::string>& options);
+                               const std::string& options);
 
 // Says how many described shapes are not among these, if any.
 void warn_of_missing(std::ostream& out, Collection_database& database,

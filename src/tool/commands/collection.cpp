@@ -15,9 +15,10 @@
 
 #include <boost/crc.hpp>
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
@@ -27,6 +28,7 @@
 #include <iomanip>
 #include <iostream>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <stdexcept>
@@ -41,14 +43,12 @@ namespace Canonical_pose_tool {
 namespace {
 
 namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
 
 bool is_mesh_file(const fs::path& path)
 {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](const unsigned char c) { return static_cast<char>(std::tolower(c)); });
   static const std::set<std::string> known = {".off", ".obj", ".ply", ".stl", ".glb"};
-  return known.count(extension) > 0;
+  return known.count(extension_of(path.string())) > 0;
 }
 
 // The surfaces in a folder and its folders. Links are followed, but no folder is visited twice.
@@ -127,11 +127,16 @@ std::string checksum_of(const std::string& path)
   return text.data();
 }
 
+// In the format of the shape, so that nothing of it is lost.
 std::string pose_file(const Arguments& arguments, const std::string& path)
 {
   if(arguments.pose_folder.empty())
     return {};
-  return (fs::absolute(arguments.pose_folder) / fs::path(path).stem()).string() + ".off";
+  const std::string extension = extension_of(path);
+  return (fs::absolute(arguments.pose_folder) / stem_of(path)).string()
+         + (extension == ".gltf"            ? ".glb"
+            : is_mesh_file("x" + extension) ? extension
+                                            : ".off");
 }
 
 // Poses are named after the shapes.
@@ -163,7 +168,9 @@ std::optional<Shape_job> job_of(const std::string& path, const Arguments& argume
   Shape_job job;
   job.key = {path, checksum_of(path), arguments.pose_options, CGAL_CANONICAL_POSE_3_VERSION};
   job.limits = {arguments.time_limit, arguments.memory_limit};
-  const std::optional<Shape_row> row = database.row_of(path);
+  std::optional<Shape_row> row = database.row_of(path, job.key.options);
+  if(!row && !job.key.checksum.empty() && database.take_moved(job.key))
+    row = database.row_of(path, job.key.options);
   const bool is_current = row && row->key == job.key;
   if(is_current && row->outcome != Outcome::DONE
      && (row->outcome != Outcome::TIMED_OUT || is_within(arguments.time_limit, row->time_limit))
@@ -248,19 +255,22 @@ private:
 };
 
 // Outcome, path and message, with tabulators between them.
-std::string line_of(const Shape_row& row)
+std::string line_of(const Shape_row& row, const std::string& before_message = "")
 {
   return name_of(row.outcome) + '\t' + row.key.path
-         + (row.message.empty() ? "" : '\t' + row.message) + '\n';
+         + (row.message.empty() && before_message.empty() ? ""
+                                                          : '\t' + before_message + row.message)
+         + '\n';
 }
 
 void write_summary(std::ostream& out, const std::vector<std::string>& paths,
-                   const std::size_t number_of_jobs, Collection_database& database)
+                   const std::size_t number_of_jobs, const std::string& options,
+                   Collection_database& database)
 {
   std::map<Outcome, std::size_t> numbers;
   std::string failures;
   for(const std::string& path : paths)
-    if(const auto row = database.row_of(path))
+    if(const auto row = database.row_of(path, options))
     {
       ++numbers[row->outcome];
       if(row->outcome != Outcome::DONE)
@@ -273,23 +283,73 @@ void write_summary(std::ostream& out, const std::vector<std::string>& paths,
   out << failures;
 }
 
+Json json_of(const Shape_row& row)
+{
+  Json descriptors = Json::object();
+  for(const Descriptor_values& descriptor : row.descriptors)
+    descriptors[descriptor.name] = descriptor.version;
+  return {{"path", row.key.path},
+          {"checksum", row.key.checksum},
+          {"options", row.key.options},
+          {"version", row.key.version},
+          {"outcome", name_of(row.outcome)},
+          {"message", row.message},
+          {"seconds", row.seconds},
+          {"has_pose", row.has_pose},
+          {"is_segmented", !row.parts.empty()},
+          {"descriptors", descriptors},
+          {"report", row.report.empty() ? Json() : Json::parse(row.report)}};
+}
+
 // All shapes of the database, or those without a result.
 void list_collection(const Arguments& arguments)
 {
   Collection_database database(arguments.database, false);
-  for(const std::string& path : database.paths())
-    if(const auto row = database.row_of(path);
-       row && !(arguments.are_failures_listed && row->outcome == Outcome::DONE))
-      std::cout << line_of(*row);
+  Json all = Json::array();
+  database.for_each_row([&](const Shape_row& row) {
+    if(arguments.are_failures_listed && row.outcome == Outcome::DONE)
+      return;
+    if(arguments.is_json)
+      all.push_back(json_of(row));
+    else
+      std::cout << line_of(row, row.key.options + '\t');
+  });
+  if(arguments.is_json)
+    std::cout << all.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+}
+
+void merge_collections(const Arguments& arguments)
+{
+  std::vector<std::unique_ptr<Collection_database>> inputs;
+  std::vector<Collection_database*> others;
+  for(const std::string& input : arguments.inputs)
+  {
+    if(is_same_file(input, arguments.output))
+      throw std::invalid_argument("'" + input + "' is merged into itself; name only the others");
+    inputs.push_back(std::make_unique<Collection_database>(input, false));
+    others.push_back(inputs.back().get());
+  }
+  Collection_database(arguments.output, true).merge(others);
+}
+
+// Every N-th shape, from the K-th one.
+void keep_share(std::vector<std::string>& paths, const Arguments& arguments)
+{
+  std::vector<std::string> kept;
+  for(std::size_t i = arguments.shard - 1; i < paths.size(); i += arguments.number_of_shards)
+    kept.push_back(paths[i]);
+  paths = std::move(kept);
 }
 
 void compute_collection(const Arguments& arguments, const Run_jobs& run_by_mpi)
 {
   const std::vector<Descriptor> requested = descriptors(arguments.descriptors);
-  const std::vector<std::string> paths = shapes_of(arguments.inputs);
+  std::vector<std::string> paths = shapes_of(arguments.inputs);
+  if(!arguments.pose_folder.empty())
+    check_pose_files(arguments, paths);
+  keep_share(paths, arguments);
   if(!arguments.pose_folder.empty())
   {
-    check_pose_files(arguments, paths);
     std::error_code error;
     fs::create_directory(arguments.pose_folder, error);
     if(error)
@@ -318,39 +378,50 @@ void compute_collection(const Arguments& arguments, const Run_jobs& run_by_mpi)
                ended);
   }
   if(!arguments.quiet)
-    write_summary(std::cout, paths, jobs.size(), database);
+    write_summary(std::cout, paths, jobs.size(), arguments.pose_options, database);
 }
 
 void add_collection_options(Command_options& o)
 {
+  // Not required, or CLI11 would take "merge" for an input.
   CLI::Option* const input
-    = o.app
-        .add_option("INPUT", o.arguments.inputs,
-                    "surfaces, folders with surfaces, and @lists of paths, one per line")
-        ->required()
-        ->check(path());
-  add_database(o);
-  CLI::Option* const list = o.app.add_flag_callback(
-    "--list",
-    [input, &arguments = o.arguments] {
-      arguments.is_listed = true;
-      input->required(false);
-    },
-    "compute nothing, but print outcome, path and message of all shapes");
+    = o.app.add_option("INPUT", o.arguments.inputs,
+                       "surfaces, folders with surfaces, and @lists of paths, one per line");
+  input->check(path());
+  CLI::Option* const database = add_database(o);
+  CLI::Option* const list
+    = o.app.add_flag("--list", o.arguments.is_listed,
+                     "compute nothing, but print outcome, path, options and message of all shapes");
   list->excludes(input);
   o.app.add_flag("--failed", o.arguments.are_failures_listed, "list only shapes without a result")
     ->needs(list);
+  o.app.add_flag("--json", o.arguments.is_json, "list as JSON, with the reports")->needs(list);
   o.app
     .add_option("--descriptor", o.arguments.descriptors,
                 "a descriptor, as in describe; may be repeated; default: all")
     ->allow_extra_args(false);
-  add_path(o, "--poses", o.arguments.pose_folder, "folder for the poses (.off)");
+  add_path(o, "--poses", o.arguments.pose_folder,
+           "folder for the poses, in the formats of the shapes");
   o.app.add_flag("--segment", o.arguments.is_segmented, "also divide the shapes into parts");
   o.app
     .add_option("--workers", o.arguments.number_of_workers,
                 "number of shapes computed at the same time; 0: one per processor")
     ->transform(integer(std::size_t(0)))
     ->capture_default_str();
+  o.app
+    .add_option_function<std::string>(
+      "--shard",
+      [&arguments = o.arguments](const std::string& text) {
+        const std::size_t slash = (std::min)(text.find('/'), text.size());
+        const auto k = count_of<std::size_t>(text.substr(0, slash)),
+                   n = count_of<std::size_t>(text.substr((std::min)(slash + 1, text.size())));
+        if(!k || !n || *k < 1 || *k > *n)
+          throw CLI::ValidationError("--shard", "'" + text + "' is not K/N with K from 1 to N");
+        arguments.shard = *k;
+        arguments.number_of_shards = *n;
+      },
+      "K/N: only the K-th of N shares of the shapes, for jobs with a database each")
+    ->excludes(list);
   o.app.add_option("--time-limit", o.arguments.time_limit, "seconds per shape; 0: no limit")
     ->check(number(0, 1e9))
     ->capture_default_str();
@@ -361,12 +432,26 @@ void add_collection_options(Command_options& o)
     ->capture_default_str();
   o.arguments.options.number_of_threads = 1; // per shape
   add_recorded_method_options(o);
+
+  CLI::App* const merge = o.app.add_subcommand("merge", "joins databases");
+  add_path(*merge, "INPUT", o.arguments.inputs, "databases")->required();
+  add_path(*merge, "-o,--output", o.arguments.output, "the database to which their rows are added")
+    ->required();
+  merge->excludes(input)->excludes(list)->preparse_callback(
+    [database, &arguments = o.arguments](std::size_t) {
+      arguments.is_merged = true;
+      database->required(false);
+    });
 }
 
 int run_collection(Arguments& arguments)
 {
-  if(arguments.is_listed)
+  if(arguments.is_merged)
+    merge_collections(arguments);
+  else if(arguments.is_listed)
     list_collection(arguments);
+  else if(arguments.inputs.empty())
+    throw Usage_error("INPUT is required; see --help");
   else
     with_mpi([&](const Run_jobs& run) { compute_collection(arguments, run); });
   return EXIT_SUCCESS;
@@ -379,7 +464,9 @@ const Command COLLECTION_COMMAND
      "describes many surfaces and stores the results in a database",
      {"collection meshes/ --database meshes.db",
       "collection @paths.txt --database meshes.db --poses poses/ --time-limit 600",
-      "collection --list --failed --database meshes.db"},
+      "collection --list --failed --database meshes.db",
+      "collection meshes/ --database part_3.db --shard 3/10",
+      "collection merge part_1.db part_2.db -o meshes.db"},
      add_collection_options,
      run_collection};
 

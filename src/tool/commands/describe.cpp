@@ -22,8 +22,7 @@ namespace {
 void add_describe_options(Command_options& o)
 {
   add_input(o, Shapes::SURFACES);
-  add_path(o, "-o,--output", o.arguments.output, "the values of the descriptors (.json)")
-    ->required();
+  add_output(o, "the values of the descriptors (.json)");
   o.app
     .add_option("--descriptor", o.arguments.descriptors,
                 "heat-kernel-quantiles, shape-dna, shape-distribution-d2, views; may be repeated; "

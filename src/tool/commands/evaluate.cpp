@@ -9,6 +9,7 @@
 #include "collection/Collection_database.h"
 #include "collection/described_collection.h"
 #include "collection/read_classes.h"
+#include "formats/Mesh_file.h"
 
 #include <CGAL/Canonical_pose_3/Descriptor_index_3.h>
 #include <CGAL/Canonical_pose_3/Retrieval_evaluation.h>
@@ -20,6 +21,7 @@
 #include <filesystem>
 #include <iostream>
 #include <map>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -54,7 +56,7 @@ Classified_shapes classified(const Described_collection& shapes,
 {
   std::vector<std::pair<std::string, std::size_t>> order; // stem, column
   for(std::size_t i = 0; i < shapes.paths.size(); ++i)
-    if(const std::string stem = fs::path(shapes.paths[i]).stem().string(); class_of.count(stem) > 0)
+    if(const std::string stem = stem_of(shapes.paths[i]); class_of.count(stem) > 0)
       order.emplace_back(stem, i);
   std::sort(order.begin(), order.end());
   for(std::size_t i = 1; i < order.size(); ++i)
@@ -77,6 +79,30 @@ Classified_shapes classified(const Described_collection& shapes,
   if(result.columns.empty())
     throw std::invalid_argument("no shape of the database has a class");
   return result;
+}
+
+// Names a shape without a class of its own that is no query, and a name without a shape.
+void warn_of_names(const std::map<std::string, std::string>& class_of,
+                   const Described_collection& shapes, const Classified_shapes& classified)
+{
+  std::vector<std::string> missing, alone;
+  std::set<std::string> stems;
+  for(const std::size_t column : classified.columns)
+    stems.insert(stem_of(shapes.paths[column]));
+  for(const auto& [stem, name] : class_of)
+    if(stems.count(stem) == 0)
+      missing.push_back(stem);
+  for(std::size_t c = 0; c < classified.names.size(); ++c)
+    if(std::count(classified.classes.begin(), classified.classes.end(), c) == 1)
+      alone.push_back(classified.names[c]);
+  const auto warn = [](const std::vector<std::string>& names, const char* const defect) {
+    if(!names.empty())
+      std::cerr << "canonical-pose: warning: " << defect << ": '" << names.front() << '\''
+                << (names.size() > 1 ? " and " + std::to_string(names.size() - 1) + " more" : "")
+                << '\n';
+  };
+  warn(missing, "the database has no described shape of this name, which has a class");
+  warn(alone, "this class has a single shape, which is no query");
 }
 
 Eigen::MatrixXd distances_of_pairs(const Descriptor& descriptor, const Eigen::MatrixXd& values,
@@ -232,7 +258,9 @@ void draw(std::ostream& out, const std::vector<Named_evaluation>& evaluations)
 void add_evaluate_options(Command_options& o)
 {
   add_database(o);
-  add_path(o, "--classes", o.arguments.classes, "the classes: lines \"stem class\"")->required();
+  add_path(o, "--classes", o.arguments.classes,
+           "the classes: lines \"stem class\", or with a tabulator between them")
+    ->required();
   add_weighted_descriptors(o);
   o.app
     .add_option("--rerank", o.arguments.rerank,
@@ -241,6 +269,7 @@ void add_evaluate_options(Command_options& o)
   add_path(o, "--csv", o.arguments.csv,
            "write precision-recall curves and the classes of nearest shapes");
   add_path(o, "--plot", o.arguments.plot, "draw the precision-recall curves (.png)");
+  add_recorded_method_options(o);
 }
 
 int run_evaluate(Arguments& arguments)
@@ -250,13 +279,14 @@ int run_evaluate(Arguments& arguments)
   Output_files files({arguments.csv, arguments.plot}, {arguments.classes, arguments.database});
   Collection_database database(arguments.database, false);
   const std::vector<std::string> options = database.options();
-  if(options.size() > 1)
-    throw std::invalid_argument("the shapes were described under several options: "
-                                + name_of_options(options[0]) + ", " + name_of_options(options[1]));
+  const bool is_only_one = options.size() == 1 && arguments.pose_options.empty();
   const std::vector<Weighted_descriptor> chosen = chosen_descriptors(arguments, database);
-  const Described_collection shapes = values_of(database, chosen, std::nullopt);
+  const Described_collection shapes
+    = values_of(database, chosen, is_only_one ? options.front() : arguments.pose_options);
   warn_of_missing(std::cerr, database, shapes);
-  const Classified_shapes classes = classified(shapes, read_classes(arguments.classes));
+  const std::map<std::string, std::string> class_of = read_classes(arguments.classes);
+  const Classified_shapes classes = classified(shapes, class_of);
+  warn_of_names(class_of, shapes, classes);
   const std::vector<Named_evaluation> all = evaluations(arguments, chosen, shapes, classes);
   files.write(arguments.csv, [&](std::ostream& out) { write_csv(out, all, classes); });
   files.write(arguments.plot, [&](std::ostream& out) { draw(out, all); });

@@ -30,9 +30,8 @@ void add_geodesics_options(Command_options& o)
     ->required()
     ->transform(integer(std::size_t(0)))
     ->allow_extra_args(false);
-  add_path(o, "-o,--output", o.arguments.output,
-           "the distances: a line per vertex, a column per source; or colors (.ply, .glb)")
-    ->required();
+  add_output(o, "the distances: a line per vertex, a column per source; or colors (.ply, .glb)",
+             {"txt", "ply", "glb"});
   add_common(o);
 }
 

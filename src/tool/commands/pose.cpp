@@ -111,8 +111,8 @@ Result compute_watched_pose(const Mesh_file& input, const Arguments& arguments)
 void add_pose_options(Command_options& o)
 {
   add_input(o);
-  add_path(o, "-o,--output", o.arguments.output, "the pose: INPUT's vertices and faces or cells")
-    ->required();
+  add_output(o, "the pose: INPUT's vertices and faces or cells",
+             {"off", "obj", "ply", "stl", "glb", "mesh", "vtu"});
   add_path(o, "--target", o.arguments.target, "also write the target of the registration");
   add_path(o, "--scene", o.arguments.scene,
            "also write input, target and pose in one file, with an animation (.glb)");
@@ -157,14 +157,17 @@ void check_formats(const Arguments& arguments)
 int run_pose(Arguments& arguments)
 {
   Stage_clock clock;
+  if(arguments.output == "-")
+    arguments.output += extension_of_format(written_format(format_of(arguments.input)));
   check_formats(arguments);
   std::vector<std::string> inputs = {arguments.matching_weights, arguments.stiffness,
                                      arguments.given_target, arguments.given_distances};
   // The pose may replace the input.
   if(!is_same_file(arguments.input, arguments.output))
     inputs.push_back(arguments.input);
-  Output_files files({arguments.output, arguments.target, arguments.scene, arguments.report},
-                     inputs);
+  const std::vector<std::string> outputs
+    = {arguments.output, arguments.target, arguments.scene, arguments.report};
+  Output_files files(outputs, inputs);
   say(arguments, "reading " + arguments.input);
   const Mesh_file input = read_mesh_file(arguments.input, Source::KEPT);
   check_format_holds(format_of(arguments.output), input);
@@ -200,7 +203,7 @@ int run_pose(Arguments& arguments)
               [&](std::ostream& out) { write_report(out, summary, clock.total()); });
   files.commit();
   if(!arguments.quiet)
-    write_outcome(std::cout, summary);
+    write_outcome(messages_beside(outputs), summary);
   return EXIT_SUCCESS;
 }
 

@@ -86,7 +86,7 @@ private:
 };
 
 bool is_folder(const std::string& path) { return path.back() == '/'; }
-bool is_text(const std::string& path) { return std::filesystem::path(path).extension() == ".txt"; }
+bool is_text(const std::string& path) { return path == "-" || extension_of(path) == ".txt"; }
 
 std::vector<std::string> inputs_of(const Arguments& arguments)
 {
@@ -137,9 +137,9 @@ void write_parts(const Mesh_file& input, const std::vector<std::size_t>& parts,
 void add_segment_options(Command_options& o)
 {
   add_input(o, Shapes::SURFACES);
-  add_path(o, "-o,--output", o.arguments.output,
-           "the parts: numbers of the faces (.txt), colors (.ply, .glb), or a file each (folder/)")
-    ->required();
+  add_output(
+    o, "the parts: numbers of the faces (.txt), colors (.ply, .glb), or a file each (folder/)",
+    {"txt", "ply", "glb"});
   o.app.add_option("--parts", o.raw.parts, "number of parts: a positive number, or auto")
     ->capture_default_str();
   o.app
@@ -172,9 +172,10 @@ int run_segment(Arguments& arguments)
   folder.keep();
   if(arguments.quiet)
     return EXIT_SUCCESS;
-  std::cout << report.parts.size() << (report.parts.size() == 1 ? " part\n" : " parts\n");
+  std::ostream& out = messages_beside({arguments.output, arguments.report});
+  out << report.parts.size() << (report.parts.size() == 1 ? " part\n" : " parts\n");
   for(const std::string& warning : report.warnings)
-    std::cout << "warning: " << warning << '\n';
+    out << "warning: " << warning << '\n';
   return EXIT_SUCCESS;
 }
 

@@ -3,6 +3,7 @@
 
 #include "Mesh_file.h"
 #include "Text_cursor.h"
+#include "gzip.h"
 #include "readers.h"
 
 #include <algorithm>
@@ -16,6 +17,7 @@
 #include <filesystem>
 #include <fstream>
 #include <ios>
+#include <iostream>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -29,23 +31,61 @@ namespace Canonical_pose_tool {
 
 namespace {
 
-std::string bytes_of_file(const std::string& path)
+namespace fs = std::filesystem;
+
+std::string lower_case(std::string text)
 {
-  if(std::filesystem::is_directory(path))
-    throw std::invalid_argument("it is a directory");
-  errno = 0;
-  std::ifstream in(path, std::ios::binary);
-  if(!in)
-    throw std::invalid_argument("it cannot be opened: " + std::string(std::strerror(errno)));
-  std::string bytes;
-  std::error_code has_no_size; // a pipe
-  if(const std::uintmax_t size = std::filesystem::file_size(path, has_no_size); !has_no_size)
-    bytes.reserve(size);
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](const unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+fs::path without_gz(const std::string& path)
+{
+  return is_compressed(path) ? fs::path(path).replace_extension() : fs::path(path);
+}
+
+void append_all(std::istream& in, std::string& bytes)
+{
   std::vector<char> part(1 << 20);
   while(in.read(part.data(), static_cast<std::streamsize>(part.size())), in.gcount() > 0)
     bytes.append(part.data(), static_cast<std::size_t>(in.gcount()));
   if(in.bad())
     throw std::invalid_argument("it cannot be read: " + std::string(std::strerror(errno)));
+}
+
+// Read once, since its format is found by its content.
+const std::string& standard_input()
+{
+  static const std::string bytes = [] {
+    std::string all;
+    append_all(std::cin, all);
+    return is_gzip(all) ? decompressed(all) : all;
+  }();
+  return bytes;
+}
+
+// Without compression.
+std::string bytes_of_file(const std::string& path)
+{
+  std::string bytes;
+  if(is_standard_stream(path))
+    bytes = standard_input();
+  else
+  {
+    if(fs::is_directory(path))
+      throw std::invalid_argument("it is a directory");
+    errno = 0;
+    std::ifstream in(path, std::ios::binary);
+    if(!in)
+      throw std::invalid_argument("it cannot be opened: " + std::string(std::strerror(errno)));
+    std::error_code has_no_size; // a pipe
+    if(const std::uintmax_t size = fs::file_size(path, has_no_size); !has_no_size)
+      bytes.reserve(size);
+    append_all(in, bytes);
+    if(is_gzip(bytes))
+      bytes = decompressed(bytes);
+  }
   if(bytes.find_first_not_of(" \t\r\n") == std::string::npos)
     throw std::invalid_argument("the file is empty");
   return bytes;
@@ -107,12 +147,24 @@ std::optional<Format> format_by_content(const std::string& path)
 {
   const std::size_t most = 4096;
   std::error_code error;
-  if(!std::filesystem::is_regular_file(path, error))
-    return std::nullopt;
-  std::ifstream in(path, std::ios::binary);
-  std::string bytes(most, '\0');
-  in.read(bytes.data(), static_cast<std::streamsize>(most));
-  bytes.resize(static_cast<std::size_t>(in.gcount()));
+  std::uintmax_t size = 0;
+  std::string bytes;
+  if(!is_standard_stream(path))
+  {
+    if(!fs::is_regular_file(path, error))
+      return std::nullopt;
+    std::ifstream in(path, std::ios::binary);
+    bytes.resize(most);
+    in.read(bytes.data(), static_cast<std::streamsize>(most));
+    bytes.resize(static_cast<std::size_t>(in.gcount()));
+    size = fs::file_size(path, error);
+  }
+  if(is_standard_stream(path) || is_gzip(bytes))
+  {
+    bytes = bytes_of_file(path);
+    size = bytes.size();
+    bytes.resize((std::min)(bytes.size(), most));
+  }
   if(bytes.compare(0, 3, BYTE_ORDER_MARK) == 0)
     bytes.erase(0, 3);
   Text_cursor text(bytes);
@@ -122,7 +174,7 @@ std::optional<Format> format_by_content(const std::string& path)
   if(word.size() > 3 && word.find_first_not_of("STCN") == word.size() - 3
      && word.substr(word.size() - 3) == "OFF")
     return Format::OFF;
-  if(is_binary_stl(bytes, std::filesystem::file_size(path, error)))
+  if(is_binary_stl(bytes, size))
     return Format::STL;
   for(; !word.empty(); text.skip_line(), word = text.word())
     if(word == "v")
@@ -132,11 +184,26 @@ std::optional<Format> format_by_content(const std::string& path)
 
 } // namespace
 
+bool is_standard_stream(const std::string& path)
+{
+  return path == "-" || (path.compare(0, 2, "-.") == 0 && path.find('/') == std::string::npos);
+}
+
+bool is_compressed(const std::string& path)
+{
+  return lower_case(fs::path(path).extension().string()) == ".gz";
+}
+
+std::string extension_of(const std::string& path)
+{
+  return lower_case(without_gz(path).extension().string());
+}
+
+std::string stem_of(const std::string& path) { return without_gz(path).stem().string(); }
+
 Format format_of(const std::string& path, const Use use)
 {
-  std::string extension = std::filesystem::path(path).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](const unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string extension = extension_of(path);
   const auto found = std::find_if(FORMATS.begin(), FORMATS.end(), [&](const Format_entry& entry) {
     return extension == entry.extension;
   });

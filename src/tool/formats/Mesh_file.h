@@ -46,6 +46,23 @@ Format format_of(const std::string& path, Use use = Use::READ);
 // With its dot, in small letters.
 std::string extension_of_format(Format format);
 
+// The format in which the pose of a file is written: the same, but for glTF with buffers beside it.
+inline Format written_format(const Format format)
+{
+  return format == Format::GLTF ? Format::GLB : format;
+}
+
+// "-", the standard input or output, also with an extension.
+bool is_standard_stream(const std::string& path);
+
+// The extension of a path, with its dot, in small letters; that of a compressed file is the one before ".gz".
+std::string extension_of(const std::string& path);
+
+// The name of a file without folder and extension, nor ".gz".
+std::string stem_of(const std::string& path);
+
+bool is_compressed(const std::string& path); // by its extension
+
 // Reads a file. Afterward, coordinates are finite and indices in range; nothing else is checked.
 // Throws std::invalid_argument with the defect and the element. This is why CGAL's readers are not
 // used: they only report failure. With KEPT, the mesh can be written again as the file with other positions.

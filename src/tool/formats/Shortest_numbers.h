@@ -35,6 +35,18 @@ inline void use_shortest_numbers(std::ostream& out)
 #endif
 }
 
+// The same number, without the cost of formatting by a stream.
+inline void write_shortest(std::ostream& out, const double x)
+{
+#ifdef __cpp_lib_to_chars
+  std::array<char, 32> text;
+  out.write(text.data(),
+            std::to_chars(text.data(), text.data() + text.size(), x).ptr - text.data());
+#else
+  out << x;
+#endif
+}
+
 } // namespace Canonical_pose_tool
 
 #endif // CGAL_CANONICAL_POSE_3_TOOL_SHORTEST_NUMBERS_H

@@ -23,6 +23,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -44,7 +45,10 @@ public:
   void replace(const std::string_view word, const Number number)
   {
     copy_to(word.data());
-    m_out << number;
+    if constexpr(std::is_floating_point_v<Number>)
+      write_shortest(m_out, number);
+    else
+      m_out << number;
     m_position = word.data() + word.size();
   }
 

@@ -51,13 +51,14 @@ void check_format_holds(const Format format, const Mesh_file& mesh)
   for(std::size_t f = 0; f < mesh.faces.size(); ++f)
   {
     const std::size_t corners = mesh.faces[f].size();
-    const std::string defect
-      = ", but face " + std::to_string(f) + " has " + std::to_string(corners) + " corners";
+    const auto defect = [&] {
+      return ", but face " + std::to_string(f) + " has " + std::to_string(corners) + " corners";
+    };
     if(format == Format::STL && corners != 3)
-      throw std::invalid_argument("STL holds triangles only" + defect);
+      throw std::invalid_argument("STL holds triangles only" + defect());
     if(format == Format::PLY && corners > most_corners_of_ply)
       throw std::invalid_argument("PLY holds faces of at most "
-                                  + std::to_string(most_corners_of_ply) + " corners" + defect);
+                                  + std::to_string(most_corners_of_ply) + " corners" + defect());
   }
 }
 
