@@ -13,13 +13,16 @@
 
 #include "matchers.h"
 #include "shapes.h"
+#include "written_file.h"
 
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <filesystem>
 #include <memory>
 #include <numeric>
+#include <optional>
 #include <random>
 #include <sstream>
 #include <stdexcept>
@@ -30,6 +33,7 @@ namespace test_gltf {
 
 using namespace Canonical_pose_tool;
 using CGAL::Canonical_pose_3::Point_matrix;
+using Canonical_pose_test::written_file;
 using nlohmann::json;
 
 Mesh_file mesh_of(const Canonical_pose_test::Triangle_soup& soup)
@@ -316,7 +320,7 @@ TEST(Gltf, unsupported_content_is_refused_by_name)
   expect_refusal("/meshes", json::array(), "node 0 names mesh 0, but there are 0");
   expect_refusal("/nodes/0/mesh", 1, "node 0 names mesh 1, but there are 1");
   expect_refusal("/nodes/0/children", {0}, "the nodes form a cycle");
-  expect_refusal("/nodes/0/skin", 0, "the mesh has a skin");
+  expect_refusal("/nodes/0/skin", 0, "a node names skin 0, but there are 0");
   expect_refusal("/nodes/0",
                  {{"mesh", 0}, {"translation", {1e308, 0, 0}}, {"scale", {1e308, 1, 1}}},
                  "has a coordinate that is not finite");
@@ -365,6 +369,140 @@ TEST(Gltf, nodes_move_the_mesh)
     EXPECT_NEAR(moved.points[v][1], 22 + 2 * mesh.points[v][0], 1e-5);
     EXPECT_NEAR(moved.points[v][2], 33 + 4 * mesh.points[v][2], 1e-5);
   }
+}
+
+// The same file with an accessor after its buffer. Returns its index.
+template <class Number>
+std::size_t add_accessor(std::string& bytes, json& model, const std::string& type,
+                         const int component_type, const std::vector<Number>& numbers,
+                         const std::size_t count)
+{
+  const std::size_t chunk = 20 + number_at(bytes, 12), begin = number_at(bytes, chunk);
+  bytes.append(reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(Number));
+  bytes.resize((bytes.size() + 3) / 4 * 4);
+  const auto size = static_cast<std::uint32_t>(bytes.size() - chunk - 8);
+  std::memcpy(&bytes[chunk], &size, sizeof(size));
+  model["buffers"][0]["byteLength"] = size;
+  model["bufferViews"].push_back(
+    {{"buffer", 0}, {"byteOffset", begin}, {"byteLength", numbers.size() * sizeof(Number)}});
+  model["accessors"].push_back({{"bufferView", model["bufferViews"].size() - 1},
+                                {"componentType", component_type},
+                                {"count", count},
+                                {"type", type}});
+  return model["accessors"].size() - 1;
+}
+
+// A vertex is at the mean of the places to which its joints move it, wherever its node is. The pose has
+// the same positions without a skin, in the space of the node.
+TEST(Gltf, skins)
+{
+  Mesh_file mesh = ball();
+  const std::size_t n = mesh.points.size();
+  std::string bytes = written(mesh);
+  json model = json_of(bytes);
+  std::vector<std::uint8_t> joints;
+  std::vector<float> weights;
+  for(std::size_t v = 0; v < n; ++v)
+  {
+    joints.insert(joints.end(), {0, 1, 0, 0});
+    const float second = v % 2 == 0 ? .25f : 0;
+    weights.insert(weights.end(), {1 - second, second, 0, 0});
+  }
+  // The second joint rests at (0, 0, 5).
+  const std::vector<float> matrices = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0,  1,
+                                       1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, -5, 1};
+  json& primitive = model["meshes"][0]["primitives"][0];
+  primitive["attributes"]["JOINTS_0"] = add_accessor(bytes, model, "VEC4", 5121, joints, n);
+  primitive["attributes"]["WEIGHTS_0"] = add_accessor(bytes, model, "VEC4", 5126, weights, n);
+  const std::size_t inverse = add_accessor(bytes, model, "MAT4", 5126, matrices, 2);
+  model["skins"] = {{{"joints", {1, 2}}, {"inverseBindMatrices", inverse}}};
+  const double half = std::sqrt(.5);
+  model["nodes"] = {{{"mesh", 0}, {"skin", 0}, {"translation", {100, 0, 0}}, {"scale", {2, 1, 1}}},
+                    {{"children", {2}}, {"translation", {0, 7, 0}}},
+                    {{"rotation", {half, 0, 0, half}}, {"translation", {0, 0, 5}}}};
+  model["scenes"][0]["nodes"] = {0, 1};
+  const std::string file = with_json(bytes, model);
+  mesh = read(file);
+  const Mesh_file rest = ball();
+  for(std::size_t v = 0; v < n; ++v)
+  {
+    const Eigen::Vector3d p = Eigen::Vector3d::Map(rest.points[v].data()),
+                          first = p + Eigen::Vector3d(0, 7, 0),
+                          // a quarter around the x axis through (0, 0, 5)
+      second(p[0], 7 - (p[2] - 5), 5 + p[1]);
+    const double share = v % 2 == 0 ? .25 : 0;
+    EXPECT_LT((Eigen::Vector3d::Map(mesh.points[v].data()) - ((1 - share) * first + share * second))
+                .norm(),
+              1e-5);
+  }
+
+  mesh.source = std::make_shared<const Source_file>(Source_file{Format::GLB, file});
+  EXPECT_EQ(losses(mesh, Format::GLB), std::vector<std::string>{"skins"});
+  std::ostringstream out;
+  rewrite_mesh(out, mesh, mesh.points, {});
+  expect_near(read(out.str()), mesh, 1e-4);
+  const json changed = json_of(out.str());
+  EXPECT_FALSE(changed.contains("skins") || changed["nodes"][0].contains("skin"));
+  EXPECT_FALSE(changed["meshes"][0]["primitives"][0]["attributes"].contains("JOINTS_0"));
+  EXPECT_EQ(changed["nodes"][0]["scale"], model["nodes"][0]["scale"]);
+
+  const auto refusal = [&](const std::string& path, const json& value) {
+    json wrong = model;
+    wrong[json::json_pointer(path)] = value;
+    return with_json(bytes, wrong);
+  };
+  EXPECT_THROW_WITH(read(refusal("/skins/0/joints", {1})), std::invalid_argument,
+                    "vertex 0 of a primitive is moved by joint 1 of its skin, which has 1");
+  EXPECT_THROW_WITH(read(refusal("/skins/0/joints", {1, 9})), std::invalid_argument,
+                    "skin 0 names node 9, but there are 3");
+  EXPECT_THROW_WITH(read(refusal("/skins/0/joints", {1, 2, 0})), std::invalid_argument,
+                    "skin 0 has 3 joints, but 2 inverse bind matrices");
+  EXPECT_THROW_WITH(read(refusal("/skins/0/inverseBindMatrices", 0)), std::invalid_argument,
+                    "does not have 16 components");
+  EXPECT_THROW_WITH(read(refusal("/nodes/2/children", {1})), std::invalid_argument,
+                    "the nodes form a cycle");
+  json few = model;
+  few["accessors"][few["meshes"][0]["primitives"][0]["attributes"]["WEIGHTS_0"].get<int>()]["count"]
+    = n - 1;
+  EXPECT_THROW_WITH(read(with_json(bytes, few)), std::invalid_argument, "another number of JOINTS_0");
+}
+
+// A scene whose buffers and images are in files beside it becomes one file with the same content.
+TEST(Gltf, buffers_and_images_beside_the_file)
+{
+  const Mesh_file mesh = ball();
+  const std::string bytes = written(mesh);
+  json model = json_of(bytes);
+  const std::size_t chunk = 20 + number_at(bytes, 12) + 8;
+  const auto uri_of = [](const std::string& name, const std::string& content) {
+    return std::filesystem::path(written_file(name, content)).filename().string();
+  };
+  // The same buffer twice; indices are in the second one.
+  const std::size_t size = bytes.size() - chunk;
+  model["buffers"] = {{{"byteLength", size}, {"uri", uri_of("a.bin", bytes.substr(chunk))}},
+                      {{"byteLength", size}, {"uri", uri_of("b.bin", bytes.substr(chunk))}}};
+  const int indices = model["meshes"][0]["primitives"][0]["indices"];
+  model["bufferViews"][model["accessors"][indices]["bufferView"].get<int>()]["buffer"] = 1;
+  model["images"] = {{{"uri", uri_of("c.png", "not really a picture")}, {"name", "c"}},
+                     {{"uri", "missing.jpg"}}};
+  const Mesh_file read_one
+    = read_mesh_file(written_file("scene.gltf", model.dump()), Source::KEPT);
+  expect_near(read_one, mesh, 1e-6);
+  ASSERT_TRUE(is_rewritable(read_one, Format::GLB));
+  std::ostringstream out;
+  rewrite_mesh(out, read_one, mesh.points, {});
+  expect_near(read(out.str()), mesh, 1e-6);
+  const json changed = json_of(out.str());
+  EXPECT_EQ(changed["buffers"].size(), 1u);
+  EXPECT_EQ(changed["images"][1], (json{{"uri", "missing.jpg"}})); // as it was
+  const json& image = changed["images"][0];
+  EXPECT_EQ(image["mimeType"], "image/png");
+  EXPECT_EQ(image["name"], "c");
+  const json& view = changed["bufferViews"][image["bufferView"].get<int>()];
+  EXPECT_EQ(out.str().substr(28 + number_at(out.str(), 12) + view["byteOffset"].get<std::size_t>(),
+                             view["byteLength"]),
+            "not really a picture");
+  EXPECT_EQ(self_contained_glb(out.str(), ""), std::nullopt);
 }
 
 // Only what the default scene shows, otherwise the first one, is part of the surface.

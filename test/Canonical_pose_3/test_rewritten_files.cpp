@@ -122,6 +122,10 @@ TEST(Rewritten_files, attributes)
                                              "property list uchar int vertex_indices\nelement edge 0\nproperty int v\n"
                                              "end_header\n0 0 0 9\n1 0 0 9\n0 1 0 9\n3 0 1 2\n")),
             (Names{"the element edge", "the property red"}));
+  const Mesh_file colored
+    = read("a.off", "COFF\n3 1 0\n0 0 0 9 9 9\n1 0 0 9 9 9\n0 1 0 9 9 9\n3 0 1 2\n");
+  EXPECT_EQ(losses(colored, Format::OFF), Names());
+  EXPECT_EQ(losses(colored, Format::PLY), Names{"colors"});
 }
 
 // Normals that do not exist are left alone.

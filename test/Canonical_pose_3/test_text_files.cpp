@@ -6,6 +6,7 @@
 
 #include "collection/read_classes.h"
 #include "formats/Mesh_file.h"
+#include "formats/gzip.h"
 
 #include <gtest/gtest.h>
 
@@ -155,6 +156,48 @@ TEST(Text_files, formats_by_content)
                     "the extension of 'nowhere' is not one of");
   EXPECT_THROW_WITH(format_of(written_file("content.txt", "OFF\n"), Use::WRITE),
                     std::invalid_argument, ".glb, .vtu");
+}
+
+// Compressed files of all formats, in one piece or several, are what they contain.
+TEST(Text_files, compressed)
+{
+  if(!is_gzip_available())
+    GTEST_SKIP() << "zlib was not found";
+  for(const auto& [name, text] : TEXTS)
+  {
+    const Mesh_file expected = read_mesh_file(written_file(name, text));
+    const std::string half = text.substr(0, text.size() / 2), rest = text.substr(half.size());
+    for(const std::string& bytes : {compressed(text), compressed(half) + compressed(rest)})
+    {
+      expect_equal(read_mesh_file(written_file(name + ".GZ", bytes)), expected);
+      expect_equal(read_mesh_file(written_file(name, bytes)), expected);
+      expect_equal(read_mesh_file(written_file("content.gz", bytes)), expected);
+      EXPECT_THROW_WITH(read_mesh_file(written_file(name, bytes.substr(0, bytes.size() - 1))),
+                        std::invalid_argument, "the compressed file is truncated");
+      EXPECT_THROW_WITH(read_mesh_file(written_file(name, bytes + "x")), std::invalid_argument,
+                        "the compressed file is");
+    }
+  }
+  std::string damaged = compressed(TEXTS.at("tetrahedron.off"));
+  damaged[damaged.size() / 2] ^= 1;
+  EXPECT_THROW_WITH(read_mesh_file(written_file("damaged.off.gz", damaged)), std::invalid_argument,
+                    "the compressed file is damaged");
+  // More than zlib is given at a time.
+  std::string large;
+  for(int i = 0; large.size() < 3000000; ++i)
+    large += std::to_string(i * 7919LL % 1000003);
+  EXPECT_EQ(decompressed(compressed(large)), large);
+  EXPECT_EQ(decompressed(compressed("")), "");
+  EXPECT_EQ(stem_of("a/b.c.off.gz"), "b.c");
+  EXPECT_EQ(extension_of("a/b.c.OFF.gz"), ".off");
+  EXPECT_EQ(extension_of("a/b.gz"), "");
+}
+
+// Stems or classes may have blanks, the latter after a tabulator.
+TEST(Text_files, classes_with_blanks)
+{
+  EXPECT_EQ(read_classes(written_file("classes.txt", " my cat  animals\n\nb\ttwo words \n\t\n")),
+            (std::map<std::string, std::string>{{"my cat", "animals"}, {"b", "two words"}}));
 }
 
 TEST(Text_files, content_of_another_format)

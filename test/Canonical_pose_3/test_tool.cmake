@@ -1,6 +1,6 @@
 # Checks the command-line contract of canonical-pose from outside:
 #
-#   cmake -DTOOL=path -DMAKE_FIGURE=path -DWORK=directory -P test_tool.cmake
+#   cmake -DTOOL=path -DMAKE_FIGURE=path -DWORK=directory [-DHAS_MPI=ON] -P test_tool.cmake
 #
 # WORK is emptied first. MAKE_FIGURE writes the sample; if it is empty, tests that require it are skipped.
 # test_tool_inputs.cmake and test_tool_bad_files.cmake write the input files, one for each requirement that an input

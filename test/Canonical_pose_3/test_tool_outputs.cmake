@@ -39,6 +39,43 @@ foreach(words IN ITEMS "geodesics ball.off --source 0 -o ''" "check ball.off --r
   expect_match("${exit_code}<${stderr}>" "^2<[^\n]*the path is empty\n")
 endforeach()
 
+# ---- standard streams, and compressed files --------------------------------------------------------------------
+
+set(quick "--rounds 0 --landmarks 12 --quiet")
+run_sh("\"$TOOL\" pose ball.off -o expected.off ${quick} && \"$TOOL\" pose ball.off -o expected.ply ${quick}")
+foreach(words IN ITEMS "- -o - ${quick} < ball.off > out/a.off" "ball.off -o - --rounds 0 --landmarks 12 2> out/messages > out/a.off"
+    "- -o out/a.off ${quick} < ball.off" "- --format off -o - ${quick} < ball.off > out/a.off")
+  run_sh("\"$TOOL\" pose ${words}")
+  expect_match("${exit_code}<${stdout}${stderr}>" "^0<>$")
+  expect_same_bytes(out/a.off expected.off)
+endforeach()
+file(READ ${WORK}/out/messages messages)
+expect_match("${messages}" "^converged")
+run_sh("\"$TOOL\" pose - --format ply -o - ${quick} < ball.off | tee out/a.ply | \"$TOOL\" check -")
+expect_match("${exit_code}${stdout}" "^0vertices +12\n")
+expect_same_bytes(out/a.ply expected.ply)
+foreach(words IN ITEMS "geodesics - --source 0 -o -" "segment - -o - --method sweep" "describe - -o - --descriptor shape-distribution-d2"
+    "pose - -o out/a.off --report - --rounds 0" "check - --report - --quiet")
+  run_sh("\"$TOOL\" ${words} < ball.off 2> out/messages")
+  expect_match("${exit_code}<${stdout}>" "^0<[0-9{].*")
+endforeach()
+expect_wrong_usage("the output is a file" pose ball.off -o out/a.off --format ply)
+expect_wrong_usage("the extension of '-' is not one of" pose ball.off -o out/a.off --target -)
+expect_refusal("two outputs cannot both be the standard output" pose ball.off -o - --report -)
+run_sh("\"$TOOL\" check - < /dev/null")
+expect_match("${exit_code}${stderr}" "^1canonical-pose: standard input: the file is empty\n$")
+run_sh("\"$TOOL\" pose ball.off -o - > /dev/full")
+expect_match("${exit_code}${stderr}" "the standard output cannot be written\n$")
+
+run_sh("command -v gzip && \"$TOOL\" pose ball.off -o out/a.off.gz ${quick}")
+if(NOT stderr MATCHES "without zlib" AND exit_code EQUAL 0)
+  run_sh("gzip -dc out/a.off.gz | cmp - expected.off && gzip -c ball.off > out/b.off.gz && \"$TOOL\" pose out/b.off.gz -o out/a.off ${quick}")
+  expect_match("${exit_code}<${stdout}${stderr}>" "^0<>$")
+  expect_same_bytes(out/a.off expected.off)
+endif()
+file(REMOVE ${WORK}/out/a.off ${WORK}/out/a.ply ${WORK}/out/a.off.gz ${WORK}/out/b.off.gz ${WORK}/expected.off ${WORK}/expected.ply
+  ${WORK}/out/messages)
+
 # ---- no output replaces an input, but the pose ---------------------------------------------------------------
 
 file(MAKE_DIRECTORY ${WORK}/kept)

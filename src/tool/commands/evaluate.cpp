@@ -286,8 +286,8 @@ int run_evaluate(Arguments& arguments)
   warn_of_missing(std::cerr, database, shapes);
   const std::map<std::string, std::string> class_of = read_classes(arguments.classes);
   const Classified_shapes classes = classified(shapes, class_of);
-  warn_of_names(class_of, shapes, classes);
   const std::vector<Named_evaluation> all = evaluations(arguments, chosen, shapes, classes);
+  warn_of_names(class_of, shapes, classes);
   files.write(arguments.csv, [&](std::ostream& out) { write_csv(out, all, classes); });
   files.write(arguments.plot, [&](std::ostream& out) { draw(out, all); });
   files.commit();

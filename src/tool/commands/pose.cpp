@@ -84,12 +84,9 @@ CGAL::Canonical_pose_3::Landmark_fields_3 given_fields(const std::string& path,
 void warn_of_losses(const Mesh_file& input, const std::string& output,
                     CGAL::Canonical_pose_3::Registration_summary& summary)
 {
-  const std::vector<std::string> names = attributes_of_file(input);
-  const bool is_rewritten = !names.empty() && is_rewritable(input, format_of(output));
   std::string lost;
-  for(const std::string& name : names)
-    if(!is_rewritten || name == "animations" || name == "morph targets" || name == "turned normals")
-      lost += (lost.empty() ? "" : ", ") + name;
+  for(const std::string& name : losses(input, format_of(output)))
+    lost += (lost.empty() ? "" : ", ") + name;
   if(!lost.empty())
     summary.warnings.push_back("the pose in '" + output + "' lacks " + lost + " of the input");
 }

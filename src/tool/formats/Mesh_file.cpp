@@ -244,7 +244,13 @@ Mesh_file read_mesh_file(const std::string& path, const Source source)
     throw std::invalid_argument(error.what() + other_look(bytes, format));
   }
   if(source == Source::KEPT)
-    mesh.source = std::make_shared<const Source_file>(Source_file{format, std::move(bytes)});
+  {
+    if(entry.read == read_gltf)
+      if(std::optional<std::string> all = self_contained_glb(bytes, path))
+        bytes = std::move(*all);
+    mesh.source
+      = std::make_shared<const Source_file>(Source_file{written_format(format), std::move(bytes)});
+  }
   return mesh;
 }
 

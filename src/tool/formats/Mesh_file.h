@@ -20,7 +20,7 @@ using CGAL::Canonical_pose_3::Face_list;
 
 enum class Format { OFF, OBJ, PLY, STL, MEDIT, GLB, GLTF, VTU };
 
-// A file as it is.
+// A file as it is, without compression; glTF is binary, and in one file.
 struct Source_file
 {
   Format format;
@@ -92,6 +92,9 @@ bool is_rewritable(const Mesh_file& mesh, Format format);
 
 // What the file of a mesh holds beside positions and faces, for instance "texture coordinates".
 std::vector<std::string> attributes_of_file(const Mesh_file& mesh);
+
+// What of the file of a mesh its pose in this format lacks.
+std::vector<std::string> losses(const Mesh_file& mesh, Format format);
 
 // Throws std::invalid_argument if the format is only read, or cannot represent the mesh.
 void check_format_holds(Format format, const Mesh_file& mesh);

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "load_gltf.h"
+#include "Gltf_numbers.h"
 #include "Text_cursor.h"
+#include "readers.h"
 
 #include <Eigen/Geometry>
 
@@ -195,6 +197,74 @@ Eigen::Affine3d own_transformation(const tinygltf::Node& node)
   return result;
 }
 
+// By each node and those above it.
+class Node_transformations
+{
+public:
+  explicit Node_transformations(const tinygltf::Model& model)
+    : m_model(model), m_parents(model.nodes.size(), NONE)
+  {
+    for(std::size_t n = 0; n < model.nodes.size(); ++n)
+      for(const int child : model.nodes[n].children)
+        if(child >= 0 && static_cast<std::size_t>(child) < m_parents.size())
+          m_parents[static_cast<std::size_t>(child)] = n;
+  }
+
+  Eigen::Affine3d operator()(const std::size_t node) const
+  {
+    Eigen::Affine3d result = Eigen::Affine3d::Identity();
+    std::size_t steps = 0;
+    for(std::size_t n = node; n != NONE; n = m_parents[n])
+    {
+      if(steps++ == m_parents.size())
+        throw std::invalid_argument("the nodes form a cycle");
+      result = own_transformation(m_model.nodes[n]) * result;
+    }
+    return result;
+  }
+
+private:
+  static constexpr std::size_t NONE = std::size_t(-1);
+
+  const tinygltf::Model& m_model;
+  std::vector<std::size_t> m_parents;
+};
+
+// Those of the joints of a skin, after the inverse bind matrices.
+std::vector<Eigen::Affine3d> transformations_of_joints(const tinygltf::Model& model, const int skin,
+                                                       const Node_transformations& of_nodes)
+{
+  if(static_cast<std::size_t>(skin) >= model.skins.size())
+    throw std::invalid_argument("a node names skin " + std::to_string(skin) + ", but there are "
+                                + std::to_string(model.skins.size()));
+  const tinygltf::Skin& s = model.skins[static_cast<std::size_t>(skin)];
+  std::vector<Eigen::Affine3d> result;
+  for(const int joint : s.joints)
+  {
+    if(joint < 0 || static_cast<std::size_t>(joint) >= model.nodes.size())
+      throw std::invalid_argument("skin " + std::to_string(skin) + " names node "
+                                  + std::to_string(joint) + ", but there are "
+                                  + std::to_string(model.nodes.size()));
+    result.push_back(of_nodes(static_cast<std::size_t>(joint)));
+  }
+  if(s.inverseBindMatrices < 0)
+    return result;
+  const Gltf_numbers numbers(model, s.inverseBindMatrices, 16, "the inverse bind matrices");
+  if(numbers.count() < result.size())
+    throw std::invalid_argument("skin " + std::to_string(skin) + " has "
+                                + std::to_string(result.size()) + " joints, but "
+                                + std::to_string(numbers.count()) + " inverse bind matrices");
+  for(std::size_t j = 0; j < result.size(); ++j)
+  {
+    Eigen::Affine3d inverse = Eigen::Affine3d::Identity();
+    for(std::size_t i = 0; i < 12; ++i) // the first three rows, in columns of four
+      inverse.matrix()(static_cast<Eigen::Index>(i % 3), static_cast<Eigen::Index>(i / 3))
+        = numbers(j, 4 * (i / 3) + i % 3);
+    result[j] = result[j] * inverse;
+  }
+  return result;
+}
+
 // Whether each node is shown: by the default scene, otherwise the first one, or always if there is none.
 std::vector<bool> nodes_of_scene(const tinygltf::Model& model)
 {
@@ -273,6 +343,72 @@ void check_positions(const std::string& bytes)
                                         + " of " + list + " is negative");
 }
 
+std::optional<std::string> self_contained_glb(const std::string& bytes, const std::string& path)
+{
+  const tinygltf::Model model = load_gltf(bytes, path);
+  if(is_glb(bytes) && model.buffers.size() == 1 && model.buffers[0].uri.empty())
+    return std::nullopt;
+  auto json = nlohmann::ordered_json::parse(json_of(bytes));
+  std::string all;
+  const auto append = [&](const auto& part) {
+    all.resize((all.size() + 3) / 4 * 4);
+    const std::size_t begin = all.size();
+    all.append(part.begin(), part.end());
+    return begin;
+  };
+  std::vector<std::size_t> begins;
+  for(const tinygltf::Buffer& buffer : model.buffers)
+    begins.push_back(append(buffer.data));
+  for(auto& view : json["bufferViews"])
+    if(const std::size_t buffer = view.value("buffer", std::size_t(0)); buffer < begins.size())
+    {
+      view["byteOffset"] = begins[buffer] + view.value("byteOffset", std::size_t(0));
+      view["buffer"] = 0;
+    }
+  Files_beside files(path);
+  if(const auto images = json.find("images"); images != json.end())
+    for(auto& image : *images)
+    {
+      const std::string name = image.value("uri", std::string());
+      const bool is_png = fs::path(name).extension() == ".png";
+      std::vector<unsigned char> content;
+      if(name.empty() || name.compare(0, 5, "data:") == 0 || !files.exists(name)
+         || !files.read(name, content))
+        continue;
+      json["bufferViews"].push_back(
+        {{"buffer", 0}, {"byteOffset", append(content)}, {"byteLength", content.size()}});
+      image.erase("uri");
+      image["mimeType"] = is_png ? "image/png" : "image/jpeg";
+      image["bufferView"] = json["bufferViews"].size() - 1;
+    }
+  all.resize((all.size() + 3) / 4 * 4);
+  json["buffers"] = {{{"byteLength", all.size()}}};
+  return glb_of(json.dump(), all);
+}
+
+std::string glb_of(const std::string& json, const std::string_view buffer,
+                   const std::string_view rest)
+{
+  const auto bytes_of = [](const std::size_t number) {
+    const auto value = static_cast<std::uint32_t>(number);
+    return std::string(reinterpret_cast<const char*>(&value), sizeof(value));
+  };
+  constexpr std::size_t headers = HEADER + 2 * CHUNK_HEADER;
+  std::string text = json;
+  text.resize((text.size() + 3) / 4 * 4, ' ');
+  std::string result(MAGIC);
+  result.append(bytes_of(2))
+    .append(bytes_of(headers + text.size() + buffer.size() + rest.size()))
+    .append(bytes_of(text.size()))
+    .append("JSON")
+    .append(text)
+    .append(bytes_of(buffer.size()))
+    .append("BIN\0", 4)
+    .append(buffer)
+    .append(rest);
+  return result;
+}
+
 Glb_chunks chunks_of_glb(const std::string& bytes)
 {
   std::size_t position = HEADER;
@@ -290,15 +426,18 @@ Glb_chunks chunks_of_glb(const std::string& bytes)
   return result;
 }
 
+std::pair<int, int> accessors_of_vertices(const Mesh_instance& instance,
+                                          const tinygltf::Primitive& primitive)
+{
+  const auto joints = primitive.attributes.find("JOINTS_0");
+  return {primitive.attributes.at("POSITION"),
+          instance.joints.empty() || joints == primitive.attributes.end() ? -1 : joints->second};
+}
+
 std::vector<Mesh_instance> mesh_instances(const tinygltf::Model& model)
 {
-  constexpr std::size_t none = std::size_t(-1);
   const std::vector<bool> is_in_scene = nodes_of_scene(model);
-  std::vector<std::size_t> parents(model.nodes.size(), none);
-  for(std::size_t n = 0; n < model.nodes.size(); ++n)
-    for(const int child : model.nodes[n].children)
-      if(child >= 0 && static_cast<std::size_t>(child) < parents.size())
-        parents[static_cast<std::size_t>(child)] = n;
+  const Node_transformations transformations(model);
   std::vector<Mesh_instance> result;
   for(std::size_t n = 0; n < model.nodes.size(); ++n)
   {
@@ -309,20 +448,12 @@ std::vector<Mesh_instance> mesh_instances(const tinygltf::Model& model)
       throw std::invalid_argument("node " + std::to_string(n) + " names mesh "
                                   + std::to_string(mesh) + ", but there are "
                                   + std::to_string(model.meshes.size()));
+    result.push_back({mesh, transformations(n), n, {}});
     if(model.nodes[n].skin >= 0)
-      throw std::invalid_argument("the mesh has a skin, which is not supported");
-    result.push_back({mesh, Eigen::Affine3d::Identity(), n});
-    std::size_t steps = 0;
-    for(std::size_t node = n; node != none; node = parents[node])
-    {
-      if(steps++ == parents.size())
-        throw std::invalid_argument("the nodes form a cycle");
-      result.back().transformation
-        = own_transformation(model.nodes[node]) * result.back().transformation;
-    }
+      result.back().joints = transformations_of_joints(model, model.nodes[n].skin, transformations);
   }
   if(result.empty() && model.meshes.size() == 1 && model.scenes.empty())
-    result.push_back({0, Eigen::Affine3d::Identity(), std::nullopt});
+    result.push_back({0, Eigen::Affine3d::Identity(), std::nullopt, {}});
   if(result.empty())
     throw std::invalid_argument(model.meshes.empty()   ? "there is no mesh"
                                 : model.scenes.empty() ? "no node has a mesh"

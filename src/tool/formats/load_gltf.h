@@ -12,6 +12,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace Canonical_pose_tool {
@@ -24,6 +25,9 @@ tinygltf::Model load_gltf(const std::string& bytes, const std::string& path);
 // Throws std::invalid_argument if a position or length in a file that was loaded is negative: tinygltf
 // takes it for 0.
 void check_positions(const std::string& bytes);
+
+// A binary file with this JSON, this buffer, and chunks after it.
+std::string glb_of(const std::string& json, std::string_view buffer, std::string_view rest = {});
 
 // The parts of a binary file that was read.
 struct Glb_chunks
@@ -38,7 +42,13 @@ struct Mesh_instance
   std::size_t mesh;
   Eigen::Affine3d transformation; // by the node and those above it
   std::optional<std::size_t> node;
+  std::vector<Eigen::Affine3d> joints; // if it has a skin: from the space of the mesh to the scene
 };
+
+// What tells the vertices of the primitives of an instance apart: the accessor of their positions, and
+// that of their joints, if they have a skin.
+std::pair<int, int> accessors_of_vertices(const Mesh_instance& instance,
+                                          const tinygltf::Primitive& primitive);
 
 // The meshes of all nodes that the scene shows, in the order of the nodes; without scenes, of all nodes, or the only mesh
 // if no node has it. Throws std::invalid_argument if there is none, or a node or the scene is wrong.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "Gltf_numbers.h"
+#include "Skinned_vertices.h"
 #include "load_gltf.h"
 #include "readers.h"
 
@@ -54,23 +55,29 @@ void check_primitive(const Primitive& primitive)
                                   + ", which is not supported");
 }
 
-void read_points(const Model& model, const int accessor, const Eigen::Affine3d& transformation,
+void read_points(const Gltf_numbers& numbers, const Skinned_vertices& transformations,
                  Mesh_file& mesh)
 {
-  const Gltf_numbers numbers(model, accessor, 3, "POSITION");
   for(std::size_t i = 0; i < numbers.count(); ++i)
   {
     const Eigen::Vector3d p
-      = transformation * Eigen::Vector3d(numbers(i, 0), numbers(i, 1), numbers(i, 2));
+      = transformations(i) * Eigen::Vector3d(numbers(i, 0), numbers(i, 1), numbers(i, 2));
     mesh.points.push_back({p[0], p[1], p[2]});
     check_is_finite(mesh.points.back(), Element{"vertex", mesh.points.size() - 1});
   }
 }
 
-// `first`: the vertex of the mesh that is the first one of the primitive, which has `count` of them.
-void read_triangles(const Model& model, const Primitive& primitive, const std::size_t first,
-                    const std::size_t count, const bool is_mirrored, Mesh_file& mesh)
+// The vertices of the mesh that belong to primitives with the same positions.
+struct Vertices
 {
+  std::size_t first, count;
+  bool is_mirrored;
+};
+
+void read_triangles(const Model& model, const Primitive& primitive, const Vertices& vertices,
+                    Mesh_file& mesh)
+{
+  const auto [first, count, is_mirrored] = vertices;
   std::vector<std::size_t> corners(count);
   std::iota(corners.begin(), corners.end(), std::size_t(0));
   if(primitive.indices != -1)
@@ -97,26 +104,24 @@ void read_triangles(const Model& model, const Primitive& primitive, const std::s
 // Primitives often share their vertices, and differ in material.
 void read_instance(const Model& model, const Mesh_instance& instance, Mesh_file& mesh)
 {
-  struct Vertices
-  {
-    std::size_t first, count;
-  };
-  std::map<int, Vertices> vertices; // of accessors
-  const bool is_mirrored = instance.transformation.linear().determinant() < 0;
+  std::map<std::pair<int, int>, Vertices> vertices; // of accessors
   for(const Primitive& primitive : model.meshes[instance.mesh].primitives)
   {
     check_primitive(primitive);
     const auto position = primitive.attributes.find("POSITION");
     if(position == primitive.attributes.end())
       throw std::invalid_argument("the primitive has no attribute POSITION");
-    auto found = vertices.find(position->second);
+    const auto accessors = accessors_of_vertices(instance, primitive);
+    auto found = vertices.find(accessors);
     if(found == vertices.end())
     {
-      const std::size_t first = mesh.points.size();
-      read_points(model, position->second, instance.transformation, mesh);
-      found = vertices.emplace(position->second, Vertices{first, mesh.points.size() - first}).first;
+      const Gltf_numbers numbers(model, position->second, 3, "POSITION");
+      const Skinned_vertices transformations(model, instance, primitive, numbers.count());
+      const Vertices added = {mesh.points.size(), numbers.count(), transformations.is_mirrored()};
+      read_points(numbers, transformations, mesh);
+      found = vertices.emplace(accessors, added).first;
     }
-    read_triangles(model, primitive, found->second.first, found->second.count, is_mirrored, mesh);
+    read_triangles(model, primitive, found->second, mesh);
   }
 }
 

@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <iosfwd>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -32,8 +33,12 @@ void read_medit(const std::string& bytes, Mesh_file& mesh);
 // `path` is that of the file.
 void read_gltf(const std::string& bytes, const std::string& path, Mesh_file& mesh);
 
+// The same file, binary, with external buffers and the images beside it in one buffer; none if it is such a file already.
+// Throws std::invalid_argument.
+std::optional<std::string> self_contained_glb(const std::string& bytes, const std::string& path);
+
 // The part of rewrite_mesh() for binary glTF with one buffer, in the file. A mesh that several nodes show becomes several.
-// Morph targets and animations, which belong to other positions, are left out.
+// Morph targets, skins and animations, which belong to other positions, are left out.
 bool is_rewritable_glb(const Mesh_file& mesh);
 void rewrite_glb(std::ostream& out, const Mesh_file& mesh,
                  const std::vector<std::array<double, 3>>& points);

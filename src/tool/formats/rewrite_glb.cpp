@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "Gltf_numbers.h"
+#include "Skinned_vertices.h"
 #include "Vertex_rotations.h"
 #include "load_gltf.h"
 #include "readers.h"
@@ -30,14 +31,6 @@ namespace Canonical_pose_tool {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::string bytes_of(const std::size_t number)
-{
-  const auto value = static_cast<std::uint32_t>(number);
-  std::string result(sizeof(value), '\0');
-  std::memcpy(result.data(), &value, sizeof(value));
-  return result;
-}
 
 // The bytes of an accessor: `size` of them at `begin`, at `begin` plus the stride, and so on before `end`.
 struct Byte_pattern
@@ -167,39 +160,54 @@ void change_instance(const tinygltf::Model& model, const Mesh_instance& instance
                      const Points& points, const Vertex_rotations& rotations, std::size_t& first,
                      Changed_accessors& changed)
 {
-  const Eigen::Affine3d &to_scene = instance.transformation, from_scene = to_scene.inverse();
-  const Eigen::Matrix3d normals_to_scene = from_scene.linear().transpose();
-  std::map<int, std::size_t> first_of_positions;
-  std::map<std::pair<int, int>, std::size_t> new_accessors; // by positions and the attribute
+  const Eigen::Affine3d from_scene = instance.transformation.inverse();
+  std::map<std::pair<int, int>, std::size_t> first_of_vertices;
+  std::map<std::pair<std::pair<int, int>, int>, std::size_t>
+    new_accessors; // by vertices and the attribute
   const auto& primitives = model.meshes[instance.mesh].primitives;
   for(std::size_t p = 0; p < primitives.size(); ++p)
   {
     const auto& attributes = primitives[p].attributes;
     const int positions = attributes.at("POSITION");
     const std::size_t count = model.accessors[static_cast<std::size_t>(positions)].count;
-    const auto [found, is_new] = first_of_positions.emplace(positions, first);
+    const auto vertices = accessors_of_vertices(instance, primitives[p]);
+    const auto [found, is_new] = first_of_vertices.emplace(vertices, first);
     if(is_new)
       first += count;
     const std::size_t begin = found->second;
+    const Skinned_vertices transformations(model, instance, primitives[p], count);
     for(const std::string name : {"POSITION", "NORMAL", "TANGENT"})
     {
       const auto attribute = attributes.find(name);
       if(attribute == attributes.end())
         continue;
       const auto [accessor, is_unknown]
-        = new_accessors.emplace(std::make_pair(positions, attribute->second), 0);
-      const Eigen::Matrix3d there = name == "NORMAL" ? normals_to_scene : to_scene.linear(),
-                            back = there.inverse();
+        = new_accessors.emplace(std::make_pair(vertices, attribute->second), 0);
+      const auto of_directions = [&](const Eigen::Affine3d& transformation) -> Eigen::Matrix3d {
+        if(name == "NORMAL")
+          return transformation.linear().inverse().transpose();
+        return transformation.linear();
+      };
+      const Eigen::Matrix3d back = of_directions(instance.transformation).inverse();
       if(is_unknown)
         accessor->second = changed.write(
           attribute->second, name == "TANGENT" ? 4 : 3, name,
           [&](const std::size_t i, const Eigen::Vector3d& before) -> Eigen::Vector3d {
             if(name == "POSITION")
               return from_scene * vector_of(points[begin + i]);
-            const Eigen::Vector3d direction = there * before;
+            const Eigen::Vector3d direction = of_directions(transformations(i)) * before;
             return (back * rotations(begin + i, direction)).normalized();
           });
       mesh["primitives"][p]["attributes"][name] = accessor->second;
+    }
+    if(!instance.joints.empty())
+    {
+      Json kept = Json::object();
+      for(const auto& attribute : mesh["primitives"][p]["attributes"].items())
+        if(attribute.key().compare(0, 7, "JOINTS_") != 0
+           && attribute.key().compare(0, 8, "WEIGHTS_") != 0)
+          kept[attribute.key()] = attribute.value();
+      mesh["primitives"][p]["attributes"] = kept;
     }
   }
 }
@@ -267,8 +275,9 @@ try
   for(const auto& [name, text] : texts)
     if(names.count(name) > 0)
       result.push_back(text);
-  if(!json.value("animations", Json::array()).empty())
-    result.push_back("animations");
+  for(const char* const name : {"skins", "animations"})
+    if(!json.value(name, Json::array()).empty())
+      result.push_back(name);
   return result;
 }
 catch(const Json::exception&) // what is not as it should be was not read
@@ -290,6 +299,10 @@ void rewrite_glb(std::ostream& out, const Mesh_file& mesh, const Points& points)
       primitive.erase("targets");
   }
   json.erase("animations");
+  json.erase("skins");
+  if(json.contains("nodes"))
+    for(Json& node : json["nodes"])
+      node.erase("skin");
 
   const Vertex_rotations rotations(mesh, points);
   Changed_accessors changed(model, json, buffer);
@@ -310,13 +323,7 @@ void rewrite_glb(std::ostream& out, const Mesh_file& mesh, const Points& points)
   buffer.resize((buffer.size() + 3) / 4 * 4);
   json["buffers"][0]["byteLength"] = buffer.size();
 
-  std::string text = json.dump();
-  text.resize((text.size() + 3) / 4 * 4, ' ');
-  constexpr std::size_t headers = 12 + 2 * 8; // of the file, and of two chunks
-  out << "glTF" << bytes_of(2)
-      << bytes_of(headers + text.size() + buffer.size() + chunks.rest.size())
-      << bytes_of(text.size()) << "JSON" << text << bytes_of(buffer.size())
-      << std::string("BIN\0", 4) << buffer << chunks.rest;
+  out << glb_of(json.dump(), buffer, chunks.rest);
 }
 
 } // namespace Canonical_pose_tool

@@ -19,6 +19,11 @@ void read_gltf(const std::string&, const std::string&, Mesh_file&)
   throw std::invalid_argument("this program was built without glTF");
 }
 
+std::optional<std::string> self_contained_glb(const std::string&, const std::string&)
+{
+  return std::nullopt;
+}
+
 bool is_rewritable_glb(const Mesh_file&) { return false; }
 
 void rewrite_glb(std::ostream&, const Mesh_file&, const std::vector<std::array<double, 3>>&)
