@@ -172,7 +172,11 @@ Mesh_file mesh_of(const py::object& vertices, const py::object& faces, const py:
   mesh.points = points_of(vertices, "vertices");
   mesh.is_tetrahedral = !cells.is_none();
   if(mesh.is_tetrahedral)
+  {
     mesh.cells = cells_of(cells, mesh.points.size());
+    mesh.point_references.assign(mesh.points.size(), 0);
+    mesh.cell_references.assign(mesh.cells.size(), 0);
+  }
   else
     mesh.faces = faces_of(faces, mesh.points.size());
   return mesh;

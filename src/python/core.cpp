@@ -10,12 +10,15 @@
 #include "arrays.h"
 #include "solvers.h"
 
+#include "Output_files.h"
 #include "Report.h"
 #include "compute_parts.h"
 #include "compute_pose.h"
 #include "descriptors.h"
 #include "exact_geodesics.h"
 #include "formats/Cgal_types.h"
+#include "formats/Mesh_file.h"
+#include "formats/Shown_surface.h"
 
 #include <CGAL/Canonical_pose_3/call_with_threads.h>
 #include <CGAL/Canonical_pose_3/geodesic_distances.h>
@@ -167,6 +170,77 @@ py::dict describe(const py::object& vertices, const py::object& faces,
   return result;
 }
 
+// Faces with the same number of corners each are a matrix, others a list of lists.
+py::object faces_array(const tool::Face_list& faces)
+{
+  const std::size_t corners = faces.empty() ? 3 : faces[0].size();
+  bool is_matrix = true;
+  for(std::size_t f = 0; f < faces.size() && is_matrix; ++f)
+    is_matrix = faces[f].size() == corners;
+  py::list lists;
+  if(!is_matrix)
+  {
+    for(const auto face : faces)
+      lists.append(py::cast(std::vector<std::size_t>(face.begin(), face.end())));
+    return std::move(lists);
+  }
+  std::vector<std::size_t> all;
+  for(const auto face : faces)
+    all.insert(all.end(), face.begin(), face.end());
+  return array_of(std::move(all)).attr("reshape")(-1, corners);
+}
+
+py::tuple load(const std::string& path)
+{
+  const Mesh_file mesh = without_lock([&] { return tool::read_other_mesh_file(path); });
+  py::array_t<double> vertices({static_cast<py::ssize_t>(mesh.points.size()), py::ssize_t(3)});
+  for(std::size_t v = 0; v < mesh.points.size(); ++v)
+    for(std::size_t k = 0; k < 3; ++k)
+      vertices.mutable_at(static_cast<py::ssize_t>(v), static_cast<py::ssize_t>(k))
+        = mesh.points[v][k];
+  if(!mesh.is_tetrahedral)
+    return py::make_tuple(std::move(vertices), faces_array(mesh.faces), py::none());
+  std::vector<std::size_t> cells;
+  for(const auto& cell : mesh.cells)
+    cells.insert(cells.end(), cell.begin(), cell.end());
+  return py::make_tuple(std::move(vertices), py::none(),
+                        array_of(std::move(cells)).attr("reshape")(-1, 4));
+}
+
+// Returns what is lost of the file `like`.
+std::vector<std::string> save(const std::string& path, const py::object& vertices,
+                              const py::object& faces, const py::object& cells,
+                              const std::optional<std::string>& like)
+{
+  Mesh_file mesh;
+  if(!like)
+    mesh = mesh_of(vertices, faces, cells);
+  const auto points = points_of(vertices, "vertices");
+  return without_lock([&] {
+    if(like)
+      mesh = tool::read_other_mesh_file(*like, tool::Source::KEPT);
+    if(points.size() != mesh.points.size())
+      throw std::invalid_argument("there are " + std::to_string(points.size()) + " vertices, but '"
+                                  + *like + "' has " + std::to_string(mesh.points.size()));
+    const tool::Format format = tool::format_of(path, tool::Use::WRITE);
+    if(mesh.is_tetrahedral != (format == tool::Format::MEDIT || format == tool::Format::VTU))
+      throw std::invalid_argument(mesh.is_tetrahedral
+                                    ? "a tetrahedral mesh is written as .mesh or .vtu"
+                                    : "a surface cannot be written as .mesh or .vtu");
+    tool::check_format_holds(format, mesh);
+    tool::Output_files files({path});
+    files.write(path, [&](std::ostream& out) {
+      if(tool::is_rewritable(mesh, format))
+        return tool::rewrite_mesh(out, mesh, points, {});
+      Mesh_file written = mesh;
+      written.points = points;
+      tool::write_mesh(out, format, written);
+    });
+    files.commit();
+    return tool::losses(mesh, format);
+  });
+}
+
 // Sources of a solver.
 std::vector<std::size_t> sources_of(const Heat_solver& solver, const py::object& sources)
 {
@@ -200,6 +274,8 @@ PYBIND11_MODULE(_core, module)
   module.def("compare", &compare);
   module.def("segment", &segment);
   module.def("describe", &describe);
+  module.def("load", &load);
+  module.def("save", &save);
 
   py::class_<Heat_solver>(module, "Heat_solver")
     .def(py::init([](const py::object& vertices, const py::object& faces,

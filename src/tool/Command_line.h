@@ -7,6 +7,7 @@
 #include <CGAL/Canonical_pose_3/Options.h>
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -37,7 +38,8 @@ struct Arguments
   std::string given_distances; // file of numbers
   std::string geodesics = "heat";
   std::vector<std::size_t> sources;
-  std::vector<std::string> poses;       // of COMPARE
+  std::vector<std::string> poses; // this and the next: of COMPARE
+  bool has_pairs = false;
   std::string pose;                     // of SEGMENT and DESCRIBE
   std::vector<std::string> descriptors; // names, of DESCRIBE
   std::string method = "consensus";     // this and the next: of SEGMENT
@@ -60,6 +62,9 @@ struct Arguments
   std::string csv, plot;
   CGAL::Canonical_pose_3::Options options;
   bool quiet = false;
+  bool is_watched = false; // on a terminal
+  // Tells what is being done if the run is watched; an empty text before other output.
+  std::function<void(const std::string&)> say = [](const std::string&) {};
   bool is_strict = false; // of CHECK
 };
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "Output_files.h"
+#include "Command_line.h"
 #include "formats/Mesh_file.h"
 #include "formats/gzip.h"
 
@@ -223,7 +224,7 @@ Output_files::Output_files(const std::vector<std::string>& paths,
     if(is_standard_stream(path))
     {
       if(!places.insert("-").second)
-        throw std::invalid_argument("two outputs cannot both be the standard output");
+        throw Usage_error("two outputs cannot both be the standard output");
       continue;
     }
     const fs::path place = place_of(path);
@@ -239,7 +240,7 @@ Output_files::Output_files(const std::vector<std::string>& paths,
       if(is_same_file(place.string(), input))
         throw std::invalid_argument(cannot_write(path, "it is an input"));
     if(!places.insert(place).second)
-      throw std::invalid_argument(cannot_write(path, "another output has the same name"));
+      throw Usage_error(cannot_write(path, "another output has the same name"));
     m_places[path] = place;
   }
 }

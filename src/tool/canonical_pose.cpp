@@ -5,6 +5,7 @@
 
 #include "Command_line.h"
 #include "Output_files.h"
+#include "Progress_line.h"
 #include "commands/commands.h"
 #include "formats/Mesh_file.h"
 
@@ -21,6 +22,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <unistd.h>
 
 namespace {
 
@@ -57,8 +59,18 @@ int main(int argc, char* argv[])
     if(const std::optional<int> exit_code = parse_command_line(argc, argv, arguments))
       return *exit_code;
     if(!arguments.input.empty())
-      subject = (is_standard_stream(arguments.input) ? "standard input" : arguments.input) + ": ";
+      subject = name_of_input(arguments.input) + ": ";
+    std::optional<Progress_line> line;
+    if(!arguments.quiet && isatty(STDERR_FILENO))
+    {
+      line.emplace(std::cerr);
+      arguments.is_watched = true;
+      arguments.say = [&line](const std::string& text) { line->show(text); };
+    }
+    if(!arguments.input.empty())
+      arguments.say("reading " + name_of_input(arguments.input));
     const int exit_code = arguments.command->run(arguments);
+    line.reset();
     if(!std::cout.flush())
       throw std::runtime_error("the standard output cannot be written");
     return exit_code;

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdio>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -325,6 +326,20 @@ void add_weighted_descriptors(Command_options& o)
       const std::size_t colon = text.rfind(':');
       return colon == std::string::npos ? std::string() : weight(text.substr(colon + 1));
     });
+}
+
+Options watched_options(const Arguments& arguments)
+{
+  Options options = arguments.options;
+  if(arguments.is_watched)
+    options.visitor = [&arguments](const CGAL::Canonical_pose_3::Registration_progress& progress) {
+      char text[80];
+      std::snprintf(text, sizeof(text), "iteration %d, energy %.6g, largest move %.2g of L",
+                    progress.iteration, progress.energy, progress.largest_move);
+      arguments.say(text);
+      return true;
+    };
+  return options;
 }
 
 void take(const Raw_arguments& raw, Arguments& arguments)

@@ -101,6 +101,9 @@ void add_given_pose(Command_options& o);
 CLI::Option* add_database(Command_options& o); // required
 void add_weighted_descriptors(Command_options& o);
 
+// The options of the library, with a visitor that tells the iterations of a watched run.
+CGAL::Canonical_pose_3::Options watched_options(const Arguments& arguments);
+
 // Converts what was parsed. Throws CLI::ValidationError.
 void take(const Raw_arguments& raw, Arguments& arguments);
 

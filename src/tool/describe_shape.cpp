@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "describe_shape.h"
+#include "command_options.h"
 #include "compute_pose.h"
 #include "formats/Cgal_types.h"
 
@@ -27,7 +28,7 @@ void take_pose(const Mesh_file& input, const Arguments& arguments, Shape_descrip
                                   + std::to_string(shape.points.rows()));
     return;
   }
-  Result result = compute_pose(input, arguments.options);
+  Result result = compute_pose(input, watched_options(arguments));
   shape.pose = std::move(result.pose);
   shape.summary = std::move(result.summary);
 }
@@ -38,6 +39,7 @@ Shape_description describe_shape(const Mesh_file& input, const std::vector<Descr
                                  const Arguments& arguments, const bool needs_pose)
 {
   check_is_surface(input);
+  arguments.say("computing the pose");
   Shape_description shape;
   shape.points = matrix_of(points_of(input));
   if(needs_pose
@@ -45,9 +47,13 @@ Shape_description describe_shape(const Mesh_file& input, const std::vector<Descr
     take_pose(input, arguments, shape);
   CGAL::Canonical_pose_3::call_with_threads(arguments.options.number_of_threads, [&] {
     for(const Descriptor& d : chosen)
+    {
+      arguments.say("computing " + d.name);
       shape.descriptors.push_back(
         {d.name, d.version, d.values(d.needs_pose ? shape.pose : shape.points, input.faces)});
+    }
   });
+  arguments.say("");
   return shape;
 }
 

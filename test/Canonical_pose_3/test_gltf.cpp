@@ -446,6 +446,18 @@ TEST(Gltf, skins)
   EXPECT_FALSE(changed["meshes"][0]["primitives"][0]["attributes"].contains("JOINTS_0"));
   EXPECT_EQ(changed["nodes"][0]["scale"], model["nodes"][0]["scale"]);
 
+  // Joints that mirror turn the faces over, which the pose must keep.
+  json mirrored = model;
+  mirrored["nodes"][1]["scale"] = {-1, 1, 1};
+  const std::string mirrored_file = with_json(bytes, mirrored);
+  const Mesh_file original = mesh;
+  mesh = read(mirrored_file);
+  EXPECT_NE(mesh.faces, original.faces);
+  mesh.source = std::make_shared<const Source_file>(Source_file{Format::GLB, mirrored_file});
+  std::ostringstream turned_over;
+  rewrite_mesh(turned_over, mesh, mesh.points, {});
+  expect_near(read(turned_over.str()), mesh, 1e-4);
+
   const auto refusal = [&](const std::string& path, const json& value) {
     json wrong = model;
     wrong[json::json_pointer(path)] = value;
@@ -483,8 +495,12 @@ TEST(Gltf, buffers_and_images_beside_the_file)
                       {{"byteLength", size}, {"uri", uri_of("b.bin", bytes.substr(chunk))}}};
   const int indices = model["meshes"][0]["primitives"][0]["indices"];
   model["bufferViews"][model["accessors"][indices]["bufferView"].get<int>()]["buffer"] = 1;
-  model["images"] = {{{"uri", uri_of("c.png", "not really a picture")}, {"name", "c"}},
-                     {{"uri", "missing.jpg"}}};
+  const std::string picture = "\x89PNG, but not really";
+  std::string uri = uri_of("c d.PNG", picture);
+  uri.replace(uri.find(' '), 1, "%20");
+  model["images"] = {{{"uri", uri}, {"name", "c"}},
+                     {{"uri", "missing.jpg"}},
+                     {{"uri", uri_of("e.png", "no picture at all")}}};
   const Mesh_file read_one
     = read_mesh_file(written_file("scene.gltf", model.dump()), Source::KEPT);
   expect_near(read_one, mesh, 1e-6);
@@ -494,15 +510,20 @@ TEST(Gltf, buffers_and_images_beside_the_file)
   expect_near(read(out.str()), mesh, 1e-6);
   const json changed = json_of(out.str());
   EXPECT_EQ(changed["buffers"].size(), 1u);
-  EXPECT_EQ(changed["images"][1], (json{{"uri", "missing.jpg"}})); // as it was
+  EXPECT_EQ(changed["images"][1], model["images"][1]); // as they were
+  EXPECT_EQ(changed["images"][2], model["images"][2]);
+  EXPECT_EQ(losses(read_one, Format::GLB).back(), "images that are not beside it");
   const json& image = changed["images"][0];
   EXPECT_EQ(image["mimeType"], "image/png");
   EXPECT_EQ(image["name"], "c");
   const json& view = changed["bufferViews"][image["bufferView"].get<int>()];
   EXPECT_EQ(out.str().substr(28 + number_at(out.str(), 12) + view["byteOffset"].get<std::size_t>(),
                              view["byteLength"]),
-            "not really a picture");
-  EXPECT_EQ(self_contained_glb(out.str(), ""), std::nullopt);
+            picture);
+
+  json complete = changed;
+  complete["images"] = {changed["images"][0]};
+  EXPECT_EQ(self_contained_glb(with_json(out.str(), complete), ""), std::nullopt);
 }
 
 // Only what the default scene shows, otherwise the first one, is part of the surface.

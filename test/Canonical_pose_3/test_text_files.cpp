@@ -174,6 +174,7 @@ TEST(Text_files, compressed)
       expect_equal(read_mesh_file(written_file("content.gz", bytes)), expected);
       EXPECT_THROW_WITH(read_mesh_file(written_file(name, bytes.substr(0, bytes.size() - 1))),
                         std::invalid_argument, "the compressed file is truncated");
+      expect_equal(read_mesh_file(written_file(name, bytes + std::string(3, '\0'))), expected);
       EXPECT_THROW_WITH(read_mesh_file(written_file(name, bytes + "x")), std::invalid_argument,
                         "the compressed file is");
     }
@@ -206,6 +207,8 @@ TEST(Text_files, content_of_another_format)
                     std::invalid_argument, "there is no keyword OFF; its content looks like PLY");
   EXPECT_THROW_WITH(read_mesh_file(written_file("lie.ply", TEXTS.at("tetrahedron.stl"))),
                     std::invalid_argument, "there is no keyword ply; its content looks like STL");
+  EXPECT_THROW_WITH(read_mesh_file(written_file("lie.obj", TEXTS.at("tetrahedron.off"))),
+                    std::invalid_argument, "there is no vertex; its content looks like OFF");
 }
 
 // The header of a binary file is any text, and may begin like a mark.

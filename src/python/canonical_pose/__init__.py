@@ -26,6 +26,9 @@ registration after the current iteration.
 """
 
 import json as _json
+import os as _os
+import typing as _typing
+import warnings as _warnings
 
 import numpy as _numpy
 
@@ -33,9 +36,86 @@ from canonical_pose import _core
 
 __version__ = _core.version
 __all__ = [
-    "DescriptorIndex", "HeatSolver", "Registrar",
-    "check", "compare", "describe", "geodesics", "pose", "segment", "target",
+    "DescriptorIndex", "HeatSolver", "Mesh", "Registrar",
+    "check", "compare", "describe", "geodesics", "load", "pose", "save", "segment", "target",
 ]
+
+
+class Mesh(_typing.NamedTuple):
+    """What a file contains: a surface, or a tetrahedral mesh; see `load`.
+
+    Examples
+    --------
+    >>> mesh = canonical_pose.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], None, [[0, 1, 2, 3]])
+    >>> pose, report = canonical_pose.pose(**mesh._asdict())
+    """
+
+    vertices: _numpy.ndarray
+    faces: _typing.Any
+    cells: _typing.Any
+
+
+def load(path):
+    """Read a mesh from a file.
+
+    Parameters
+    ----------
+    path : string or path
+        A file that the program reads: OFF, OBJ, PLY, STL, glTF, or MEDIT, also compressed (``.gz``).
+
+    Returns
+    -------
+    mesh : Mesh
+        A named tuple of ``vertices``, an array of n x 3, ``faces``, an array of m x k, or a list of
+        lists if their numbers of corners differ, and ``cells``, an array of m x 4. Of a surface,
+        ``cells`` is None, and of a tetrahedral mesh, ``faces`` is.
+
+    Examples
+    --------
+    >>> with open("triangle.obj", "w") as file:
+    ...     characters = file.write("v 0 0 0\\nv 2 0 0\\nv 0 1 0\\nf 1 2 3\\n")
+    >>> mesh = canonical_pose.load("triangle.obj")
+    >>> mesh.vertices.shape, mesh.faces, mesh.cells
+    ((3, 3), array([[0, 1, 2]]), None)
+    """
+    return Mesh(*_core.load(_os.fspath(path)))
+
+
+def save(path, vertices, faces=None, *, cells=None, like=None):
+    """Write a mesh to a file, in the format of its extension.
+
+    Parameters
+    ----------
+    path : string or path
+        ``.off``, ``.obj``, ``.ply``, ``.stl``, ``.glb``; for tetrahedral meshes, ``.mesh``, ``.vtu``.
+        With ``.gz`` at the end, the file is compressed.
+    vertices : array, n x 3
+        Positions.
+    faces : array of integers, m x k, or sequence of sequences
+        The faces of a surface.
+    cells : array of integers, m x 4
+        The cells of a tetrahedral mesh, instead of `faces`.
+    like : string or path
+        A file with n vertices, whose faces or cells are written, instead of `faces` and `cells`. If
+        both files have the same format, all of it but the positions stays as it is (texture
+        coordinates, materials, colors, ...), and normals turn with the faces. Otherwise, or if
+        something is lost nevertheless, there is a warning.
+
+    Examples
+    --------
+    >>> vertices = [[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 5)]
+    >>> faces = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]]
+    >>> canonical_pose.save("box.ply", vertices, faces)
+    >>> pose, report = canonical_pose.pose(vertices, faces)
+    >>> canonical_pose.save("pose.ply", pose, like="box.ply")
+    """
+    if like is not None and (faces is not None or cells is not None):
+        raise TypeError("faces and cells are those of the file `like`")
+    lost = _core.save(_os.fspath(path), vertices, faces, cells,
+                      None if like is None else _os.fspath(like))
+    if lost:
+        _warnings.warn(f"'{_os.fspath(path)}' lacks {', '.join(lost)} of '{_os.fspath(like)}'",
+                       stacklevel=2)
 
 
 def pose(vertices, faces=None, *, cells=None, return_target=False,
@@ -389,6 +469,13 @@ class HeatSolver:
 
     def __init__(self, vertices, faces, *, time_step_factor=1.):
         self._core = _core.Heat_solver(vertices, faces, time_step_factor)
+        self._arguments = _copied(vertices, faces), {"time_step_factor": time_step_factor}
+
+    def __reduce__(self):
+        return _restored, (HeatSolver, *self._arguments)
+
+    def __repr__(self):
+        return f"<HeatSolver of {len(self._arguments[0][0])} vertices>"
 
     def distances(self, source):
         """Return the distances of all vertices.
@@ -436,6 +523,8 @@ class Registrar:
     **options
         As for `pose`, but for constraints, `rounds`, `frame` and `paper_weights`.
 
+    Copies and pickles are prepared anew, with the current detail length, and start at rest.
+
     Attributes
     ----------
     target : array, n x 3
@@ -460,6 +549,17 @@ class Registrar:
             if name in options:
                 raise TypeError(f"a registrar has no option {name}")
         self._core = _core.Registrar(vertices, faces, options)
+        self._arguments = _copied(vertices, faces), options
+        self._detail_length = None
+
+    def __reduce__(self):
+        return _restored, (Registrar, *self._arguments), self._detail_length
+
+    def __setstate__(self, detail_length):
+        self.set_detail_length(detail_length)
+
+    def __repr__(self):
+        return f"<Registrar of {len(self._arguments[0][0])} vertices>"
 
     @property
     def target(self):
@@ -476,6 +576,7 @@ class Registrar:
     def set_detail_length(self, detail_length):
         """Set the detail length, as a fraction of the largest distance."""
         self._core.set_detail_length(detail_length)
+        self._detail_length = detail_length
 
     def register(self, target, *, warm=False):
         """Pull the surface toward a target.
@@ -522,6 +623,27 @@ class DescriptorIndex:
 
     def __init__(self, descriptor):
         self._core = _core.Descriptor_index(descriptor)
+        self._descriptor = descriptor
+
+    def __reduce__(self):
+        return _restored_index, (self._descriptor, [self.values(i) for i in range(len(self))])
+
+    def __repr__(self):
+        return f"<DescriptorIndex of {len(self)} shapes by {self._descriptor}>"
+
+    def save(self, path):
+        """Write the index to a file, which `load` reads."""
+        values = [self.values(i) for i in range(len(self))]
+        with open(path, "wb") as file:
+            _numpy.savez(file, descriptor=self._descriptor, values=values)
+
+    @staticmethod
+    def load(path):
+        """Return the index in a file that `save` wrote."""
+        with _numpy.load(path, allow_pickle=False) as file:
+            if "descriptor" not in file or "values" not in file:
+                raise ValueError(f"'{_os.fspath(path)}' is not an index")
+            return _restored_index(str(file["descriptor"]), list(file["values"]))
 
     def __len__(self):
         return len(self._core)
@@ -566,6 +688,23 @@ class DescriptorIndex:
             Their distances, without unit.
         """
         return self._core.nearest(query, number)
+
+
+def _copied(vertices, faces):
+    """Return copies, for pickles of what was computed from them."""
+    faces = faces.copy() if isinstance(faces, _numpy.ndarray) else [list(face) for face in faces]
+    return _numpy.array(vertices, dtype=float), faces
+
+
+def _restored(which, arrays, options):
+    return which(*arrays, **options)
+
+
+def _restored_index(descriptor, values):
+    index = DescriptorIndex(descriptor)
+    for vector in values:
+        index.insert(vector)
+    return index
 
 
 def _sources(source):

@@ -1,7 +1,8 @@
 # Types of the module, for editors and type checkers; see __init__.py.
 
 from collections.abc import Sequence
-from typing import Any, Literal, TypedDict, overload
+from os import PathLike
+from typing import Any, Literal, NamedTuple, TypedDict, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -19,10 +20,20 @@ _Geodesics = Literal["heat", "wavefront", "exact"]
 _Kernel = Literal["classical", "gaussian", "gaussian-uncentred"]
 _TargetMode = Literal["mds", "unfold"]
 _Frame = Literal["input", "canonical"]
-_Components = Literal["refuse", "largest", "each"]
+_Components = Literal["auto", "refuse", "largest", "each"]
 _Contacts = Literal["keep", "cut"]
 _Solver = Literal["auto", "eigen", "cholmod"]
-_Constraints = Sequence[Sequence[float]] | None
+_Constraints = ArrayLike | Sequence[Sequence[float]] | None
+_Path = str | PathLike[str]
+
+class Mesh(NamedTuple):
+    vertices: _Floats
+    faces: _Integers | list[list[int]] | None
+    cells: _Integers | None
+
+def load(path: _Path) -> Mesh: ...
+def save(path: _Path, vertices: ArrayLike, faces: _Faces | None = ..., *,
+         cells: ArrayLike | None = ..., like: _Path | None = ...) -> None: ...
 
 class _Options(TypedDict, total=False):
     detail_length: float
@@ -94,6 +105,9 @@ class Registrar:
 class DescriptorIndex:
     def __init__(self, descriptor: str) -> None: ...
     def __len__(self) -> int: ...
+    def save(self, path: _Path) -> None: ...
+    @staticmethod
+    def load(path: _Path) -> DescriptorIndex: ...
     def insert(self, values: ArrayLike) -> int: ...
     def values(self, shape: int) -> _Floats: ...
     def distances(self, query: ArrayLike | None = ...) -> _Floats: ...

@@ -9,6 +9,8 @@
 
 """Classes that are prepared once give the same results as the functions."""
 
+import copy
+import pickle
 import threading
 
 import numpy as np
@@ -177,3 +179,35 @@ def test_descriptor_index(tube, box):
         canonical_pose.DescriptorIndex("colors")
     with pytest.raises(IndexError):
         index.values(3)
+
+
+@pytest.mark.parametrize("copied", [copy.copy, copy.deepcopy,
+                                    lambda x: pickle.loads(pickle.dumps(x))])
+def test_copies(fine_tube, tmp_path, copied):
+    """Copies compute the same, and do not depend on arrays that change afterward."""
+    vertices, faces = np.array(fine_tube[0]), fine_tube[1]
+    solver = canonical_pose.HeatSolver(vertices, faces, time_step_factor=2.)
+    registrar = canonical_pose.Registrar(vertices, faces, landmarks=20)
+    registrar.set_detail_length(.3)
+    target = registrar.target
+    pose, _ = registrar.register(target)
+    vertices[:] = 0
+    assert copied(solver).distances(3).tobytes() == solver.distances(3).tobytes()
+    again = copied(registrar)
+    assert again.register(target)[0].tobytes() == pose.tobytes()
+    assert repr(solver) == f"<HeatSolver of {len(vertices)} vertices>"
+    assert repr(registrar) == f"<Registrar of {len(vertices)} vertices>"
+
+    index = canonical_pose.DescriptorIndex("shape-distribution-d2")
+    for k in range(3):
+        index.insert(np.linspace(0, k, 64))
+    index.save(tmp_path / "index")
+    for other in copied(index), canonical_pose.DescriptorIndex.load(tmp_path / "index"):
+        assert other.distances().tobytes() == index.distances().tobytes()
+        assert repr(other) == "<DescriptorIndex of 3 shapes by shape-distribution-d2>"
+    empty = canonical_pose.DescriptorIndex("views")
+    empty.save(tmp_path / "empty")
+    assert len(copied(empty)) == len(canonical_pose.DescriptorIndex.load(tmp_path / "empty")) == 0
+    np.savez(tmp_path / "other.npz", a=1)
+    with pytest.raises(ValueError, match="is not an index"):
+        canonical_pose.DescriptorIndex.load(tmp_path / "other.npz")

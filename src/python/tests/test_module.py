@@ -163,7 +163,8 @@ def public_functions():
                     yield f"{name}.{method}", function
 
 
-def test_documentation():
+def test_documentation(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)  # some examples write files
     finder = doctest.DocTestFinder()
     runner = doctest.DocTestRunner(optionflags=doctest.NORMALIZE_WHITESPACE)
     tests = {test.name: test for test in finder.find(
@@ -182,17 +183,21 @@ def test_types():
     folder = pathlib.Path(canonical_pose.__file__).parent
     assert (folder / "py.typed").exists()
     tree = ast.parse((folder / "__init__.pyi").read_text())
-    typed, options = {}, set()
+    typed, fields, options = {}, {}, set()
     for node in tree.body:
         if isinstance(node, ast.ClassDef):
+            fields[node.name] = [item.target.id for item in node.body if isinstance(item, ast.AnnAssign)]
             if node.name == "_Options":
-                options = {item.target.id for item in node.body}
+                options = set(fields[node.name])
             for item in node.body:
                 if isinstance(item, ast.FunctionDef):
                     typed[f"{node.name}.{item.name}"] = item.args
         elif isinstance(node, ast.FunctionDef):
             typed[node.name] = node.args
     for name, value in public_functions():
+        if hasattr(value, "_fields"):
+            assert fields[name] == list(value._fields)
+            continue
         function = value.__init__ if inspect.isclass(value) else value
         arguments = typed[name + ".__init__" if inspect.isclass(value) else name]
         names = [argument.arg for argument in arguments.args + arguments.kwonlyargs]

@@ -29,7 +29,7 @@ const char* const create_shapes = R"(
 CREATE TABLE shape(
   id INTEGER PRIMARY KEY, path TEXT NOT NULL, checksum TEXT NOT NULL, options TEXT NOT NULL,
   version TEXT NOT NULL, outcome TEXT NOT NULL, message TEXT NOT NULL, report TEXT NOT NULL,
-  has_pose INTEGER NOT NULL, parts BLOB NOT NULL, seconds REAL NOT NULL, time_limit REAL NOT NULL,
+  pose TEXT NOT NULL, parts BLOB NOT NULL, seconds REAL NOT NULL, time_limit REAL NOT NULL,
   memory_limit REAL NOT NULL, UNIQUE(path, options));
 CREATE INDEX content ON shape(checksum);
 )";
@@ -38,15 +38,17 @@ CREATE TABLE descriptor(
   shape INTEGER NOT NULL REFERENCES shape(id) ON DELETE CASCADE, name TEXT NOT NULL,
   version INTEGER NOT NULL, "values" BLOB NOT NULL, PRIMARY KEY(shape, name));
 )";
-// In version 1, there was one row per path.
+// In version 1, there was one row per path, and it was not known which poses belong to it.
 const char* const begin_upgrade = "ALTER TABLE shape RENAME TO shape_1;";
 const char* const end_upgrade = R"(
-INSERT INTO shape SELECT * FROM shape_1;
+INSERT INTO shape SELECT id, path, checksum, options, version, outcome, message, report, '', parts, seconds,
+  time_limit, memory_limit FROM shape_1;
 DROP TABLE shape_1;
 )";
 
-constexpr std::array<Outcome, 5> all_outcomes
-  = {Outcome::DONE, Outcome::REFUSED, Outcome::CRASHED, Outcome::TIMED_OUT, Outcome::OUT_OF_MEMORY};
+constexpr std::array<Outcome, 6> all_outcomes
+  = {Outcome::DONE,      Outcome::REFUSED,       Outcome::CRASHED,
+     Outcome::TIMED_OUT, Outcome::OUT_OF_MEMORY, Outcome::NOT_WRITTEN};
 
 Outcome outcome_of(const std::string& name)
 {
@@ -157,6 +159,8 @@ std::string name_of(const Outcome outcome)
     return "time limit";
   case Outcome::OUT_OF_MEMORY:
     return "out of memory";
+  case Outcome::NOT_WRITTEN:
+    return "not written";
   default:
     return "crashed";
   }
@@ -213,7 +217,7 @@ Collection_database::Collection_database(const std::string& path, const bool is_
 {
   sqlite3* database = nullptr;
   const int code = sqlite3_open_v2(
-    path.c_str(), &database,
+    std::filesystem::absolute(path).c_str(), &database, // not what SQLite sees in other names
     is_writable ? SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE : SQLITE_OPEN_READONLY, nullptr);
   m_database.reset(database);
   if(code != SQLITE_OK)
@@ -245,6 +249,7 @@ Collection_database::Collection_database(const std::string& path, const bool is_
       execute(("PRAGMA user_version = " + std::to_string(TABLES)).c_str());
     });
   }
+  m_has_checksums_of_poses = is_writable || tables == TABLES;
   execute("PRAGMA foreign_keys = ON");
 }
 
@@ -276,16 +281,18 @@ std::optional<Shape_row> Collection_database::row_of(const std::string& path,
                                                      const std::string& options)
 {
   Statement statement(m_database.get(), m_path,
-                      "SELECT checksum, options, version, outcome, message, has_pose, "
-                      "length(parts), time_limit, memory_limit, id FROM shape "
-                      "WHERE path = ? AND options = ?");
+                      "SELECT checksum, options, version, outcome, message, "
+                        + std::string(m_has_checksums_of_poses ? "pose" : "''")
+                        + ", "
+                          "length(parts), time_limit, memory_limit, id FROM shape "
+                          "WHERE path = ? AND options = ?");
   if(!statement.bind(path).bind(options).step())
     return std::nullopt;
   Shape_row row;
   row.key = {path, statement.text(0), statement.text(1), statement.text(2)};
   row.outcome = outcome_of(statement.text(3));
   row.message = statement.text(4);
-  row.has_pose = statement.integer(5) != 0;
+  row.pose = statement.text(5);
   row.parts.resize(static_cast<std::size_t>(statement.integer(6)) / sizeof(int));
   row.time_limit = statement.number(7);
   row.memory_limit = statement.number(8);
@@ -349,10 +356,10 @@ void Collection_database::write_row(const Shape_row& row)
       .step();
   Statement(m_database.get(), m_path,
             "INSERT INTO shape(path, checksum, options, version, outcome, message, report, "
-            "has_pose, parts, seconds, time_limit, memory_limit) "
+            "pose, parts, seconds, time_limit, memory_limit) "
             "VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?) ON CONFLICT(path, options) DO UPDATE SET "
             "outcome = excluded.outcome, message = excluded.message, report = excluded.report, "
-            "has_pose = has_pose OR excluded.has_pose, "
+            "pose = iif(excluded.pose <> '', excluded.pose, pose), "
             "parts = iif(length(excluded.parts) > 0, excluded.parts, parts), "
             "seconds = excluded.seconds, time_limit = excluded.time_limit, "
             "memory_limit = excluded.memory_limit")
@@ -363,7 +370,7 @@ void Collection_database::write_row(const Shape_row& row)
     .bind(name_of(row.outcome))
     .bind(row.message)
     .bind(row.report)
-    .bind(static_cast<std::int64_t>(row.has_pose))
+    .bind(row.pose)
     .bind_blob(row.parts.data(), row.parts.size() * sizeof(int))
     .bind(row.seconds)
     .bind(row.time_limit)

@@ -18,7 +18,7 @@ struct sqlite3;
 namespace Canonical_pose_tool {
 
 // How it ended for a shape.
-enum class Outcome { DONE, REFUSED, CRASHED, TIMED_OUT, OUT_OF_MEMORY };
+enum class Outcome { DONE, REFUSED, CRASHED, TIMED_OUT, OUT_OF_MEMORY, NOT_WRITTEN };
 
 std::string name_of(Outcome outcome);
 
@@ -51,7 +51,7 @@ struct Shape_row
   Outcome outcome = Outcome::DONE;
   std::string message; // of a refusal
   std::string report;  // JSON; empty unless DONE
-  bool has_pose = false;
+  std::string pose;    // checksum of its file; empty if not requested
   std::vector<int> parts; // of the faces; empty if not requested
   double seconds = 0;
   double time_limit = 0, memory_limit = 0; // at that time; 0: none
@@ -134,6 +134,7 @@ private:
   std::vector<std::string> texts(const char* sql);
 
   std::string m_path;
+  bool m_has_checksums_of_poses = true;
   std::unique_ptr<sqlite3, Close> m_database;
   std::unique_ptr<Write_lock> m_lock;
 };

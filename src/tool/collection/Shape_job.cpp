@@ -64,16 +64,21 @@ Shape_row Shape_job::row_of(const Child_process::Ending& ending) const
     row.message = std::string("ended by a signal: ") + strsignal(ending.signal);
   }
   else if(ending.exit_code != 0)
-    row.outcome
-      = row.message == "out of memory" || row.message.find("not enough memory") != std::string::npos
-          ? Outcome::OUT_OF_MEMORY
-          : Outcome::REFUSED;
+  {
+    const auto says
+      = [&](const char* const text) { return row.message.find(text) != std::string::npos; };
+    row.outcome = says("out of memory") || says("not enough memory") ? Outcome::OUT_OF_MEMORY
+                  : says(" cannot be written: ")                     ? Outcome::NOT_WRITTEN
+                  : row.message.empty()                              ? Outcome::CRASHED
+                                                                     : Outcome::REFUSED;
+    if(row.message.empty())
+      row.message = "ended without a message";
+  }
   else
     try
     {
       take_results(ending.output, row);
       row.message.clear();
-      row.has_pose = !pose.empty();
     }
     catch(const Json::exception& error)
     {

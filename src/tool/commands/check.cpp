@@ -31,6 +31,7 @@ int run_check(Arguments& arguments)
   Output_files files({arguments.report}, {arguments.input});
   const Mesh_file input = read_mesh_file(arguments.input);
   const double seconds_to_read = clock.lap();
+  arguments.say("looking for defects");
   const auto diagnosis = diagnosis_of(input);
   const double seconds_to_diagnose = clock.lap();
   files.write(arguments.report, [&](std::ostream& out) {
@@ -38,8 +39,9 @@ int run_check(Arguments& arguments)
                  clock.total());
   });
   files.commit();
+  arguments.say("");
   if(!arguments.quiet)
-    write_table(std::cout, diagnosis);
+    write_table(messages_beside({arguments.report}), diagnosis);
   return arguments.is_strict && !diagnosis.defects.empty() ? DEFECTS_FOUND : EXIT_SUCCESS;
 }
 

@@ -3,6 +3,7 @@
 
 // The command collection.
 
+#include "Output_files.h"
 #include "command_options.h"
 #include "commands.h"
 #include "descriptors.h"
@@ -34,7 +35,6 @@
 #include <stdexcept>
 #include <string>
 #include <thread>
-#include <unistd.h>
 #include <utility>
 #include <vector>
 
@@ -47,7 +47,7 @@ using Json = nlohmann::ordered_json;
 
 bool is_mesh_file(const fs::path& path)
 {
-  static const std::set<std::string> known = {".off", ".obj", ".ply", ".stl", ".glb"};
+  static const std::set<std::string> known = {".off", ".obj", ".ply", ".stl", ".glb", ".gltf"};
   return known.count(extension_of(path.string())) > 0;
 }
 
@@ -107,20 +107,41 @@ std::vector<std::string> shapes_of(const std::vector<std::string>& inputs)
   return {paths.begin(), paths.end()};
 }
 
+// The files beside a scene (.gltf) that it names.
+std::vector<std::string> files_beside(const std::string& path)
+{
+  std::ifstream in(path, std::ios::binary);
+  const Json json = Json::parse(in, nullptr, false);
+  std::vector<std::string> result;
+  for(const char* const list : {"buffers", "images"})
+    if(const auto found = json.find(list); found != json.end())
+      for(const Json& entry : *found)
+        if(entry.is_object() && entry.contains("uri") && entry["uri"].is_string())
+          result.push_back(
+            (fs::path(path).parent_path() / entry["uri"].get<std::string>()).string());
+  return result;
+}
+
 // The number of bytes and their cyclic redundancy check; empty if the file cannot be read.
 std::string checksum_of(const std::string& path)
 {
-  std::ifstream in(path, std::ios::binary);
   boost::crc_optimal<64, 0x42F0E1EBA9EA3693ULL, ~0ULL, ~0ULL, true, true> crc;
   std::uintmax_t size = 0;
-  std::array<char, 1 << 16> part;
-  while(in && in.read(part.data(), part.size()).gcount() > 0)
-  {
-    crc.process_bytes(part.data(), static_cast<std::size_t>(in.gcount()));
-    size += static_cast<std::uintmax_t>(in.gcount());
-  }
-  if(size == 0 && !in.eof())
+  const auto add = [&](const std::string& file) {
+    std::ifstream in(file, std::ios::binary);
+    std::array<char, 1 << 16> part;
+    while(in && in.read(part.data(), part.size()).gcount() > 0)
+    {
+      crc.process_bytes(part.data(), static_cast<std::size_t>(in.gcount()));
+      size += static_cast<std::uintmax_t>(in.gcount());
+    }
+    return in.eof();
+  };
+  if(!add(path) && size == 0)
     return {};
+  if(extension_of(path) == ".gltf")
+    for(const std::string& file : files_beside(path))
+      add(file);
   std::array<char, 64> text;
   std::snprintf(text.data(), text.size(), "%ju-%016jx", size,
                 static_cast<std::uintmax_t>(crc.checksum()));
@@ -172,7 +193,9 @@ std::optional<Shape_job> job_of(const std::string& path, const Arguments& argume
   if(!row && !job.key.checksum.empty() && database.take_moved(job.key))
     row = database.row_of(path, job.key.options);
   const bool is_current = row && row->key == job.key;
-  if(is_current && row->outcome != Outcome::DONE
+  const bool is_tried_again
+    = is_current && (row->outcome == Outcome::CRASHED || row->outcome == Outcome::NOT_WRITTEN);
+  if(is_current && row->outcome != Outcome::DONE && !is_tried_again
      && (row->outcome != Outcome::TIMED_OUT || is_within(arguments.time_limit, row->time_limit))
      && (row->outcome != Outcome::OUT_OF_MEMORY
          || is_within(arguments.memory_limit, row->memory_limit)))
@@ -187,8 +210,7 @@ std::optional<Shape_job> job_of(const std::string& path, const Arguments& argume
          }))
       job.descriptors.push_back(descriptor.name);
   const std::string pose = pose_file(arguments, path);
-  std::error_code error;
-  if(!pose.empty() && (!is_done || !row->has_pose || !fs::exists(pose, error)))
+  if(!pose.empty() && (!is_done || row->pose.empty() || row->pose != checksum_of(pose)))
     job.pose = pose;
   job.is_segmented = arguments.is_segmented && (!is_done || row->parts.empty());
   if(job.descriptors.empty() && job.pose.empty() && !job.is_segmented)
@@ -218,39 +240,31 @@ void sort_by_size(std::vector<Shape_job>& jobs)
                    [&](const Shape_job& a, const Shape_job& b) { return size_of(a) > size_of(b); });
 }
 
-// A line of a terminal with rate and time left.
+// Tells rate and time left.
 class Progress
 {
 public:
-  Progress(const std::size_t number_of_jobs, const bool is_shown)
-    : m_number_of_jobs(number_of_jobs), m_is_shown(is_shown && isatty(STDERR_FILENO))
+  Progress(const std::size_t number_of_jobs, const Arguments& arguments)
+    : m_number_of_jobs(number_of_jobs), m_arguments(arguments)
   {}
-  ~Progress()
-  {
-    if(m_is_shown)
-      std::cerr << std::string(WIDTH, ' ') << '\r' << std::flush;
-  }
+  ~Progress() { m_arguments.say(""); }
 
   void advance()
   {
     ++m_number_done;
-    if(!m_is_shown)
-      return;
     const double seconds
       = std::chrono::duration<double>(std::chrono::steady_clock::now() - m_start).count();
     const double rate = static_cast<double>(m_number_done) / (std::max)(seconds, 1e-9);
-    std::array<char, WIDTH> text;
+    std::array<char, 80> text;
     std::snprintf(text.data(), text.size(), "%zu of %zu shapes, %.3g per second, %.0f s left",
                   m_number_done, m_number_of_jobs, rate,
                   static_cast<double>(m_number_of_jobs - m_number_done) / rate);
-    std::cerr << std::left << std::setw(WIDTH) << text.data() << '\r' << std::flush;
+    m_arguments.say(text.data());
   }
 
 private:
-  static constexpr int WIDTH = 76;
-
   std::size_t m_number_of_jobs, m_number_done = 0;
-  bool m_is_shown;
+  const Arguments& m_arguments;
   std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();
 };
 
@@ -295,7 +309,7 @@ Json json_of(const Shape_row& row)
           {"outcome", name_of(row.outcome)},
           {"message", row.message},
           {"seconds", row.seconds},
-          {"has_pose", row.has_pose},
+          {"has_pose", !row.pose.empty()},
           {"is_segmented", !row.parts.empty()},
           {"descriptors", descriptors},
           {"report", row.report.empty() ? Json() : Json::parse(row.report)}};
@@ -329,7 +343,18 @@ void merge_collections(const Arguments& arguments)
     inputs.push_back(std::make_unique<Collection_database>(input, false));
     others.push_back(inputs.back().get());
   }
-  Collection_database(arguments.output, true).merge(others);
+  std::error_code error;
+  const bool is_new = !fs::exists(arguments.output, error);
+  try
+  {
+    Collection_database(arguments.output, true).merge(others);
+  }
+  catch(...)
+  {
+    if(is_new)
+      fs::remove(arguments.output, error);
+    throw;
+  }
 }
 
 // Every N-th shape, from the K-th one.
@@ -357,15 +382,19 @@ void compute_collection(const Arguments& arguments, const Run_jobs& run_by_mpi)
                                   + "' cannot be created: " + error.message());
   }
   Collection_database database(arguments.database, true);
+  arguments.say("comparing the files with the database");
   std::vector<Shape_job> jobs;
   for(const std::string& path : paths)
     if(auto job = job_of(path, arguments, requested, database))
       jobs.push_back(std::move(*job));
   sort_by_size(jobs);
   {
-    Progress progress(jobs.size(), !arguments.quiet);
+    Progress progress(jobs.size(), arguments);
     const auto ended = [&](const Shape_job& job, const Child_process::Ending& ending) {
-      database.write(job.row_of(ending));
+      Shape_row row = job.row_of(ending);
+      if(row.outcome == Outcome::DONE && !job.pose.empty())
+        row.pose = checksum_of(job.pose);
+      database.write(row);
       progress.advance();
     };
     if(run_by_mpi)

@@ -3,12 +3,17 @@
 
 // The command compare.
 
+#include "Output_files.h"
 #include "command_options.h"
 #include "commands.h"
 #include "formats/Cgal_types.h"
 #include "formats/Mesh_file.h"
 
 #include <CGAL/Canonical_pose_3/pose_difference.h>
+
+#include <Eigen/Core>
+
+#include <nlohmann/json.hpp>
 
 #include <cstddef>
 #include <cstdlib>
@@ -22,38 +27,98 @@ namespace Canonical_pose_tool {
 
 namespace {
 
-// Writes the difference of each pair of poses, and their mean: without and with reflection.
+// Without and with reflection.
+using Differences = Eigen::Array2d;
+
+struct Pair
+{
+  std::size_t first, second;
+  Differences differences;
+};
+
 // Throws std::invalid_argument, with the names of the files, if two of them cannot be compared.
+std::vector<Pair> differences_of_pairs(const std::vector<std::string>& names,
+                                       const std::vector<Point_matrix>& poses)
+{
+  std::vector<Pair> result;
+  for(std::size_t i = 0; i < poses.size(); ++i)
+    for(std::size_t j = i + 1; j < poses.size(); ++j)
+      try
+      {
+        using CGAL::Canonical_pose_3::pose_difference;
+        result.push_back({i,
+                          j,
+                          {pose_difference(poses[i], poses[j], false),
+                           pose_difference(poses[i], poses[j], true)}});
+      }
+      catch(const std::invalid_argument& error)
+      {
+        throw std::invalid_argument(names[i] + ", " + names[j] + ": " + error.what());
+      }
+  return result;
+}
+
+// The mean of the pairs for which `is_one` holds.
+template <class Predicate>
+Differences mean(const std::vector<Pair>& pairs, const Predicate& is_one)
+{
+  Differences sum = Differences::Zero();
+  double number = 0;
+  for(const Pair& pair : pairs)
+    if(is_one(pair))
+    {
+      sum += pair.differences;
+      ++number;
+    }
+  return sum / number;
+}
+
+Differences mean(const std::vector<Pair>& pairs)
+{
+  return mean(pairs, [](const Pair&) { return true; });
+}
+
+void write_line(std::ostream& out, const Differences& differences, const std::string& text)
+{
+  out << differences[0] << "  " << differences[1] << "   " << text << '\n';
+}
+
+// Of each pair or, of many poses, the mean of each with the others; then the mean of all pairs.
 void write_differences(std::ostream& out, const std::vector<std::string>& names,
-                       const std::vector<Point_matrix>& poses)
+                       const std::vector<Pair>& pairs, const bool has_pairs)
 {
   std::ostringstream text;
   text.precision(6);
   text << std::fixed << "proper    reflected\n";
-  double sums[2] = {};
-  std::size_t number = 0;
-  for(std::size_t i = 0; i < poses.size(); ++i)
-    for(std::size_t j = i + 1; j < poses.size(); ++j, ++number)
-    {
-      double differences[2];
-      for(const bool may_be_reflected : {false, true})
-        try
-        {
-          differences[may_be_reflected]
-            = CGAL::Canonical_pose_3::pose_difference(poses[i], poses[j], may_be_reflected);
-        }
-        catch(const std::invalid_argument& error)
-        {
-          throw std::invalid_argument(names[i] + ", " + names[j] + ": " + error.what());
-        }
-      sums[0] += differences[0];
-      sums[1] += differences[1];
-      text << differences[0] << "  " << differences[1] << "   " << names[i] << ' ' << names[j]
-           << '\n';
-    }
-  text << sums[0] / double(number) << "  " << sums[1] / double(number) << "   mean of " << number
-       << (number == 1 ? " pair\n" : " pairs\n");
+  if(has_pairs || names.size() == 2)
+    for(const Pair& pair : pairs)
+      write_line(text, pair.differences, names[pair.first] + ' ' + names[pair.second]);
+  else
+    for(std::size_t i = 0; i < names.size(); ++i)
+      write_line(text, mean(pairs, [&](const Pair& p) { return p.first == i || p.second == i; }),
+                 names[i]);
+  write_line(text, mean(pairs),
+             "mean of " + std::to_string(pairs.size()) + (pairs.size() == 1 ? " pair" : " pairs"));
   out << text.str();
+}
+
+nlohmann::ordered_json json_of(const Differences& differences)
+{
+  return {{"proper", differences[0]}, {"reflected", differences[1]}};
+}
+
+void write_pairs(std::ostream& out, const std::vector<std::string>& names,
+                 const std::vector<Pair>& pairs)
+{
+  nlohmann::ordered_json report
+    = {{"mean", json_of(mean(pairs))}, {"pairs", nlohmann::ordered_json::array()}};
+  for(const Pair& pair : pairs)
+  {
+    nlohmann::ordered_json of_pair = {{"poses", {names[pair.first], names[pair.second]}}};
+    of_pair.update(json_of(pair.differences));
+    report["pairs"].push_back(of_pair);
+  }
+  out << report.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
 }
 
 void add_compare_options(Command_options& o)
@@ -61,14 +126,29 @@ void add_compare_options(Command_options& o)
   o.app.add_option("POSE", o.arguments.poses, "two or more meshes with corresponding vertices")
     ->required()
     ->expected(2, -1);
+  o.app.add_flag("--pairs", o.arguments.has_pairs, "print each pair, also of more than two poses");
+  add_report(o);
+  add_quiet(o);
 }
 
 int run_compare(Arguments& arguments)
 {
+  Output_files files({arguments.report}, arguments.poses);
   std::vector<Point_matrix> poses;
   for(const std::string& path : arguments.poses)
+  {
+    arguments.say("reading " + path);
     poses.push_back(matrix_of(points_of(read_other_mesh_file(path))));
-  write_differences(std::cout, arguments.poses, poses);
+  }
+  arguments.say("comparing the poses");
+  const std::vector<Pair> pairs = differences_of_pairs(arguments.poses, poses);
+  files.write(arguments.report,
+              [&](std::ostream& out) { write_pairs(out, arguments.poses, pairs); });
+  files.commit();
+  arguments.say("");
+  if(!arguments.quiet)
+    write_differences(messages_beside({arguments.report}), arguments.poses, pairs,
+                      arguments.has_pairs);
   return EXIT_SUCCESS;
 }
 

@@ -6,6 +6,7 @@
 #include "Output_files.h"
 #include "command_options.h"
 #include "commands.h"
+#include "shown_results.h"
 #include "collection/Collection_database.h"
 #include "collection/described_collection.h"
 #include "collection/read_classes.h"
@@ -286,12 +287,14 @@ int run_evaluate(Arguments& arguments)
   warn_of_missing(std::cerr, database, shapes);
   const std::map<std::string, std::string> class_of = read_classes(arguments.classes);
   const Classified_shapes classes = classified(shapes, class_of);
+  arguments.say("comparing all pairs of shapes");
   const std::vector<Named_evaluation> all = evaluations(arguments, chosen, shapes, classes);
+  arguments.say("");
   warn_of_names(class_of, shapes, classes);
   files.write(arguments.csv, [&](std::ostream& out) { write_csv(out, all, classes); });
   files.write(arguments.plot, [&](std::ostream& out) { draw(out, all); });
   files.commit();
-  write_tables(std::cout, all, classes);
+  write_tables(messages_beside({arguments.csv, arguments.plot}), all, classes);
   return EXIT_SUCCESS;
 }
 

@@ -41,6 +41,7 @@ int run_geodesics(Arguments& arguments)
   Output_files files({arguments.output}, {arguments.input});
   const Mesh_file input = read_mesh_file(arguments.input);
   check_is_surface(input);
+  arguments.say("measuring distances");
   const bool is_exact = arguments.geodesics == "exact";
   const Eigen::MatrixXd distances = CGAL::Canonical_pose_3::geodesic_distances(
     matrix_of(points_of(input)), input.faces, arguments.sources, arguments.options,

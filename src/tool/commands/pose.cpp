@@ -4,7 +4,6 @@
 // The command pose.
 
 #include "Output_files.h"
-#include "Progress_line.h"
 #include "Report.h"
 #include "command_options.h"
 #include "commands.h"
@@ -19,21 +18,11 @@
 #include <iostream>
 #include <stdexcept>
 #include <string>
-#include <unistd.h>
 #include <vector>
 
 namespace Canonical_pose_tool {
 
 namespace {
-
-bool is_watched(const Arguments& arguments) { return !arguments.quiet && isatty(STDERR_FILENO); }
-
-// Reports progress on a terminal.
-void say(const Arguments& arguments, const std::string& message)
-{
-  if(is_watched(arguments))
-    std::cerr << message << '\n';
-}
 
 // The numbers in a file; none if there is no file.
 Eigen::VectorXd numbers_of(const std::string& path)
@@ -88,21 +77,9 @@ void warn_of_losses(const Mesh_file& input, const std::string& output,
   for(const std::string& name : losses(input, format_of(output)))
     lost += (lost.empty() ? "" : ", ") + name;
   if(!lost.empty())
-    summary.warnings.push_back("the pose in '" + output + "' lacks " + lost + " of the input");
-}
-
-// Shows the iterations on a terminal.
-Result compute_watched_pose(const Mesh_file& input, const Arguments& arguments)
-{
-  if(!is_watched(arguments))
-    return compute_pose(input, arguments.options);
-  Progress_line line(std::cerr);
-  Options options = arguments.options;
-  options.visitor = [&](const CGAL::Canonical_pose_3::Registration_progress& progress) {
-    line.show(progress);
-    return true;
-  };
-  return compute_pose(input, options);
+    summary.warnings.push_back(
+      "the pose in " + (is_standard_stream(output) ? "the standard output" : '\'' + output + '\'')
+      + " lacks " + lost + " of the input");
 }
 
 void add_pose_options(Command_options& o)
@@ -165,7 +142,6 @@ int run_pose(Arguments& arguments)
   const std::vector<std::string> outputs
     = {arguments.output, arguments.target, arguments.scene, arguments.report};
   Output_files files(outputs, inputs);
-  say(arguments, "reading " + arguments.input);
   const Mesh_file input = read_mesh_file(arguments.input, Source::KEPT);
   check_format_holds(format_of(arguments.output), input);
   if(!arguments.target.empty())
@@ -178,13 +154,13 @@ int run_pose(Arguments& arguments)
     arguments.options.given.landmark_fields = given_fields(arguments.given_distances, input);
   const double seconds_to_read = clock.lap();
 
-  say(arguments, "computing the pose");
-  Result result = compute_watched_pose(input, arguments);
+  arguments.say("computing the pose");
+  Result result = compute_pose(input, watched_options(arguments));
   CGAL::Canonical_pose_3::Registration_summary& summary = result.summary;
   summary.stages.insert(summary.stages.begin(), {"read", seconds_to_read});
   clock.lap();
 
-  say(arguments, "writing " + arguments.output);
+  arguments.say("writing " + arguments.output);
   files.write(arguments.output, [&](std::ostream& out) {
     write_pose(out, format_of(arguments.output), input, result.pose);
   });
@@ -199,6 +175,7 @@ int run_pose(Arguments& arguments)
   files.write(arguments.report,
               [&](std::ostream& out) { write_report(out, summary, clock.total()); });
   files.commit();
+  arguments.say("");
   if(!arguments.quiet)
     write_outcome(messages_beside(outputs), summary);
   return EXIT_SUCCESS;

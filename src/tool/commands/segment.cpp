@@ -28,7 +28,7 @@ namespace {
 std::vector<std::size_t> parts_of(const Mesh_file& input, const Arguments& arguments,
                                   Segmentation_report& report, Stage_clock& clock)
 {
-  Segmentation_input segmentation{input, arguments.method, std::nullopt, arguments.options,
+  Segmentation_input segmentation{input, arguments.method, std::nullopt, watched_options(arguments),
                                   arguments.number_of_parts};
   if(!arguments.pose.empty())
     segmentation.pose = matrix_of(points_of(read_other_mesh_file(arguments.pose)));
@@ -167,9 +167,11 @@ int run_segment(Arguments& arguments)
   check_is_surface(input);
   Segmentation_report report;
   report.stages.emplace_back("read", clock.lap());
+  arguments.say("dividing the surface into parts");
   const std::vector<std::size_t> parts = parts_of(input, arguments, report, clock);
   write_parts(input, parts, report.parts.size(), arguments, report, clock);
   folder.keep();
+  arguments.say("");
   if(arguments.quiet)
     return EXIT_SUCCESS;
   std::ostream& out = messages_beside({arguments.output, arguments.report});

@@ -18,6 +18,7 @@
 #include <fstream>
 #include <ios>
 #include <iostream>
+#include <map>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -54,23 +55,38 @@ void append_all(std::istream& in, std::string& bytes)
     throw std::invalid_argument("it cannot be read: " + std::string(std::strerror(errno)));
 }
 
-// Read once, since its format is found by its content.
-const std::string& standard_input()
+// Whether this can be read only once: the standard input, or a pipe.
+bool is_stream(const std::string& path)
 {
-  static const std::string bytes = [] {
-    std::string all;
-    append_all(std::cin, all);
-    return is_gzip(all) ? decompressed(all) : all;
-  }();
-  return bytes;
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  return is_standard_stream(path)
+         || (fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status));
+}
+
+// Kept, since the format is found by the content.
+const std::string& bytes_of_stream(const std::string& path)
+{
+  static std::map<std::string, std::string> streams;
+  const auto [found, is_new] = streams.emplace(path, "");
+  if(is_new)
+  {
+    std::ifstream file;
+    if(!is_standard_stream(path))
+      file.open(path, std::ios::binary);
+    append_all(is_standard_stream(path) ? std::cin : file, found->second);
+    if(is_gzip(found->second))
+      found->second = decompressed(found->second);
+  }
+  return found->second;
 }
 
 // Without compression.
 std::string bytes_of_file(const std::string& path)
 {
   std::string bytes;
-  if(is_standard_stream(path))
-    bytes = standard_input();
+  if(is_stream(path))
+    bytes = bytes_of_stream(path);
   else
   {
     if(fs::is_directory(path))
@@ -79,9 +95,7 @@ std::string bytes_of_file(const std::string& path)
     std::ifstream in(path, std::ios::binary);
     if(!in)
       throw std::invalid_argument("it cannot be opened: " + std::string(std::strerror(errno)));
-    std::error_code has_no_size; // a pipe
-    if(const std::uintmax_t size = fs::file_size(path, has_no_size); !has_no_size)
-      bytes.reserve(size);
+    bytes.reserve(fs::file_size(path));
     append_all(in, bytes);
     if(is_gzip(bytes))
       bytes = decompressed(bytes);
@@ -149,7 +163,7 @@ std::optional<Format> format_by_content(const std::string& path)
   std::error_code error;
   std::uintmax_t size = 0;
   std::string bytes;
-  if(!is_standard_stream(path))
+  if(!is_stream(path))
   {
     if(!fs::is_regular_file(path, error))
       return std::nullopt;
@@ -159,7 +173,7 @@ std::optional<Format> format_by_content(const std::string& path)
     bytes.resize(static_cast<std::size_t>(in.gcount()));
     size = fs::file_size(path, error);
   }
-  if(is_standard_stream(path) || is_gzip(bytes))
+  if(is_stream(path) || is_gzip(bytes))
   {
     bytes = bytes_of_file(path);
     size = bytes.size();
@@ -186,7 +200,8 @@ std::optional<Format> format_by_content(const std::string& path)
 
 bool is_standard_stream(const std::string& path)
 {
-  return path == "-" || (path.compare(0, 2, "-.") == 0 && path.find('/') == std::string::npos);
+  return path == "-" || (path.compare(0, 2, "-.") == 0 && path.find('/') == std::string::npos)
+         || path == "/dev/stdin" || path == "/dev/stdout";
 }
 
 bool is_compressed(const std::string& path)
@@ -211,7 +226,10 @@ Format format_of(const std::string& path, const Use use)
   {
     if(const auto format = use == Use::READ ? format_by_content(path) : std::nullopt)
       return *format;
-    std::string message = "the extension of '" + path + "' is not one of ";
+    std::string message
+      = (use == Use::READ && is_stream(path) ? "the content of " + name_of_input(path)
+                                             : "the extension of '" + path + "'")
+        + " is not one of ";
     for(const Format_entry& entry : FORMATS)
       if(use == Use::WRITE ? entry.is_written : entry.read != nullptr)
         message += std::string(&entry == FORMATS.data() ? "" : ", ") + entry.extension;
@@ -243,6 +261,9 @@ Mesh_file read_mesh_file(const std::string& path, const Source source)
   {
     throw std::invalid_argument(error.what() + other_look(bytes, format));
   }
+  // Words that OBJ does not have are comments.
+  if(const std::string look = other_look(bytes, format); mesh.points.empty() && !look.empty())
+    throw std::invalid_argument("there is no vertex" + look);
   if(source == Source::KEPT)
   {
     if(entry.read == read_gltf)
@@ -254,10 +275,10 @@ Mesh_file read_mesh_file(const std::string& path, const Source source)
   return mesh;
 }
 
-Mesh_file read_other_mesh_file(const std::string& path)
+Mesh_file read_other_mesh_file(const std::string& path, const Source source)
 try
 {
-  return read_mesh_file(path);
+  return read_mesh_file(path, source);
 }
 catch(const std::invalid_argument& error)
 {

@@ -55,6 +55,12 @@ inline Format written_format(const Format format)
 // "-", the standard input or output, also with an extension.
 bool is_standard_stream(const std::string& path);
 
+// How messages name an input.
+inline std::string name_of_input(const std::string& path)
+{
+  return is_standard_stream(path) ? "standard input" : path;
+}
+
 // The extension of a path, with its dot, in small letters; that of a compressed file is the one before ".gz".
 std::string extension_of(const std::string& path);
 
@@ -70,7 +76,7 @@ enum class Source { DROPPED, KEPT };
 Mesh_file read_mesh_file(const std::string& path, Source source = Source::DROPPED);
 
 // The same, for a file other than the main input of a command: the message also names the file.
-Mesh_file read_other_mesh_file(const std::string& path);
+Mesh_file read_other_mesh_file(const std::string& path, Source source = Source::DROPPED);
 
 // Throws std::invalid_argument unless it is a surface.
 inline void check_is_surface(const Mesh_file& mesh)

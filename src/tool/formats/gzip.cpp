@@ -66,8 +66,9 @@ std::string decompressed(const std::string& bytes)
     const int code = inflate(&s, Z_NO_FLUSH);
     if(code == Z_STREAM_END)
     {
-      if(is_last && s.avail_in == 0)
-        return false;
+      const unsigned char *const rest = s.next_in, *const end = rest + s.avail_in;
+      if(is_last && std::all_of(rest, end, [](const unsigned char byte) { return byte == 0; }))
+        return false;                  // what tapes add is no file
       return inflateReset(&s) == Z_OK; // another compressed file follows
     }
     if(code == Z_BUF_ERROR && is_last && s.avail_in == 0)

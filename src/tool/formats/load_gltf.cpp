@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <charconv>
 #include <cstddef>
 #include <cstdint>
 #include <exception>
@@ -133,6 +134,50 @@ private:
   fs::path m_directory;
   std::string m_defect;
 };
+
+std::string uri_of(const nlohmann::ordered_json& image)
+{
+  return image.is_object() ? image.value("uri", std::string()) : std::string();
+}
+
+// Whether this leads to a file, rather than being empty or data.
+bool is_file(const std::string& uri) { return !uri.empty() && uri.compare(0, 5, "data:") != 0; }
+
+// With the characters for which "%20" and the like stand.
+std::string decoded(const std::string& uri)
+{
+  std::string result;
+  for(std::size_t i = 0; i < uri.size(); ++i)
+  {
+    unsigned int code = 0;
+    const char* const digits = uri.c_str() + i + 1;
+    if(uri[i] == '%' && i + 2 < uri.size()
+       && std::from_chars(digits, digits + 2, code, 16).ptr == digits + 2)
+    {
+      result += static_cast<char>(code);
+      i += 2;
+    }
+    else
+      result += uri[i];
+  }
+  return result;
+}
+
+// By its content; empty if it is of no type that a binary file can hold.
+std::string type_of_image(const std::vector<unsigned char>& bytes)
+{
+  const std::string beginning(bytes.begin(),
+                              bytes.begin() + (std::min)(bytes.size(), std::size_t(12)));
+  if(beginning.compare(0, 4, "\x89PNG") == 0)
+    return "image/png";
+  if(beginning.compare(0, 3, "\xFF\xD8\xFF") == 0)
+    return "image/jpeg";
+  if(beginning.compare(0, 4, "RIFF") == 0 && beginning.compare(8, 4, "WEBP") == 0)
+    return "image/webp";
+  if(beginning.compare(0, 8, "\xABKTX 20\xBB") == 0)
+    return "image/ktx2";
+  return {};
+}
 
 // Newer versions also ask for the size of a file.
 template <class Callbacks>
@@ -346,9 +391,14 @@ void check_positions(const std::string& bytes)
 std::optional<std::string> self_contained_glb(const std::string& bytes, const std::string& path)
 {
   const tinygltf::Model model = load_gltf(bytes, path);
-  if(is_glb(bytes) && model.buffers.size() == 1 && model.buffers[0].uri.empty())
-    return std::nullopt;
   auto json = nlohmann::ordered_json::parse(json_of(bytes));
+  const auto images = json.find("images");
+  const bool has_images_beside = images != json.end()
+                                 && std::any_of(images->begin(), images->end(),
+                                                [](const auto& i) { return is_file(uri_of(i)); });
+  if(is_glb(bytes) && model.buffers.size() == 1 && model.buffers[0].uri.empty()
+     && !has_images_beside)
+    return std::nullopt;
   std::string all;
   const auto append = [&](const auto& part) {
     all.resize((all.size() + 3) / 4 * 4);
@@ -366,19 +416,20 @@ std::optional<std::string> self_contained_glb(const std::string& bytes, const st
       view["buffer"] = 0;
     }
   Files_beside files(path);
-  if(const auto images = json.find("images"); images != json.end())
+  if(has_images_beside)
     for(auto& image : *images)
     {
-      const std::string name = image.value("uri", std::string());
-      const bool is_png = fs::path(name).extension() == ".png";
+      const std::string name = decoded(uri_of(image));
       std::vector<unsigned char> content;
-      if(name.empty() || name.compare(0, 5, "data:") == 0 || !files.exists(name)
-         || !files.read(name, content))
+      if(!is_file(uri_of(image)) || !files.exists(name) || !files.read(name, content))
+        continue;
+      const std::string type = type_of_image(content);
+      if(type.empty())
         continue;
       json["bufferViews"].push_back(
         {{"buffer", 0}, {"byteOffset", append(content)}, {"byteLength", content.size()}});
       image.erase("uri");
-      image["mimeType"] = is_png ? "image/png" : "image/jpeg";
+      image["mimeType"] = type;
       image["bufferView"] = json["bufferViews"].size() - 1;
     }
   all.resize((all.size() + 3) / 4 * 4);

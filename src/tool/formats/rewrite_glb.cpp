@@ -18,11 +18,13 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <numeric>
 #include <ostream>
 #include <set>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -93,19 +95,10 @@ public:
        || has_common_bytes(accessor))
     {
       stride = static_cast<std::size_t>(components) * sizeof(float);
-      begin = (m_buffer.size() + 3) / 4 * 4;
-      m_buffer.resize(begin + numbers.count() * stride);
-      Json& views = m_json["bufferViews"];
-      views.push_back({{"buffer", 0},
-                       {"byteOffset", begin},
-                       {"byteLength", numbers.count() * stride},
-                       {"target", TINYGLTF_TARGET_ARRAY_BUFFER}});
-      Json& accessors = m_json["accessors"];
-      index = accessors.size();
-      accessors.push_back({{"bufferView", views.size() - 1},
-                           {"componentType", TINYGLTF_COMPONENT_TYPE_FLOAT},
-                           {"count", numbers.count()},
-                           {"type", components == 3 ? "VEC3" : "VEC4"}});
+      std::tie(index, begin) = add_accessor({{"componentType", TINYGLTF_COMPONENT_TYPE_FLOAT},
+                                             {"count", numbers.count()},
+                                             {"type", components == 3 ? "VEC3" : "VEC4"}},
+                                            numbers.count() * stride, TINYGLTF_TARGET_ARRAY_BUFFER);
     }
     Eigen::Vector3f low = Eigen::Vector3f::Constant((std::numeric_limits<float>::max)()),
                     high = -low;
@@ -138,7 +131,45 @@ public:
     return index;
   }
 
+  // Writes the triangles of a primitive, turned over. Returns the index of the accessor.
+  std::size_t write_turned_over(const tinygltf::Primitive& primitive, const std::size_t count)
+  {
+    std::vector<std::uint32_t> corners(count);
+    std::iota(corners.begin(), corners.end(), 0u);
+    if(primitive.indices >= 0)
+    {
+      const Gltf_numbers numbers(m_model, primitive.indices, 1, "the indices");
+      corners.resize(numbers.count());
+      for(std::size_t i = 0; i < corners.size(); ++i)
+        corners[i] = static_cast<std::uint32_t>(numbers(i, 0));
+    }
+    for(std::size_t i = 0; i + 2 < corners.size(); i += 3)
+      std::swap(corners[i + 1], corners[i + 2]);
+    const auto [index, begin]
+      = add_accessor({{"componentType", TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT},
+                      {"count", corners.size()},
+                      {"type", "SCALAR"}},
+                     corners.size() * sizeof(std::uint32_t), TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
+    std::memcpy(m_buffer.data() + begin, corners.data(), corners.size() * sizeof(std::uint32_t));
+    return index;
+  }
+
 private:
+  // Adds an accessor after the buffer. Returns its index, and where its bytes begin.
+  std::pair<std::size_t, std::size_t> add_accessor(Json accessor, const std::size_t size,
+                                                   const int target)
+  {
+    const std::size_t begin = (m_buffer.size() + 3) / 4 * 4;
+    m_buffer.resize(begin + size);
+    Json& views = m_json["bufferViews"];
+    views.push_back(
+      {{"buffer", 0}, {"byteOffset", begin}, {"byteLength", size}, {"target", target}});
+    accessor["bufferView"] = views.size() - 1;
+    Json& accessors = m_json["accessors"];
+    accessors.push_back(std::move(accessor));
+    return {accessors.size() - 1, begin};
+  }
+
   bool has_common_bytes(const int accessor) const
   {
     const auto index = static_cast<std::size_t>(accessor);
@@ -200,6 +231,8 @@ void change_instance(const tinygltf::Model& model, const Mesh_instance& instance
           });
       mesh["primitives"][p]["attributes"][name] = accessor->second;
     }
+    if(transformations.is_mirrored() != (instance.transformation.linear().determinant() < 0))
+      mesh["primitives"][p]["indices"] = changed.write_turned_over(primitives[p], count);
     if(!instance.joints.empty())
     {
       Json kept = Json::object();
@@ -278,6 +311,13 @@ try
   for(const char* const name : {"skins", "animations"})
     if(!json.value(name, Json::array()).empty())
       result.push_back(name);
+  for(const Json& image : json.value("images", Json::array()))
+    if(const std::string uri = image.value("uri", std::string());
+       !uri.empty() && uri.compare(0, 5, "data:") != 0)
+    {
+      result.push_back("images that are not beside it");
+      break;
+    }
   return result;
 }
 catch(const Json::exception&) // what is not as it should be was not read

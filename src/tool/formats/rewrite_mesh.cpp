@@ -688,7 +688,8 @@ std::vector<std::string> losses(const Mesh_file& mesh, const Format format)
   std::vector<std::string> names = attributes_of_file(mesh);
   if(names.empty() || !is_rewritable(mesh, format))
     return names;
-  const std::set<std::string> always = {"animations", "morph targets", "skins", "turned normals"};
+  const std::set<std::string> always
+    = {"animations", "images that are not beside it", "morph targets", "skins", "turned normals"};
   names.erase(std::remove_if(names.begin(), names.end(),
                              [&](const std::string& name) { return always.count(name) == 0; }),
               names.end());
