@@ -1,0 +1,4 @@
+# Names for the page of the program, which is written for other readers of Markdown, too.
+s/^# canonical-pose$/# The Program canonical-pose {#Canonical_pose_3Program}/
+s/^## glTF$/## glTF {#gltf}/
+s/^## collection$/## collection: Many Shapes {#Canonical_pose_3ManyShapes}/
