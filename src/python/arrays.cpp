@@ -20,6 +20,8 @@ using Canonical_pose_tool::Face_list;
 
 std::string shape_of(const py::array& array)
 {
+  if(array.ndim() == 1 && array.size() == 0)
+    return "empty";
   std::string result;
   for(py::ssize_t k = 0; k < array.ndim(); ++k)
     result += (k > 0 ? " x " : "") + std::to_string(array.shape(k));
@@ -87,8 +89,10 @@ std::vector<std::size_t> face_of(const long long* const corners, const py::ssize
 }
 
 // Faces with the same number of corners each are a matrix, others a sequence of sequences.
-Face_list faces_of(const py::object& values, const std::size_t n)
+Face_list faces_of(const py::object& given, const std::size_t n)
 {
+  const py::object values
+    = py::hasattr(given, "__array__") ? py::object(any_array(given, "faces")) : given;
   Face_list result;
   if(py::isinstance<py::array>(values) && py::array(values).dtype().kind() != 'O')
   {
@@ -167,7 +171,8 @@ Eigen::VectorXd vector_of(const py::object& values, const std::string& name)
 Mesh_file mesh_of(const py::object& vertices, const py::object& faces, const py::object& cells)
 {
   if(faces.is_none() == cells.is_none())
-    throw std::invalid_argument("either faces or cells are needed");
+    throw std::invalid_argument(faces.is_none() ? "either faces or cells are needed"
+                                                : "both faces and cells are given");
   Mesh_file mesh;
   mesh.points = points_of(vertices, "vertices");
   mesh.is_tetrahedral = !cells.is_none();

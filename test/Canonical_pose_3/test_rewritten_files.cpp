@@ -100,6 +100,8 @@ TEST(Rewritten_files, texts)
     const Mesh_file mesh = read(c.name, c.text);
     expect_same_text(rewritten(mesh), c.expected);
     EXPECT_EQ(read(c.name, rewritten(mesh)).points, turned_points(mesh));
+    const std::string mark = "\xEF\xBB\xBF";
+    EXPECT_EQ(rewritten(read(c.name, mark + c.text)), mark + rewritten(mesh));
   }
 }
 

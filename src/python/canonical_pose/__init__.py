@@ -387,7 +387,8 @@ def segment(vertices, faces, *, parts="auto", method="consensus", pose=None, **o
     part_of_face : array of integers, m
         The part of each face, from 0.
     report : dict
-        Among others, areas, neighbors and joints of the parts, and the hierarchy of parts.
+        Among others, areas, neighbors and joints of the parts, and the hierarchy of parts, in which
+        ``"leaf_of_face"`` is an array.
 
     Examples
     --------
@@ -407,7 +408,10 @@ def segment(vertices, faces, *, parts="auto", method="consensus", pose=None, **o
         raise ValueError(f"option parts is {parts}, but must be >= 1, or 'auto'")
     part_of_face, report = _core.segment(vertices, faces, parts, method, pose,
                                          {"components": "each", **options})
-    return part_of_face, _json.loads(report)
+    report = _json.loads(report)
+    if report.get("tree"):
+        report["tree"]["leaf_of_face"] = _numpy.array(report["tree"]["leaf_of_face"], dtype=int)
+    return part_of_face, report
 
 
 def describe(vertices, faces, *, descriptor=None, pose=None, **options):

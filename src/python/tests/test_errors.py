@@ -31,6 +31,7 @@ BAD_VERTICES = [
     (lambda v: v[0], "vertices must have 2 dimensions, but is 3"),
     (lambda v: v[None], "vertices must have 2 dimensions, but is 1 x 240 x 3"),
     (lambda v: 1., "vertices must have 2 dimensions, but is a single number"),
+    (lambda v: [], "vertices must have 2 dimensions, but is empty"),
     (lambda v: None, "vertices must be an array of numbers"),
     (lambda v: v.astype(complex), "vertices must be an array of numbers"),
     (lambda v: v.astype(str), "vertices must be an array of numbers"),
@@ -115,7 +116,7 @@ def test_cells(cells, message):
         canonical_pose.pose(np.zeros((4, 3)), cells=[[0, 1, 2, 3]])
     with pytest.raises(ValueError, match="a tetrahedral mesh is its own body"):
         canonical_pose.pose(vertices, cells=[[0, 1, 2, 3]], body="lattice")
-    with pytest.raises(ValueError, match="either faces or cells"):
+    with pytest.raises(ValueError, match="both faces and cells are given"):
         canonical_pose.pose(vertices, [[0, 1, 2]], cells=[[0, 1, 2, 3]])
 
 

@@ -210,3 +210,24 @@ def test_types():
         assert names == expected, name
         assert (arguments.kwarg is not None) == any(
             p.kind == p.VAR_KEYWORD for p in parameters.values()), name
+
+
+def test_arrays_of_others(tube):
+    """Objects that convert to arrays are arrays."""
+    class Other:
+        def __init__(self, array):
+            self.array = array
+
+        def __array__(self, dtype=None, copy=None):
+            return self.array
+
+    vertices, faces = tube
+    expected = canonical_pose.geodesics(vertices, faces, 0)
+    assert canonical_pose.geodesics(Other(vertices), Other(faces), 0).tobytes() == expected.tobytes()
+
+
+def test_report_of_parts(tube):
+    """A report can be printed."""
+    _, report = canonical_pose.segment(*tube, method="sweep")
+    assert isinstance(report["tree"]["leaf_of_face"], np.ndarray)
+    assert len(report["tree"]["leaf_of_face"]) == len(tube[1])

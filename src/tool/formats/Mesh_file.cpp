@@ -250,8 +250,8 @@ Mesh_file read_mesh_file(const std::string& path, const Source source)
     throw std::invalid_argument("files of " + std::string(entry.name) + " (" + entry.extension
                                 + ") are written, but not read");
   std::string bytes = bytes_of_file(path);
-  if(format != Format::GLB && !(format == Format::STL && is_binary_stl(bytes)))
-    remove_byte_order_mark(bytes);
+  const bool is_text = format != Format::GLB && !(format == Format::STL && is_binary_stl(bytes));
+  const bool has_byte_order_mark = is_text && remove_byte_order_mark(bytes);
   Mesh_file mesh;
   try
   {
@@ -269,8 +269,8 @@ Mesh_file read_mesh_file(const std::string& path, const Source source)
     if(entry.read == read_gltf)
       if(std::optional<std::string> all = self_contained_glb(bytes, path))
         bytes = std::move(*all);
-    mesh.source
-      = std::make_shared<const Source_file>(Source_file{written_format(format), std::move(bytes)});
+    mesh.source = std::make_shared<const Source_file>(
+      Source_file{written_format(format), std::move(bytes), has_byte_order_mark});
   }
   return mesh;
 }

@@ -25,6 +25,7 @@ struct Source_file
 {
   Format format;
   std::string bytes;
+  bool has_byte_order_mark = false; // before these bytes
 };
 
 // The contents of a file: a surface or, if is_tetrahedral, a tetrahedral mesh. Indices start at 0.

@@ -31,13 +31,16 @@ struct Element
 
 inline constexpr const char* BYTE_ORDER_MARK = "\xEF\xBB\xBF"; // of UTF-8
 
-// Removes the mark that some editors write before a text. Throws if the text is in UTF-16.
-inline void remove_byte_order_mark(std::string& text)
+// Removes the mark that some editors write before a text. Returns whether there is one. Throws if the text
+// is in UTF-16.
+inline bool remove_byte_order_mark(std::string& text)
 {
   if(text.compare(0, 2, "\xFF\xFE") == 0 || text.compare(0, 2, "\xFE\xFF") == 0)
     throw std::invalid_argument("the text is encoded in UTF-16; UTF-8 and ASCII are read");
-  if(text.compare(0, 3, BYTE_ORDER_MARK) == 0)
+  const bool is_marked = text.compare(0, 3, BYTE_ORDER_MARK) == 0;
+  if(is_marked)
     text.erase(0, 3);
+  return is_marked;
 }
 
 // Reads words and numbers from a text, one after the other. '#' starts a comment, up to the end of

@@ -700,6 +700,8 @@ void rewrite_mesh(std::ostream& out, const Mesh_file& mesh, const Points& points
                   const std::vector<Vertex_values>& values)
 {
   const std::string& bytes = mesh.source->bytes;
+  if(mesh.source->has_byte_order_mark && mesh.source->format != Format::GLB)
+    out << BYTE_ORDER_MARK;
   switch(mesh.source->format)
   {
   case Format::OFF:
