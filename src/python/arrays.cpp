@@ -6,9 +6,13 @@
 #include "formats/Text_cursor.h"
 #include "formats/readers.h"
 
+#include <CGAL/Canonical_pose_3/set_interruption_check.h>
+
+#include <chrono>
 #include <cstring>
 #include <memory>
 #include <stdexcept>
+#include <thread>
 #include <utility>
 
 namespace Canonical_pose_python {
@@ -134,6 +138,29 @@ std::vector<std::array<std::size_t, 4>> cells_of(const py::object& values, const
 }
 
 } // namespace
+
+int& Uninterrupted::number_in_thread()
+{
+  static thread_local int number = 0;
+  return number;
+}
+
+void listen_to_signals()
+{
+  using Clock = std::chrono::steady_clock;
+  static const std::thread::id main_thread = std::this_thread::get_id();
+  CGAL::Canonical_pose_3::set_interruption_check([] {
+    static Clock::time_point next;
+    if(std::this_thread::get_id() != main_thread || Uninterrupted::number_in_thread() > 0
+       || Clock::now() < next)
+      return;
+    constexpr std::chrono::milliseconds interval(50);
+    next = Clock::now() + interval;
+    const py::gil_scoped_acquire lock;
+    if(PyErr_CheckSignals() != 0)
+      throw Python_exception();
+  });
+}
 
 std::vector<std::array<double, 3>> points_of(const py::object& values, const std::string& name)
 {

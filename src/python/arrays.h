@@ -50,6 +50,21 @@ std::vector<std::size_t> vertices_of(const py::object& values, std::size_t n,
 
 py::array array_of(std::vector<std::size_t> values);
 
+// While one exists, signals do not interrupt what the thread computes.
+class Uninterrupted
+{
+public:
+  Uninterrupted() { ++number_in_thread(); }
+  ~Uninterrupted() { --number_in_thread(); }
+  Uninterrupted(const Uninterrupted&) = delete;
+  Uninterrupted& operator=(const Uninterrupted&) = delete;
+
+  static int& number_in_thread();
+};
+
+// Lets signals such as that of Ctrl+C interrupt what the main thread computes, by Python_exception.
+void listen_to_signals();
+
 // Calls `compute` without the lock of the interpreter.
 template <class Compute>
 auto without_lock(const Compute& compute)

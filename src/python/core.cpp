@@ -250,6 +250,7 @@ std::vector<std::size_t> sources_of(const Heat_solver& solver, const py::object&
 py::tuple registered(Registrar& registrar, const py::object& target, const bool is_warm)
 {
   const Point_matrix points = point_matrix_of(target, "target");
+  const Uninterrupted during_iterations; // the visitor looks for signals between them
   Result result = without_lock([&] { return registrar.registered_to(points, is_warm); });
   const auto& summary = result.summary;
   py::dict report(
@@ -266,6 +267,7 @@ PYBIND11_MODULE(_core, module)
 {
   CGAL::set_error_handler(do_not_print);
   CGAL::set_warning_handler(do_not_print);
+  listen_to_signals();
   module.attr("version") = CGAL_CANONICAL_POSE_3_VERSION;
   module.def("pose", &pose);
   module.def("target", &target);
@@ -303,6 +305,7 @@ PYBIND11_MODULE(_core, module)
     .def("register", &registered)
     .def("set_detail_length",
          [](Registrar& self, const double detail_length) {
+           const Uninterrupted at_all;
            without_lock([&] { self.set_detail_length(detail_length); });
          })
     .def("target", &Registrar::target, py::return_value_policy::reference_internal)

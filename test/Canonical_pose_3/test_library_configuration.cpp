@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Canonical_pose_3/call_with_threads.h>
+#include <CGAL/Canonical_pose_3/geodesic_distances.h>
 #include <CGAL/Canonical_pose_3/library_configuration.h>
+#include <CGAL/Canonical_pose_3/set_interruption_check.h>
 
 #include <CGAL/version.h>
 
@@ -12,6 +14,10 @@
 
 #include <gtest/gtest.h>
 
+#include "shapes.h"
+
+#include <atomic>
+#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -57,6 +63,37 @@ TEST(Call_with_threads, is_a_limit)
     EXPECT_EQ(largest(), without);
   }
   EXPECT_THROW(CP::call_with_threads(-1, [] {}), std::invalid_argument);
+}
+
+std::atomic<int> calls_before_interruption{0};
+
+void interrupt()
+{
+  if(--calls_before_interruption == 0)
+    throw std::domain_error("interrupted");
+}
+
+// An exception of the check ends a call, wherever it is; calls afterward are not concerned.
+TEST(Set_interruption_check, ends_calls)
+{
+  const Canonical_pose_test::Triangle_soup soup = Canonical_pose_test::icosphere_soup(3, 1);
+  const CP::Point_matrix points = Canonical_pose_test::to_matrix(soup.points);
+  const auto distances = [&] {
+    return CP::geodesic_distances(points, soup.triangles, {0, 17, 100});
+  };
+  const Eigen::MatrixXd expected = distances();
+  calls_before_interruption = (std::numeric_limits<int>::max)();
+  CP::set_interruption_check(interrupt);
+  EXPECT_EQ(distances(), expected);
+  const int number = (std::numeric_limits<int>::max)() - calls_before_interruption;
+  ASSERT_GT(number, 10);
+  for(const int calls : {1, number / 2, number})
+  {
+    calls_before_interruption = calls;
+    EXPECT_THROW(distances(), std::domain_error) << calls;
+  }
+  CP::set_interruption_check(nullptr);
+  EXPECT_EQ(distances(), expected);
 }
 
 } // namespace test_library_configuration

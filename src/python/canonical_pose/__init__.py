@@ -21,8 +21,8 @@ Fortran order, in which they were computed, and are not copied.
 
 Functions raise `ValueError` if an argument does not fit, with a message that names the defect and
 the element; `RuntimeError` if something fails on the way; and `TypeError` for arguments of wrong
-types. They run without the lock of the interpreter, so several can run in threads. Ctrl+C stops a
-registration after the current iteration.
+types. They run without the lock of the interpreter, so several can run in threads. Ctrl+C stops what
+the main thread computes: a registration after the current iteration, distances between sources.
 """
 
 import json as _json

@@ -59,6 +59,22 @@ def wait_and_interrupt(seconds):
     os.kill(os.getpid(), signal.SIGINT)
 
 
+def test_interrupt_of_distances(figure):
+    """Between sources, too; the next call is not concerned."""
+    vertices, faces = figure
+    solver = canonical_pose.HeatSolver(vertices, faces)
+    expected = solver.distances(0).tobytes()
+    for compute in (solver.distances,
+                    lambda sources: canonical_pose.geodesics(vertices, faces, sources, threads=1)):
+        thread = threading.Thread(target=wait_and_interrupt, args=(.5,))
+        thread.start()
+        with pytest.raises(KeyboardInterrupt):
+            compute(np.arange(4000) % len(vertices))
+            pytest.fail("it was done before the signal")
+        thread.join()
+        assert solver.distances(0).tobytes() == expected
+
+
 @pytest.mark.parametrize("function", [canonical_pose.pose, canonical_pose.segment,
                                       canonical_pose.describe])
 def test_interrupt(function, figure):
