@@ -40,6 +40,7 @@
 #include "support/call_with_threads.cpp"
 #include "support/library_configuration.cpp"
 #include "support/for_each_index.cpp"
+#include "support/set_interruption_check.cpp"
 #include "target/Coarse_surface_3.cpp"
 #include "target/Smacof_target_builder_3.cpp"
 #include "target/align_target.cpp"
