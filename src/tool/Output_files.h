@@ -14,8 +14,8 @@
 
 namespace Canonical_pose_tool {
 
-// On SIGINT, SIGTERM, SIGHUP, SIGPIPE and SIGXFSZ, unless they are ignored: removes the files that are not committed, and exits
-// with 128 plus the number of the signal. A signal during commit() waits for its end.
+// On SIGINT, SIGTERM, SIGHUP, SIGPIPE and SIGXFSZ, unless they are ignored: removes the files that are not
+// committed, and exits with 128 plus the number of the signal. A signal during commit() waits for its end.
 void remove_files_on_signals();
 
 // Where messages go: not to the standard output if it is one of the outputs.

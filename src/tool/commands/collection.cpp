@@ -11,6 +11,7 @@
 #include "collection/Shape_job.h"
 #include "collection/run_jobs.h"
 #include "formats/Mesh_file.h"
+#include "formats/readers.h"
 
 #include <CGAL/Canonical_pose_3/library_configuration.h>
 
@@ -117,8 +118,10 @@ std::vector<std::string> files_beside(const std::string& path)
     if(const auto found = json.find(list); found != json.end())
       for(const Json& entry : *found)
         if(entry.is_object() && entry.contains("uri") && entry["uri"].is_string())
-          result.push_back(
-            (fs::path(path).parent_path() / entry["uri"].get<std::string>()).string());
+        {
+          const std::string name = decoded_uri(entry["uri"].get<std::string>());
+          result.push_back((fs::path(path).parent_path() / name).string());
+        }
   return result;
 }
 

@@ -11,7 +11,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <charconv>
 #include <cstddef>
 #include <cstdint>
 #include <exception>
@@ -142,26 +141,6 @@ std::string uri_of(const nlohmann::ordered_json& image)
 
 // Whether this leads to a file, rather than being empty or data.
 bool is_file(const std::string& uri) { return !uri.empty() && uri.compare(0, 5, "data:") != 0; }
-
-// With the characters for which "%20" and the like stand.
-std::string decoded(const std::string& uri)
-{
-  std::string result;
-  for(std::size_t i = 0; i < uri.size(); ++i)
-  {
-    unsigned int code = 0;
-    const char* const digits = uri.c_str() + i + 1;
-    if(uri[i] == '%' && i + 2 < uri.size()
-       && std::from_chars(digits, digits + 2, code, 16).ptr == digits + 2)
-    {
-      result += static_cast<char>(code);
-      i += 2;
-    }
-    else
-      result += uri[i];
-  }
-  return result;
-}
 
 // By its content; empty if it is of no type that a binary file can hold.
 std::string type_of_image(const std::vector<unsigned char>& bytes)
@@ -419,7 +398,7 @@ std::optional<std::string> self_contained_glb(const std::string& bytes, const st
   if(has_images_beside)
     for(auto& image : *images)
     {
-      const std::string name = decoded(uri_of(image));
+      const std::string name = decoded_uri(uri_of(image));
       std::vector<unsigned char> content;
       if(!is_file(uri_of(image)) || !files.exists(name) || !files.read(name, content))
         continue;

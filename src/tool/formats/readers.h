@@ -8,6 +8,7 @@
 #include "Text_cursor.h"
 
 #include <array>
+#include <charconv>
 #include <cstddef>
 #include <cstdint>
 #include <iosfwd>
@@ -36,6 +37,26 @@ void read_gltf(const std::string& bytes, const std::string& path, Mesh_file& mes
 // The same file, binary, with external buffers and the images beside it in one buffer; none if it is such a file already.
 // Throws std::invalid_argument.
 std::optional<std::string> self_contained_glb(const std::string& bytes, const std::string& path);
+
+// A URI with the characters for which "%20" and the like stand.
+inline std::string decoded_uri(const std::string& uri)
+{
+  std::string result;
+  for(std::size_t i = 0; i < uri.size(); ++i)
+  {
+    unsigned int code = 0;
+    const char* const digits = uri.c_str() + i + 1;
+    if(uri[i] == '%' && i + 2 < uri.size()
+       && std::from_chars(digits, digits + 2, code, 16).ptr == digits + 2)
+    {
+      result += static_cast<char>(code);
+      i += 2;
+    }
+    else
+      result += uri[i];
+  }
+  return result;
+}
 
 // The part of rewrite_mesh() for binary glTF with one buffer, in the file. A mesh that several nodes show becomes several.
 // Morph targets, skins and animations, which belong to other positions, are left out.
