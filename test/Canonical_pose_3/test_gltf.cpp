@@ -521,6 +521,10 @@ TEST(Gltf, buffers_and_images_beside_the_file)
                              view["byteLength"]),
             picture);
 
+  json wrong = model;
+  wrong["images"][0]["uri"] = 7;
+  EXPECT_THROW_WITH(read_mesh_file(written_file("wrong.gltf", wrong.dump()), Source::KEPT),
+                    std::invalid_argument, "this is not valid glTF");
   json complete = changed;
   complete["images"] = {changed["images"][0]};
   EXPECT_EQ(self_contained_glb(with_json(out.str(), complete), ""), std::nullopt);

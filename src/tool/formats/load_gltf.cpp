@@ -368,6 +368,7 @@ void check_positions(const std::string& bytes)
 }
 
 std::optional<std::string> self_contained_glb(const std::string& bytes, const std::string& path)
+try
 {
   const tinygltf::Model model = load_gltf(bytes, path);
   auto json = nlohmann::ordered_json::parse(json_of(bytes));
@@ -414,6 +415,10 @@ std::optional<std::string> self_contained_glb(const std::string& bytes, const st
   all.resize((all.size() + 3) / 4 * 4);
   json["buffers"] = {{{"byteLength", all.size()}}};
   return glb_of(json.dump(), all);
+}
+catch(const nlohmann::json::exception& error) // of what tinygltf does not look at
+{
+  throw std::invalid_argument("this is not valid glTF: " + shortened(error.what()));
 }
 
 std::string glb_of(const std::string& json, const std::string_view buffer,

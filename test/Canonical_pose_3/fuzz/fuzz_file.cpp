@@ -15,6 +15,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -59,11 +60,14 @@ void check_writer(const Reader& reader, const Mesh_file& mesh)
 }
 
 // A file with other positions is read again, with them: exactly, if they are text.
-void check_rewriter(const Reader& reader, const std::string& bytes, Mesh_file mesh)
+void check_rewriter(const Reader& reader, std::string bytes, Mesh_file mesh)
 {
-  const Format format = reader.format == Format::GLB && bytes.compare(0, 4, "glTF") != 0
-                          ? Format::GLTF
-                          : reader.format;
+  const Format format = reader.format;
+  std::optional<std::string> all;
+  if(format == Format::GLB && CPF::is_accepted([&] { all = self_contained_glb(bytes, ""); }) && all)
+    bytes = *all;
+  if(format == Format::GLB && bytes.compare(0, 4, "glTF") != 0)
+    return;
   mesh.source = std::make_shared<const Source_file>(Source_file{format, bytes});
   attributes_of_file(mesh);
   if(!is_rewritable(mesh, format))
