@@ -192,7 +192,10 @@ py::object faces_array(const tool::Face_list& faces)
 
 py::tuple load(const std::string& path)
 {
-  const Mesh_file mesh = without_lock([&] { return tool::read_other_mesh_file(path); });
+  const Mesh_file mesh = without_lock([&] {
+    tool::forget_streams();
+    return tool::read_other_mesh_file(path);
+  });
   py::array_t<double> vertices({static_cast<py::ssize_t>(mesh.points.size()), py::ssize_t(3)});
   for(std::size_t v = 0; v < mesh.points.size(); ++v)
     for(std::size_t k = 0; k < 3; ++k)

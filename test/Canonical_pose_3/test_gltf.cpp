@@ -500,7 +500,7 @@ TEST(Gltf, buffers_and_images_beside_the_file)
   uri.replace(uri.find(' '), 1, "%20");
   model["images"] = {{{"uri", uri}, {"name", "c"}},
                      {{"uri", "missing.jpg"}},
-                     {{"uri", uri_of("e.png", "no picture at all")}}};
+                     {{"uri", uri_of("e.png", "RIFF")}}}; // no picture at all
   const Mesh_file read_one
     = read_mesh_file(written_file("scene.gltf", model.dump()), Source::KEPT);
   expect_near(read_one, mesh, 1e-6);

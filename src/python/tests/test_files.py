@@ -9,6 +9,9 @@
 
 """Files are read and written as by the tool."""
 
+import os
+import threading
+
 import numpy as np
 import pytest
 
@@ -73,3 +76,15 @@ def test_errors(tmp_path):
         canonical_pose.save(tmp_path / "b" / "a.off", TETRAHEDRON, FACES)
     with pytest.raises(TypeError):
         canonical_pose.load(3)
+
+
+def test_pipes(tmp_path):
+    """What comes through a pipe has the format of its content, and is read once."""
+    pipe = tmp_path / "pipe"
+    os.mkfifo(pipe)
+    for k in 1, 2:
+        text = f"v 0 0 0\nv {k} 0 0\nv 0 1 0\nf 1 2 3\n"
+        thread = threading.Thread(target=pipe.write_text, args=(text,))
+        thread.start()
+        assert canonical_pose.load(pipe).vertices[1, 0] == k
+        thread.join()

@@ -20,6 +20,7 @@
 #include <iostream>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -64,21 +65,32 @@ bool is_stream(const std::string& path)
          || (fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status));
 }
 
-// Kept, since the format is found by the content.
-const std::string& bytes_of_stream(const std::string& path)
+// What was read from streams is kept, since the format is found by the content.
+std::map<std::string, std::string>& streams()
 {
-  static std::map<std::string, std::string> streams;
-  const auto [found, is_new] = streams.emplace(path, "");
-  if(is_new)
-  {
-    std::ifstream file;
-    if(!is_standard_stream(path))
-      file.open(path, std::ios::binary);
-    append_all(is_standard_stream(path) ? std::cin : file, found->second);
-    if(is_gzip(found->second))
-      found->second = decompressed(found->second);
-  }
-  return found->second;
+  static std::map<std::string, std::string> bytes;
+  return bytes;
+}
+std::mutex& mutex_of_streams()
+{
+  static std::mutex mutex;
+  return mutex;
+}
+
+std::string bytes_of_stream(const std::string& path)
+{
+  const std::lock_guard<std::mutex> lock(mutex_of_streams());
+  const auto known = streams().find(path);
+  if(known != streams().end())
+    return known->second;
+  std::ifstream file;
+  if(!is_standard_stream(path))
+    file.open(path, std::ios::binary);
+  std::string bytes;
+  append_all(is_standard_stream(path) ? std::cin : file, bytes);
+  if(is_gzip(bytes))
+    bytes = decompressed(bytes);
+  return streams()[path] = bytes;
 }
 
 // Without compression.
@@ -202,6 +214,12 @@ bool is_standard_stream(const std::string& path)
 {
   return path == "-" || (path.compare(0, 2, "-.") == 0 && path.find('/') == std::string::npos)
          || path == "/dev/stdin" || path == "/dev/stdout";
+}
+
+void forget_streams()
+{
+  const std::lock_guard<std::mutex> lock(mutex_of_streams());
+  streams().clear();
 }
 
 bool is_compressed(const std::string& path)

@@ -56,6 +56,9 @@ inline Format written_format(const Format format)
 // "-", the standard input or output, also with an extension.
 bool is_standard_stream(const std::string& path);
 
+// Lets pipes be read anew. Otherwise, what was read from one is kept, as if it were a file.
+void forget_streams();
+
 // How messages name an input.
 inline std::string name_of_input(const std::string& path)
 {

@@ -145,8 +145,10 @@ bool is_file(const std::string& uri) { return !uri.empty() && uri.compare(0, 5, 
 // By its content; empty if it is of no type that a binary file can hold.
 std::string type_of_image(const std::vector<unsigned char>& bytes)
 {
-  const std::string beginning(bytes.begin(),
-                              bytes.begin() + (std::min)(bytes.size(), std::size_t(12)));
+  const std::size_t longest = 12;
+  std::string beginning(
+    bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>((std::min)(bytes.size(), longest)));
+  beginning.resize(longest);
   if(beginning.compare(0, 4, "\x89PNG") == 0)
     return "image/png";
   if(beginning.compare(0, 3, "\xFF\xD8\xFF") == 0)
