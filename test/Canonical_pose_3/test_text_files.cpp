@@ -13,6 +13,7 @@
 #include <array>
 #include <cstddef>
 #include <map>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -156,6 +157,25 @@ TEST(Text_files, formats_by_content)
                     "the extension of 'nowhere' is not one of");
   EXPECT_THROW_WITH(format_of(written_file("content.txt", "OFF\n"), Use::WRITE),
                     std::invalid_argument, ".glb, .vtu");
+}
+
+// What is written in each format, without a file to keep, is read again. (Under the sanitizers, too.)
+TEST(Text_files, written)
+{
+  const Mesh_file triangles = read_mesh_file(written_file("a.off", TEXTS.at("tetrahedron.off")));
+  Mesh_file polygons = triangles;
+  polygons.faces.push_back({0, 1, 3, 2});
+  for(const std::string& extension : {"off", "obj", "ply", "stl"})
+  {
+    const Mesh_file& mesh = extension == "stl" ? triangles : polygons;
+    std::ostringstream out;
+    write_mesh(out, format_of("a." + extension, Use::WRITE), mesh);
+    const Mesh_file again = read_mesh_file(written_file("again." + extension, out.str()));
+    if(extension == "stl") // which has its vertices in another order
+      EXPECT_EQ(again.faces.size(), mesh.faces.size());
+    else
+      expect_equal(again, mesh);
+  }
 }
 
 // Compressed files of all formats, in one piece or several, are what they contain.

@@ -7,7 +7,6 @@
 
 #include <CGAL/IO/OBJ.h>
 #include <CGAL/IO/OFF.h>
-#include <CGAL/IO/PLY.h>
 #include <CGAL/IO/STL.h>
 #include <CGAL/Simple_cartesian.h>
 
@@ -47,7 +46,7 @@ void check_format_holds(const Format format, const Mesh_file& mesh)
 {
   if(format == Format::GLTF)
     throw std::invalid_argument("files .gltf are read, but not written; choose .glb");
-  const std::size_t most_corners_of_ply = 255; // CGAL writes their number as a byte
+  const std::size_t most_corners_of_ply = 255; // their number is a byte
   for(std::size_t f = 0; f < mesh.faces.size(); ++f)
   {
     const std::size_t corners = mesh.faces[f].size();
@@ -70,11 +69,12 @@ void write_mesh(std::ostream& out, const Format format, const Mesh_file& mesh)
     return write_medit(out, mesh);
   if(format == Format::VTU)
     return write_vtu(out, mesh, {});
-  if(format == Format::GLB)
+  if(format == Format::GLB
+     || format == Format::PLY) // CGAL's writer of PLY refers to temporary faces
   {
     Shown_surface surface;
     surface.mesh = mesh;
-    return write_glb(out, surface);
+    return format == Format::GLB ? write_glb(out, surface) : write_ply(out, surface);
   }
   std::vector<Point> points;
   for(const std::array<double, 3>& p : mesh.points)
@@ -84,9 +84,6 @@ void write_mesh(std::ostream& out, const Format format, const Mesh_file& mesh)
   {
   case Format::OBJ:
     CGAL::IO::write_OBJ(out, points, mesh.faces, precision);
-    break;
-  case Format::PLY:
-    CGAL::IO::write_PLY(out, points, mesh.faces, precision);
     break;
   case Format::STL:
     CGAL::IO::write_STL(out, points, mesh.faces, precision);
