@@ -14,6 +14,7 @@
 
 #include <gtest/gtest.h>
 
+#include "matchers.h"
 #include "shapes.h"
 
 #include <atomic>

@@ -9,6 +9,7 @@
 #include "commands.h"
 #include "describe_shape.h"
 #include "descriptors.h"
+#include "shown_results.h"
 #include "formats/Mesh_file.h"
 
 #include <cstdlib>
