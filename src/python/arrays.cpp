@@ -145,7 +145,7 @@ int& Uninterrupted::number_in_thread()
   return number;
 }
 
-void listen_to_signals()
+void let_signals_interrupt()
 {
   using Clock = std::chrono::steady_clock;
   static const std::thread::id main_thread = std::this_thread::get_id();

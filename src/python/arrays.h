@@ -63,7 +63,7 @@ public:
 };
 
 // Lets signals such as that of Ctrl+C interrupt what the main thread computes, by Python_exception.
-void listen_to_signals();
+void let_signals_interrupt();
 
 // Calls `compute` without the lock of the interpreter.
 template <class Compute>

@@ -220,6 +220,7 @@ std::vector<std::string> save(const std::string& path, const py::object& vertice
     mesh = mesh_of(vertices, faces, cells);
   const auto points = points_of(vertices, "vertices");
   return without_lock([&] {
+    tool::forget_streams();
     if(like)
       mesh = tool::read_other_mesh_file(*like, tool::Source::KEPT);
     if(points.size() != mesh.points.size())
@@ -270,7 +271,7 @@ PYBIND11_MODULE(_core, module)
 {
   CGAL::set_error_handler(do_not_print);
   CGAL::set_warning_handler(do_not_print);
-  listen_to_signals();
+  let_signals_interrupt();
   module.attr("version") = CGAL_CANONICAL_POSE_3_VERSION;
   module.def("pose", &pose);
   module.def("target", &target);

@@ -696,7 +696,8 @@ class DescriptorIndex:
 
 def _copied(vertices, faces):
     """Return copies, for pickles of what was computed from them."""
-    faces = faces.copy() if isinstance(faces, _numpy.ndarray) else [list(face) for face in faces]
+    faces = (_numpy.array(faces) if hasattr(faces, "__array__")
+             else [list(face) for face in faces])
     return _numpy.array(vertices, dtype=float), faces
 
 

@@ -240,6 +240,8 @@ def test_arrays_of_others(tube):
     vertices, faces = tube
     expected = canonical_pose.geodesics(vertices, faces, 0)
     assert canonical_pose.geodesics(Other(vertices), Other(faces), 0).tobytes() == expected.tobytes()
+    solver = canonical_pose.HeatSolver(Other(vertices), Other(faces))
+    assert solver.distances(0).tobytes() == expected.tobytes()
 
 
 def test_report_of_parts(tube):

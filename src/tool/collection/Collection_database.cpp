@@ -305,7 +305,6 @@ std::optional<Shape_row> Collection_database::row_of(const std::string& path,
   return row;
 }
 
-// Adds what row_of() leaves out.
 void Collection_database::complete(Shape_row& row)
 {
   Statement statement(
@@ -329,16 +328,13 @@ void Collection_database::complete(Shape_row& row)
   }
 }
 
-void Collection_database::for_each_row(const std::function<void(const Shape_row&)>& f)
+void Collection_database::for_each_row(const std::function<void(Shape_row&)>& f)
 {
   Statement keys(m_database.get(), m_path,
                  "SELECT path, options FROM shape ORDER BY path, options");
   while(keys.step())
     if(std::optional<Shape_row> row = row_of(keys.text(0), keys.text(1)))
-    {
-      complete(*row);
       f(*row);
-    }
 }
 
 void Collection_database::write(const Shape_row& row)
@@ -418,10 +414,12 @@ void Collection_database::merge(const std::vector<Collection_database*>& others)
 {
   in_transaction([&] {
     for(Collection_database* const other : others)
-      other->for_each_row([&](const Shape_row& row) {
+      other->for_each_row([&](Shape_row& row) {
         const auto before = row_of(row.key.path, row.key.options);
-        if(!before || before->outcome != Outcome::DONE || row.outcome == Outcome::DONE)
-          write_row(row);
+        if(before && before->outcome == Outcome::DONE && row.outcome != Outcome::DONE)
+          return;
+        other->complete(row);
+        write_row(row);
       });
   });
 }

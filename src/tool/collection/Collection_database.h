@@ -80,8 +80,11 @@ public:
   // Returns the row of a shape, without report, parts and values of the descriptors.
   std::optional<Shape_row> row_of(const std::string& path, const std::string& options);
 
-  // Returns all rows, complete, in the order of paths and options.
-  void for_each_row(const std::function<void(const Shape_row&)>& f);
+  // Calls f for all rows as row_of() returns them, in the order of paths and options.
+  void for_each_row(const std::function<void(Shape_row&)>& f);
+
+  // Adds report, parts and values of the descriptors.
+  void complete(Shape_row& row);
 
   // Replaces the row of a shape. Descriptors that are there already are kept if the key is the same.
   void write(const Shape_row& row);
@@ -128,15 +131,14 @@ private:
   void in_transaction(const Function& f);
 
   void write_row(const Shape_row& row);
-  void complete(Shape_row& row);
 
   // The first column of the answer.
   std::vector<std::string> texts(const char* sql);
 
   std::string m_path;
   bool m_has_checksums_of_poses = true;
+  std::unique_ptr<Write_lock> m_lock; // released after the file is closed
   std::unique_ptr<sqlite3, Close> m_database;
-  std::unique_ptr<Write_lock> m_lock;
 };
 
 } // namespace Canonical_pose_tool

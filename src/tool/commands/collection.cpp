@@ -46,10 +46,10 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-bool is_mesh_file(const fs::path& path)
+bool is_of_surfaces(const std::string& extension)
 {
   static const std::set<std::string> known = {".off", ".obj", ".ply", ".stl", ".glb", ".gltf"};
-  return known.count(extension_of(path.string())) > 0;
+  return known.count(extension) > 0;
 }
 
 // The surfaces in a folder and its folders. Links are followed, but no folder is visited twice.
@@ -62,7 +62,7 @@ void add_folder(const fs::path& folder, std::set<fs::path>& visited, std::set<st
     std::error_code error;
     if(fs::is_directory(entry.path(), error))
       add_folder(entry.path(), visited, paths);
-    else if(is_mesh_file(entry.path()))
+    else if(is_of_surfaces(extension_of(entry.path().string())))
       paths.insert(entry.path().string());
   }
 }
@@ -158,9 +158,9 @@ std::string pose_file(const Arguments& arguments, const std::string& path)
     return {};
   const std::string extension = extension_of(path);
   return (fs::absolute(arguments.pose_folder) / stem_of(path)).string()
-         + (extension == ".gltf"            ? ".glb"
-            : is_mesh_file("x" + extension) ? extension
-                                            : ".off");
+         + (extension == ".gltf"        ? ".glb"
+            : is_of_surfaces(extension) ? extension
+                                        : ".off");
 }
 
 // Poses are named after the shapes.
@@ -323,11 +323,14 @@ void list_collection(const Arguments& arguments)
 {
   Collection_database database(arguments.database, false);
   Json all = Json::array();
-  database.for_each_row([&](const Shape_row& row) {
+  database.for_each_row([&](Shape_row& row) {
     if(arguments.are_failures_listed && row.outcome == Outcome::DONE)
       return;
     if(arguments.is_json)
+    {
+      database.complete(row);
       all.push_back(json_of(row));
+    }
     else
       std::cout << line_of(row, row.key.options + '\t');
   });

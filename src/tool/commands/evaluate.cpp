@@ -82,7 +82,7 @@ Classified_shapes classified(const Described_collection& shapes,
   return result;
 }
 
-// Names a shape without a class of its own that is no query, and a name without a shape.
+// Tells which names with a class have no described shape, and which classes have a single one.
 void warn_of_names(const std::map<std::string, std::string>& class_of,
                    const Described_collection& shapes, const Classified_shapes& classified)
 {

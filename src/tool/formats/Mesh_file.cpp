@@ -47,6 +47,15 @@ fs::path without_gz(const std::string& path)
   return is_compressed(path) ? fs::path(path).replace_extension() : fs::path(path);
 }
 
+std::ifstream opened(const std::string& path)
+{
+  errno = 0;
+  std::ifstream in(path, std::ios::binary);
+  if(!in)
+    throw std::invalid_argument("it cannot be opened: " + std::string(std::strerror(errno)));
+  return in;
+}
+
 void append_all(std::istream& in, std::string& bytes)
 {
   std::vector<char> part(1 << 20);
@@ -83,11 +92,14 @@ std::string bytes_of_stream(const std::string& path)
   const auto known = streams().find(path);
   if(known != streams().end())
     return known->second;
-  std::ifstream file;
-  if(!is_standard_stream(path))
-    file.open(path, std::ios::binary);
   std::string bytes;
-  append_all(is_standard_stream(path) ? std::cin : file, bytes);
+  if(is_standard_stream(path))
+    append_all(std::cin, bytes);
+  else
+  {
+    std::ifstream in = opened(path);
+    append_all(in, bytes);
+  }
   if(is_gzip(bytes))
     bytes = decompressed(bytes);
   return streams()[path] = bytes;
@@ -103,10 +115,7 @@ std::string bytes_of_file(const std::string& path)
   {
     if(fs::is_directory(path))
       throw std::invalid_argument("it is a directory");
-    errno = 0;
-    std::ifstream in(path, std::ios::binary);
-    if(!in)
-      throw std::invalid_argument("it cannot be opened: " + std::string(std::strerror(errno)));
+    std::ifstream in = opened(path);
     bytes.reserve(fs::file_size(path));
     append_all(in, bytes);
     if(is_gzip(bytes))

@@ -372,15 +372,17 @@ void check_positions(const std::string& bytes)
 std::optional<std::string> self_contained_glb(const std::string& bytes, const std::string& path)
 try
 {
-  const tinygltf::Model model = load_gltf(bytes, path);
   auto json = nlohmann::ordered_json::parse(json_of(bytes));
-  const auto images = json.find("images");
-  const bool has_images_beside = images != json.end()
-                                 && std::any_of(images->begin(), images->end(),
-                                                [](const auto& i) { return is_file(uri_of(i)); });
-  if(is_glb(bytes) && model.buffers.size() == 1 && model.buffers[0].uri.empty()
-     && !has_images_beside)
+  const auto has_files = [&](const char* const list) {
+    const auto found = json.find(list);
+    return found != json.end() && std::any_of(found->begin(), found->end(), [](const auto& entry) {
+             return is_file(uri_of(entry));
+           });
+  };
+  if(is_glb(bytes) && json.value("buffers", nlohmann::ordered_json::array()).size() == 1
+     && !json["buffers"][0].contains("uri") && !has_files("images"))
     return std::nullopt;
+  const tinygltf::Model model = load_gltf(bytes, path);
   std::string all;
   const auto append = [&](const auto& part) {
     all.resize((all.size() + 3) / 4 * 4);
@@ -398,8 +400,8 @@ try
       view["buffer"] = 0;
     }
   Files_beside files(path);
-  if(has_images_beside)
-    for(auto& image : *images)
+  if(has_files("images"))
+    for(auto& image : json["images"])
     {
       const std::string name = decoded_uri(uri_of(image));
       std::vector<unsigned char> content;
