@@ -66,10 +66,11 @@ def test_interrupt_of_distances(figure):
     expected = solver.distances(0).tobytes()
     for compute in (solver.distances,
                     lambda sources: canonical_pose.geodesics(vertices, faces, sources, threads=1)):
-        thread = threading.Thread(target=wait_and_interrupt, args=(.5,))
+        sources = np.arange(8000) % len(vertices)  # about a second
+        thread = threading.Thread(target=wait_and_interrupt, args=(.05,))
         thread.start()
         with pytest.raises(KeyboardInterrupt):
-            compute(np.arange(4000) % len(vertices))
+            compute(sources)
             pytest.fail("it was done before the signal")
         thread.join()
         assert solver.distances(0).tobytes() == expected
@@ -240,6 +241,7 @@ def test_arrays_of_others(tube):
     vertices, faces = tube
     expected = canonical_pose.geodesics(vertices, faces, 0)
     assert canonical_pose.geodesics(Other(vertices), Other(faces), 0).tobytes() == expected.tobytes()
+    expected = canonical_pose.HeatSolver(vertices, faces).distances(0)
     solver = canonical_pose.HeatSolver(Other(vertices), Other(faces))
     assert solver.distances(0).tobytes() == expected.tobytes()
 
