@@ -1,126 +1,14 @@
 // Shows the scenes that canonical-pose has put into this page.
 
 import {
-  BufferAttribute, Color, DirectionalLight, DoubleSide, HemisphereLight, Mesh, MeshStandardMaterial, PerspectiveCamera,
-  Scene, SRGBColorSpace, Vector3, WebGLRenderer
+  DirectionalLight, HemisphereLight, PerspectiveCamera, Scene, SRGBColorSpace, Vector3, WebGLRenderer
 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
-import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
+import { VIRIDIS, load, objText, setColoring, setPosition } from './shapes.js';
 
-const VIRIDIS = ['#440154', '#472d7b', '#3b528b', '#2c718e', '#21918c', '#27ad81', '#5dc963', '#aadc32', '#fde725'];
-const GRAY = '#808080';
-const PLAIN = '#c3b59b';
 const SECONDS_PER_STOP = 1.5;
 
 const element = id => document.getElementById(id);
-
-// ---- shapes ----------------------------------------------------------------------------------------
-
-// The center and the radius of the input and of each other shape.
-function extents(geometry) {
-  const position = geometry.attributes.position;
-  const point = new Vector3(), offset = new Vector3();
-  return [null, ...(geometry.morphAttributes.position || [])].map(difference => {
-    const forEachPoint = visit => {
-      for (let i = 0; i < position.count; ++i) {
-        point.fromBufferAttribute(position, i);
-        if (difference)
-          point.add(offset.fromBufferAttribute(difference, i));
-        visit();
-      }
-    };
-    const low = new Vector3().setScalar(Infinity), high = new Vector3().setScalar(-Infinity);
-    forEachPoint(() => { low.min(point); high.max(point); });
-    const center = low.add(high).multiplyScalar(0.5);
-    let radius = 0;
-    forEachPoint(() => radius = Math.max(radius, point.distanceTo(center)));
-    return { center, radius };
-  });
-}
-
-// The colorings of a mesh: name, attribute of colors, and the range of the legend, if any.
-function colorings(geometry, { legend }) {
-  const result = [];
-  const { color, _label } = geometry.attributes;
-  if (color)
-    result.push({ name: legend ? legend.attribute.slice(1).toLowerCase() : _label ? 'parts' : 'colors', color,
-      minimum: legend?.minimum, maximum: legend?.maximum });
-  for (const [key, attribute] of Object.entries(geometry.attributes)) {
-    const name = key.slice(1);
-    if (key.startsWith('_') && key != '_vertex' && key != '_label' && !result.some(coloring => coloring.name == name))
-      result.push(coloringByValues(name, attribute));
-  }
-  return [...result, { name: 'none' }];
-}
-
-// Negative values are unknown.
-function coloringByValues(name, attribute) {
-  let maximum = 0;
-  for (let i = 0; i < attribute.count; ++i)
-    maximum = Math.max(maximum, attribute.getX(i));
-  const stops = VIRIDIS.map(stop => new Color(stop)), gray = new Color(GRAY), mixed = new Color();
-  const color = new BufferAttribute(new Float32Array(3 * attribute.count), 3);
-  for (let i = 0; i < attribute.count; ++i) {
-    const value = attribute.getX(i);
-    const position = maximum > 0 ? value / maximum * (stops.length - 1) : 0;
-    const stop = Math.min(Math.floor(Math.max(position, 0)), stops.length - 2);
-    const { r, g, b } = value < 0 ? gray : mixed.lerpColors(stops[stop], stops[stop + 1], position - stop);
-    color.setXYZ(i, r, g, b);
-  }
-  return { name, color, minimum: 0, maximum };
-}
-
-function decoded(text) {
-  const characters = atob(text);
-  const bytes = new Uint8Array(characters.length);
-  for (let i = 0; i < bytes.length; ++i)
-    bytes[i] = characters.charCodeAt(i);
-  return bytes.buffer;
-}
-
-async function load(source) {
-  const name = source.dataset.name;
-  const { scene } = await new GLTFLoader().parseAsync(decoded(source.textContent), '');
-  source.remove(); // a third of the memory
-  let loaded = null;
-  scene.traverse(object => loaded = loaded || (object.isMesh && object));
-  if (!loaded)
-    throw new Error(name + ' has no surface');
-  const { geometry, userData } = loaded;
-  const mesh = new Mesh(geometry, new MeshStandardMaterial({ side: DoubleSide, roughness: 0.75 }));
-  mesh.material.flatShading = !geometry.attributes.normal;
-  mesh.frustumCulled = false; // three.js does not know how far shapes reach
-  const stops = ['input', ...(userData.targetNames || [])];
-  const shape = { name, mesh, stops, extents: extents(geometry), colorings: colorings(geometry, userData),
-    figures: userData.figures || {} };
-  shape.radius = Math.max(...shape.extents.map(extent => extent.radius)) || 1;
-  setColoring(shape, 0);
-  setPosition(shape, stops.length - 1);
-  return shape;
-}
-
-// Between two stops, points are interpolated, and so is the center.
-function setPosition(shape, position) {
-  const { mesh, extents, radius } = shape;
-  const stop = Math.min(Math.floor(position), Math.max(extents.length - 2, 0)), share = position - stop;
-  const weights = extents.map((_, i) => i == stop ? 1 - share : i == stop + 1 ? share : 0);
-  weights.slice(1).forEach((weight, i) => mesh.morphTargetInfluences[i] = weight);
-  mesh.position.set(0, 0, 0);
-  weights.forEach((weight, i) => mesh.position.addScaledVector(extents[i].center, -weight / radius));
-  mesh.scale.setScalar(1 / radius);
-  shape.position = position;
-}
-
-function setColoring(shape, number) {
-  const { color } = shape.colorings[number];
-  const { geometry, material } = shape.mesh;
-  if (color)
-    geometry.setAttribute('color', color);
-  material.vertexColors = Boolean(color);
-  material.color.set(color ? '#ffffff' : PLAIN);
-  material.needsUpdate = true;
-  shape.coloring = number;
-}
 
 // ---- view ------------------------------------------------------------------------------------------
 
@@ -148,9 +36,9 @@ class View {
 
   show(shape) {
     if (this.shape)
-      this.scene.remove(this.shape.mesh);
+      this.scene.remove(this.shape.root);
     this.shape = shape;
-    this.scene.add(shape.mesh);
+    this.scene.add(shape.root);
     this.update();
   }
 
@@ -212,8 +100,26 @@ function nameOfPosition(stops, position) {
   return position == stop ? stops[stop] : 'between ' + stops[stop] + ' and ' + stops[stop + 1];
 }
 
-function shown(number) {
-  return Number.isInteger(number) ? number.toLocaleString('en-US') : number.toPrecision(3);
+function shown(figure) {
+  if (typeof figure == 'string')
+    return figure;
+  return Number.isSafeInteger(figure) ? figure.toLocaleString('en-US') : figure.toPrecision(3);
+}
+
+function decoded(text) {
+  const characters = atob(text);
+  const bytes = new Uint8Array(characters.length);
+  for (let i = 0; i < bytes.length; ++i)
+    bytes[i] = characters.charCodeAt(i);
+  return bytes.buffer;
+}
+
+function download(name, text) {
+  const link = document.createElement('a');
+  link.download = name;
+  link.href = URL.createObjectURL(new Blob([text]));
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 60000); // Safari asks before it reads
 }
 
 class Page {
@@ -226,6 +132,7 @@ class Page {
     element('play').addEventListener('click', () => this.play(!this.isPlaying));
     element('colors').addEventListener('change', () => this.color(element('colors').selectedIndex));
     element('turn').addEventListener('change', () => this.turn(element('turn').checked));
+    element('save').addEventListener('click', () => this.save());
     shapes.forEach(shape => this.addToGallery(shape));
     element('gallery').hidden = shapes.length == 1;
     element('shape').hidden = false;
@@ -238,7 +145,7 @@ class Page {
     const button = document.createElement('button');
     button.type = 'button';
     const picture = document.createElement('img');
-    picture.src = this.view.picture(shape);
+    picture.src = shape.picture;
     picture.alt = '';
     button.append(picture, shape.name);
     button.addEventListener('click', () => this.choose(shape));
@@ -261,12 +168,12 @@ class Page {
       return button;
     }));
     element('colors').replaceChildren(...shape.colorings.map(({ name }) => new Option(name)));
-    element('figures').replaceChildren(...Object.entries(shape.figures).map(([name, number]) => {
+    element('figures').replaceChildren(...shape.figures.map(([name, figure]) => {
       const row = document.createElement('tr');
       row.append(document.createElement('th'), document.createElement('td'));
       row.firstChild.textContent = name.replaceAll('_', ' ');
       row.firstChild.scope = 'row';
-      row.lastChild.textContent = shown(number);
+      row.lastChild.textContent = shown(figure);
       return row;
     }));
     this.color(shape.coloring);
@@ -292,6 +199,12 @@ class Page {
       element('maximum').textContent = shown(maximum);
     }
     this.view.update();
+  }
+
+  save() {
+    const { name, stops, position } = this.shape;
+    const pose = stops.length > 1 ? '_' + nameOfPosition(stops, position).replaceAll(' ', '_') : '';
+    download(name + pose + '.obj', objText(this.shape));
   }
 
   turn(isTurning) {
@@ -321,21 +234,32 @@ class Page {
 }
 
 function complain(message) {
-  element('message').textContent = message;
+  element('message').append(message + '\n');
   element('message').hidden = false;
 }
 
 async function main() {
-  const shapes = [];
-  for (const source of document.querySelectorAll('script.scene'))
-    shapes.push(await load(source));
   let view;
   try {
     view = new View(element('view'));
   } catch {
     return complain('This page requires WebGL 2, which this browser does not offer.');
   }
-  new Page(view, shapes);
+  const shapes = [];
+  for (const source of document.querySelectorAll('script.scene')) {
+    const { name } = source.dataset;
+    try {
+      const bytes = decoded(source.textContent);
+      source.remove(); // a third of the memory
+      const shape = await load(name, bytes);
+      shape.picture = view.picture(shape);
+      shapes.push(shape);
+    } catch (error) {
+      complain(name + ' cannot be shown: ' + String(error.message ?? error).replace('THREE.GLTFLoader: ', ''));
+    }
+  }
+  if (shapes.length > 0)
+    new Page(view, shapes);
 }
 
 main().catch(error => complain(error.message)).finally(() => document.querySelector('main').setAttribute('aria-busy', 'false'));

@@ -1,9 +1,10 @@
-# Makes a page of a pose, an animal, parts and distances, and opens it in Chromium.
+# Makes a page of a pose, an animal, parts and distances, and one of scenes of other programs, and opens both in
+# Chromium. The pose that the page saves has to be the pose.
 # Called with -DTOOL=path -DMAKE_FIGURE=path -DNODE=path -DCHROMIUM=path -DWORK=directory; WORK is emptied first.
 
 cmake_minimum_required(VERSION 3.19...3.31)
 file(REMOVE_RECURSE ${WORK})
-file(MAKE_DIRECTORY ${WORK}/screenshots)
+file(MAKE_DIRECTORY ${WORK}/screenshots ${WORK}/saved ${WORK}/others)
 
 function(run)
   execute_process(COMMAND ${ARGN} WORKING_DIRECTORY ${WORK} COMMAND_ERROR_IS_FATAL ANY)
@@ -12,8 +13,18 @@ endfunction()
 run(${MAKE_FIGURE} --vertices 5000 --pose running running.off)
 run(${MAKE_FIGURE} --vertices 5000 --shape animal animal.off)
 run(${TOOL} pose running.off -o pose.off --scene running.glb --quiet)
-run(${TOOL} pose animal.off -o pose.off --scene animal.glb --quiet)
+run(${TOOL} pose animal.off -o animal_pose.off --scene animal.glb --quiet)
 run(${TOOL} segment running.off --method sweep --parts 8 -o parts.glb --quiet)
 run(${TOOL} geodesics running.off --source 0 -o distances.glb)
 run(${TOOL} page running.glb animal.glb parts.glb distances.glb -o page.html)
-run(${NODE} ${CMAKE_CURRENT_LIST_DIR}/test_page_in_browser.js ${CHROMIUM} page.html --screenshots screenshots)
+execute_process(COMMAND ${NODE} ${CMAKE_CURRENT_LIST_DIR}/scenes_of_others.js others WORKING_DIRECTORY ${WORK}
+  OUTPUT_VARIABLE others COMMAND_ERROR_IS_FATAL ANY)
+run(${TOOL} page ${others} -o others.html)
+run(${NODE} ${CMAKE_CURRENT_LIST_DIR}/test_page_in_browser.js ${CHROMIUM} page.html --others others.html --saved saved
+  --screenshots screenshots)
+
+execute_process(COMMAND ${TOOL} compare pose.off saved/running_pose.obj WORKING_DIRECTORY ${WORK}
+  OUTPUT_VARIABLE difference COMMAND_ERROR_IS_FATAL ANY)
+if(NOT difference MATCHES "\n0\\.000000")
+  message(FATAL_ERROR "The pose that the page saves differs from the pose: ${difference}")
+endif()
