@@ -7,25 +7,39 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/boost/graph/generators.h>
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
-#include <stdexcept>
+#include <vector>
 
 namespace test_diagnosis_limits {
 
 namespace CP = CGAL::Canonical_pose_3;
 using namespace Canonical_pose_test;
 
-TEST(Diagnosis, what_throws)
+// All of them are listed, and nothing else is examined.
+TEST(Diagnosis, wrong_values)
 {
   Polygon_soup soup = ball();
   soup.polygons[7][1] = 12;
-  EXPECT_THROW_WITH(diagnosis(soup), std::invalid_argument,
-                    "face 7 names vertex 12, but there are 12");
-  soup = ball();
+  soup.polygons[9] = {14, 13, 12};
   soup.points[3][2] = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_THROW_WITH(diagnosis(soup), std::invalid_argument,
-                    "vertex 3 has a coordinate that is not finite");
+  soup.points[5][0] = std::numeric_limits<double>::infinity();
+  const CP::Diagnosis_3 d = diagnosis(soup);
+  using Examples = std::vector<std::vector<std::size_t>>;
+  ASSERT_EQ(d.defects.size(), 2u);
+  EXPECT_EQ(d.defects[0].kind, "not_finite");
+  EXPECT_EQ(d.defects[0].count, 2u);
+  EXPECT_EQ(d.defects[0].examples, (Examples{{3}, {5}}));
+  EXPECT_EQ(d.first_defect, "vertex 3 has a coordinate that is not finite");
+  EXPECT_EQ(d.defects[1].kind, "wrong_indices");
+  EXPECT_EQ(d.defects[1].examples, (Examples{{7}, {9}}));
+  EXPECT_EQ(d.defects[1].message, "face 7 names vertex 12, but there are 12");
+  EXPECT_FALSE(d.is_clean());
+  const CP::Diagnosis_3 of_cells = CP::diagnose(
+    CP::Point_matrix::Identity(3, 3), std::vector<std::array<std::size_t, 4>>{{0, 1, 2, 3}});
+  EXPECT_EQ(of_cells.first_defect, "cell 0 names vertex 3, but there are 3");
 }
 
 // All pairs of 1500 faces intersect, more than a million; the search stops at its bound.

@@ -25,7 +25,7 @@ struct Diagnosis_3
   /// is a type of defect, with the first elements that have it.
   struct Defect
   {
-    /// one of `no_faces`, `degenerate_faces`, `duplicate_faces`, `non_manifold_edges` (with more
+    /// one of `not_finite` (coordinates), `wrong_indices` (these two exclude all others), `no_faces`, `degenerate_faces`, `duplicate_faces`, `non_manifold_edges` (with more
     /// than two faces), `inconsistent_orientation`, `non_manifold_vertices`, `components`,
     /// `isolated_vertices`, `self_intersections`, `holes`, `inside_out`, `duplicated_points`,
     /// `polygons`; the worst come first.

@@ -4,6 +4,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_REGISTRATION_PROGRESS_H
 #define CGAL_CANONICAL_POSE_3_REGISTRATION_PROGRESS_H
 
+#include <cstddef>
 #include <functional>
 
 namespace CGAL {
@@ -12,7 +13,8 @@ namespace Canonical_pose_3 {
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief is passed to a `RegistrationVisitor_3` after each iteration. All members are dimensionless.
+\brief is passed to a `RegistrationVisitor_3` after each iteration. All members are dimensionless. The
+last two tell where in the one call it is, and are 0 in calls of a registrar.
 */
 struct Registration_progress
 {
@@ -28,6 +30,10 @@ struct Registration_progress
   double energy_constraints;
   /// the largest displacement of a surface vertex in this iteration, divided by \f$ L \f$.
   double largest_move;
+  /// the round, from 1, if the pose is one on which distances are measured; 0: it is the final one.
+  int round = 0;
+  /// the number of the component, from 0, by decreasing size. The smallest is posed first.
+  std::size_t component = 0;
 };
 
 /*!

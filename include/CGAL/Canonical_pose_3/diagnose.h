@@ -25,7 +25,8 @@ namespace Canonical_pose_3 {
 \param points \f$ n \times 3 \f$, positions.
 \param polygons sequences of rows of `points`.
 
-\throws std::invalid_argument if a coordinate is not finite or a polygon has an invalid row.
+If coordinates are not finite or polygons have invalid rows, all of these are defects, and nothing else is
+examined.
 
 <em>Complexity:</em> \f$ O(n \log n) \f$, plus the search for intersections. The search ends when
 `Diagnosis_3::MAXIMUM_NUMBER_OF_SELF_INTERSECTIONS` pairs are found, or when the number of
@@ -44,8 +45,7 @@ outward, in the order of the cells.
 \param points \f$ n \times 3 \f$, positions. Those that are not on the boundary are not counted.
 \param cells quadruples of rows of `points`.
 
-\throws std::invalid_argument if a coordinate is not finite, a cell has an invalid row, or a face
-       belongs to more than two cells.
+\throws std::invalid_argument if a cell names a vertex twice, or a face belongs to more than two cells.
 
 \sa `extract_boundary()`
 */
@@ -63,9 +63,6 @@ Diagnosis_3 diagnose(const Point_matrix& points,
 \param mesh the mesh.
 \param np `vertex_point_map` and `geom_traits`, as for `CGAL::canonical_pose_3()`; instead of them, a
        point map.
-
-\throws std::invalid_argument if a coordinate is not finite; the message states the index of the
-       vertex.
 */
 template <class PolygonMesh, class NamedParameters = parameters::Default_named_parameters,
           std::enable_if_t<!std::is_same<PolygonMesh, Point_matrix>::value, int> = 0>

@@ -82,6 +82,7 @@ struct Registered_body
   Point_matrix points;
   Target_3 target;
   bool is_stiff = false; // since it collapsed
+  int round = 0;         // from 1, if distances are measured on it
   // If there is a visitor: that of least energy for this target, with the detail length of the call.
   Best_pose best_pose = {1};
   Point_matrix target_of_best_pose = Point_matrix(0, 3);

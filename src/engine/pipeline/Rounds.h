@@ -96,6 +96,7 @@ private:
     {
       Real_timer timer;
       timer.start();
+      current.round = round + 1;
       Registered_body measured = starts_stiff && round == 0
                                    ? m_registration.measured_stiff(current, stiff)
                                    : m_registration.measured(current, stiff);
@@ -137,6 +138,7 @@ private:
          || (ends_inside_out && m_registration.handedness(current.target).volume_ratio < 0))
         break;
     }
+    current.round = 0;
     return current;
   }
 

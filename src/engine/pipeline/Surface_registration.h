@@ -331,6 +331,7 @@ private:
     if(m_options.visitor)
       visitor = [&](Registration_progress progress) { // counts all iterations
         progress.iteration += before.iterations;
+        progress.round = registered.round;
         is_stopped = !m_options.visitor(progress);
         return !is_stopped;
       };

@@ -200,6 +200,21 @@ inline std::optional<std::string> warning_of_copies(const Prepared_surface_3& su
          + " in all: what is given there is taken for all copies of the vertex";
 }
 
+// What was repaired that changes how the surface is connected.
+std::optional<std::string> warning_of_repair(const Diagnosis_3& diagnosis)
+{
+  const std::size_t number = diagnosis.non_manifold_edges + diagnosis.non_manifold_vertices;
+  const auto first = std::find_if(
+    diagnosis.defects.begin(), diagnosis.defects.end(), [](const Diagnosis_3::Defect& defect) {
+      return defect.kind == "non_manifold_edges" || defect.kind == "inconsistent_orientation"
+             || defect.kind == "non_manifold_vertices";
+    });
+  if(number == 0 || first == diagnosis.defects.end())
+    return std::nullopt;
+  return "the surface was repaired internally: " + first->message
+         + (number == 1 ? "" : ", one of " + std::to_string(number) + " such edges and vertices");
+}
+
 } // namespace internal
 
 Result joined_result(const Prepared_surface_3& surface, const std::vector<Result>& results)
@@ -221,6 +236,8 @@ Result joined_result(const Prepared_surface_3& surface, const std::vector<Result
       joined.landmark_fields = internal::joined_fields(map, surface.components.front().surface,
                                                        *results.front().landmark_fields);
   }
+  if(const auto warning = internal::warning_of_repair(surface.diagnosis))
+    summary->warnings.push_back(*warning);
   if(const auto warning = internal::warning_of_copies(surface))
     summary->warnings.push_back(*warning);
   for(const Prepared_surface_3::Component& component : surface.components)

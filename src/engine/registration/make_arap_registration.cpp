@@ -338,7 +338,7 @@ private:
   {
     return !visitor
            || visitor({summary.iterations, summary.energy, summary.energy_match,
-                       summary.energy_arap, summary.energy_constraints, largest_move(step)});
+                       summary.energy_arap, summary.energy_constraints, largest_move(step), 0, 0});
   }
 
   // Keeps v, the position of the last local step, if it is better.

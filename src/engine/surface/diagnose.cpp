@@ -56,17 +56,65 @@ Diagnosis_3 examine_boundary(const Point_matrix& points,
   return result;
 }
 
+namespace {
+
+// Adds an element to a defect; the first one has a message.
+void add_example(Diagnosis_3::Defect& defect, const std::size_t element, const std::string& message)
+{
+  constexpr std::size_t most = 5;
+  if(defect.count++ == 0)
+    defect.message = message;
+  if(defect.examples.size() < most)
+    defect.examples.push_back({element});
+}
+
+// The defects of values that are neither positions nor indices. Where there are some, there are no shapes to examine.
+template <class Elements>
+Diagnosis_3 diagnosis_of_values(const Point_matrix& points, const Elements& elements,
+                                const std::string& kind_of_element)
+{
+  Diagnosis_3::Defect positions = {"not_finite", 0, "vertex", {}, {}},
+                      indices = {"wrong_indices", 0, kind_of_element, {}, {}};
+  for(Eigen::Index v = 0; v < points.rows(); ++v)
+    if(!points.row(v).allFinite())
+      add_example(positions, static_cast<std::size_t>(v),
+                  "vertex " + std::to_string(v) + " has a coordinate that is not finite");
+  const auto n = static_cast<std::size_t>(points.rows());
+  for(std::size_t i = 0; i < elements.size(); ++i)
+    for(const std::size_t v : elements[i])
+      if(v >= n)
+      {
+        add_example(indices, i,
+                    kind_of_element + ' ' + std::to_string(i) + " names vertex " + std::to_string(v)
+                      + ", but there are " + std::to_string(n));
+        break;
+      }
+  Diagnosis_3 result;
+  result.vertices = n;
+  result.faces = elements.size();
+  for(const Diagnosis_3::Defect& defect : {positions, indices})
+    if(defect.count > 0)
+      result.defects.push_back(defect);
+  if(!result.defects.empty())
+    result.first_defect = result.defects.front().message;
+  return result;
+}
+
+} // namespace
+
 } // namespace internal
 
 Diagnosis_3 diagnose(const Point_matrix& points, const Face_list& polygons)
 {
-  return internal::diagnose_soup(points, polygons, true);
+  Diagnosis_3 of_values = internal::diagnosis_of_values(points, polygons, "face");
+  return of_values.defects.empty() ? internal::diagnose_soup(points, polygons, true) : of_values;
 }
 
 Diagnosis_3 diagnose(const Point_matrix& points,
                      const std::vector<std::array<std::size_t, 4>>& cells)
 {
-  return internal::examine_boundary(points, cells, true);
+  Diagnosis_3 of_values = internal::diagnosis_of_values(points, cells, "cell");
+  return of_values.defects.empty() ? internal::examine_boundary(points, cells, true) : of_values;
 }
 
 } // namespace Canonical_pose_3
