@@ -38,7 +38,7 @@ public:
   /// No iteration follows the one after which `false` was returned.
   ///
   /// Exceptions propagate unchanged to the caller of the registration, whose arguments are then
-  /// unchanged, too.
+  /// also unchanged.
   bool operator()(const CGAL::Canonical_pose_3::Registration_progress& progress);
 
   /// @}

@@ -39,7 +39,7 @@ public:
   Eigen::VectorXd operator()(const CGAL::Canonical_pose_3::Point_matrix& points,
                              const CGAL::Canonical_pose_3::Face_list& polygons) const;
 
-  /// returns the distances of a shape to others.
+  /// returns the shape distances of a shape to others.
   /// \param query the values of a shape.
   /// \param others the values of other shapes, a column each.
   Eigen::VectorXd distances(const Eigen::VectorXd& query,

@@ -31,7 +31,7 @@ length, is a metric, and is smooth; it depends on all paths between two points, 
 shortest. It is not a geodesic distance: it grows more slowly, and differs by a factor that depends
 on the shape.
 
-It is sensitive to false contacts, too. If a hand and a leg of the articulated figure are joined by
+It is also sensitive to false contacts. If a hand and a leg of the articulated figure are joined by
 a bridge one face wide, in five poses, distances change by 9 to 17 percent (root mean square), and
 geodesic distances by 10 to 16 percent.
 

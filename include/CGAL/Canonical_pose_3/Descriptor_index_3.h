@@ -24,11 +24,11 @@ namespace Canonical_pose_3 {
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief searches shapes by their descriptors.
+\brief searches shapes by their shape distances, those of their descriptors.
 
 \tparam ShapeDescriptor a model of `ShapeDescriptor_3`
 
-All values are in memory. A query computes the distances to all shapes, which takes about as long as
+All values are in memory. A query computes the shape distances to all, which takes about as long as
 reading the values.
 
 \sa `shape_descriptor()`, `fused_distances()`, `manifold_ranking()`
@@ -37,7 +37,7 @@ template <class ShapeDescriptor>
 class Descriptor_index_3
 {
 public:
-  /// a shape, and its distance to the query.
+  /// a shape, and its shape distance to the query.
   struct Neighbor
   {
     std::size_t shape; ///< its number, in the order of insertion.
@@ -86,7 +86,7 @@ public:
   }
 
   /*!
-  returns the distances of a query to all shapes.
+  returns the shape distances of a query to all shapes.
 
   \throws std::invalid_argument as `insert()`.
   */
@@ -97,7 +97,7 @@ public:
   }
 
   /*!
-  returns the nearest shapes, by increasing distance; of equal ones, that with the smaller number
+  returns the nearest shapes, by increasing shape distance; of equal ones, that with the smaller number
   comes first.
 
   \param query values of the descriptor.
@@ -120,7 +120,7 @@ public:
     return result;
   }
 
-  /// returns the symmetric matrix of the distances of all pairs of shapes.
+  /// returns the symmetric matrix of the shape distances of all pairs.
   Eigen::MatrixXd distances() const
   {
     const auto n = static_cast<Eigen::Index>(m_size);
@@ -166,8 +166,8 @@ inline void check_distances_of_pairs(const Eigen::MatrixXd& distances, const std
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief combines distances by several descriptors: their sum, after each was divided by its mean over
-all pairs.
+\brief combines shape distances of several descriptors: their sum, after each was divided by its mean
+over all pairs.
 
 \param distances matrices from `Descriptor_index_3::distances()`, of the same shapes.
 \param weights positive, one per matrix; all are 1 if empty.
@@ -204,15 +204,15 @@ inline Eigen::MatrixXd fused_distances(const std::vector<Eigen::MatrixXd>& dista
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief returns dissimilarities that take neighbors of neighbors into account.
+\brief returns shape distances that take neighbors of neighbors into account.
 
 Manifold ranking (D. Zhou et al., "Ranking on data manifolds", 2003): scores spread from the query
 over the graph of nearest neighbors, whose weights depend on the distances to the farthest of them (L.
 Zelnik-Manor and P. Perona, "Self-tuning spectral clustering", 2004). Entry \f$ (i, j) \f$ is small if shape \f$ j \f$ has a high score for query
-\f$ i \f$; shapes without a path to the query follow in the order of their distances. The matrix is not
-symmetric.
+\f$ i \f$; shapes without a path to the query follow in the order of their shape distances. The matrix
+is not symmetric.
 
-\param distances symmetric, of all pairs of shapes.
+\param distances shape distances of all pairs, symmetric.
 \param number_of_neighbors in the graph, per shape.
 
 \throws std::invalid_argument if the matrix is not square, an entry is negative or not finite, or the

@@ -131,7 +131,7 @@ public:
     push_back(boost::make_iterator_range(face.begin(), face.end()));
   }
 
-  /// appends a face of a list, of this one, too.
+  /// appends a face of a list, possibly of this one.
   void push_back(const Face& face) { push_back(std::vector<Index>(face.begin(), face.end())); }
 
   /// allocates memory for a number of triangles.

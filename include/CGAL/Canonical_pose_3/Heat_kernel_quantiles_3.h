@@ -60,7 +60,7 @@ public:
   */
   Eigen::VectorXd operator()(const Point_matrix& points, const Face_list& polygons) const;
 
-  /// returns the distances of `query` to the columns of `others`: sums of absolute differences.
+  /// returns the shape distances of `query` to the columns of `others`: sums of absolute differences.
   static Eigen::VectorXd distances(const Eigen::VectorXd& query,
                                    const Eigen::Ref<const Eigen::MatrixXd>& others)
   {

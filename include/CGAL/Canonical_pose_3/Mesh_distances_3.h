@@ -28,8 +28,9 @@ namespace Canonical_pose_3 {
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief The class `Mesh_distances_3` is the base of `Heat_geodesics_3`, `Wavefront_geodesics_3`,
-`Exact_geodesics_3` and `Biharmonic_distances_3`: the queries, which are the same for all of them.
+\brief The class `Mesh_distances_3` is the base of the classes that compute distances on a surface,
+`Heat_geodesics_3`, `Wavefront_geodesics_3`, `Exact_geodesics_3` and `Biharmonic_distances_3`: it has
+their queries.
 
 All queries can be called from several threads at the same time.
 

@@ -148,7 +148,7 @@ struct Method_options
   /// shown without alignment.
   enum class Frame { INPUT, CANONICAL };
 
-  /// how the target is computed: by multidimensional scaling of distances, see `mds_target()`, or by
+  /// how the target is computed: by multidimensional scaling of geodesic distances, see `mds_target()`, or by
   /// unfolding, without distances, see `unfolded_target()`.
   enum class Target_mode { MDS, UNFOLDING };
 
@@ -158,15 +158,19 @@ struct Method_options
   /// the least value of `lattice_spacing` but 0. How many cubes there may be depends on the shape.
   static constexpr double SMALLEST_LATTICE_SPACING = internal::SMALLEST_LATTICE_SPACING;
 
-  /// the distances.
+  /// \name Distances and landmarks
+  /// @{
+
+  /// the method for geodesic distances.
   Geodesics geodesics = Geodesics::HEAT;
 
-  /// if set, computes the distances instead, for example with `Exact_geodesics_3`; see
-  /// `landmark_fields_function()`.
+  /// if set, computes the distances instead, for target, body and \f$ L \f$: the way to supply your
+  /// own, for example those of `Exact_geodesics_3`, see `landmark_fields_function()`.
   Landmark_fields_function landmark_fields_function;
 
-  /// if set, computes the distances for the target, in the unit of the mesh; the body and the
-  /// length \f$ L \f$ are still based on the distances above.
+  /// if set, computes the distances for the target alone, in the unit of the mesh. Only for distances
+  /// that are not geodesic, such as those of `Biharmonic_distances_3`: body and \f$ L \f$ are still
+  /// based on the distances above.
   Landmark_fields_function target_fields_function;
 
   /// approximate number of vertices of the coarse surface on which distances are computed, see
@@ -181,6 +185,11 @@ struct Method_options
   /// if 0, the first landmark is `extremal_point()`; otherwise it is drawn with this seed. Nothing
   /// else is random.
   unsigned int random_seed = 0;
+
+  /// @}
+
+  /// \name Target
+  /// @{
 
   /// the kernel.
   Kernel kernel = Kernel::CLASSICAL;
@@ -205,9 +214,19 @@ struct Method_options
   /// `align_handedness()`.
   bool takes_mirror_image = false;
 
+  /// @}
+
+  /// \name Input and components
+  /// @{
+
   /// whether to count self-intersections for the summary, which takes a quarter to a third of the time without it.
   /// They are no obstacle, but for bodies of TetGen and Mesh_3, which search them in any case.
   bool searches_self_intersections = false;
+
+  /// @}
+
+  /// \name Elastic body
+  /// @{
 
   /// the body of a surface; a complex is its own body.
   Body body = Body::AUTOMATIC;
@@ -219,15 +238,30 @@ struct Method_options
   /// a cube is as large as the shape; if 0, it is chosen based on the thickness of the shape.
   double lattice_spacing = 0;
 
+  /// @}
+
+  /// \name Input and components
+  /// @{
+
   /// the components of a surface or a complex.
   Components components = Components::AUTOMATIC;
 
   /// the false contacts of a surface.
   Contacts contacts = Contacts::KEEP;
 
+  /// @}
+
+  /// \name Result
+  /// @{
+
   /// the position of the pose and the followers. Targets, whether given or returned, and constraints
   /// refer to the frame of the input in any case; `Result::motion` leads from there to the pose.
   Frame frame = Frame::INPUT;
+
+  /// @}
+
+  /// \name Registration
+  /// @{
 
   /// the options of the registration.
   Registration_options registration;
@@ -242,6 +276,11 @@ struct Method_options
   /// too large. Positive. The default is 1.15; for given targets and with `paper_weights`, it is
   /// unlimited.
   std::optional<double> volume_ratio_limit;
+
+  /// @}
+
+  /// \name Solver, threads and progress
+  /// @{
 
   /// the linear solver.
   Solver solver = Solver::AUTOMATIC;
@@ -258,8 +297,15 @@ struct Method_options
   /// and models of the user, they are posed in parallel.)
   Registration_visitor visitor;
 
+  /// @}
+
+  /// \name Result
+  /// @{
+
   /// whether the result contains the landmarks and the distances to them.
   bool return_landmark_fields = false;
+
+  /// @}
 };
 
 /*!
@@ -269,6 +315,9 @@ struct Method_options
 */
 struct Vertex_options
 {
+  /// \name Weights and stiffness
+  /// @{
+
   /// factors of the matching weights, 0 or from \f$ 10^{-100} \f$ to \f$ 10^{100} \f$, which are
   /// shares of the area and are normalized to the sum 1 afterwards: one per vertex in the order of
   /// `vertices(tmesh)` or of the vertices of the complex, or none; see `property_values()`. A
@@ -281,8 +330,18 @@ struct Vertex_options
   /// \f$ \sqrt c \f$.
   Eigen::VectorXd stiffness;
 
+  /// @}
+
+  /// \name Constraints
+  /// @{
+
   /// the constraints.
   Constraints_3 constraints;
+
+  /// @}
+
+  /// \name Followers and given results
+  /// @{
 
   /// \f$ m \times 3 \f$, points near the surface, such as markers or the vertices of a finer
   /// version of it. Each of them follows the nearest component, see `Body_deformer_3`. Their pose
@@ -293,6 +352,8 @@ struct Vertex_options
   /// earlier call for the same input can be assigned to it. Distances can be given for a single
   /// component only.
   Intermediate_results given;
+
+  /// @}
 };
 
 /*!

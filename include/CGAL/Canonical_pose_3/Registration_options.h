@@ -27,6 +27,9 @@ struct Registration_options
   /// not be positive definite in double precision.
   static constexpr double SMALLEST_WEIGHT = 1e-9, LARGEST_WEIGHT = 1e9;
 
+  /// \name Weights
+  /// @{
+
   /// \f$ \ell \f$, as a fraction of the length scale \f$ L \f$: features smaller than \f$ \ell L
   /// \f$ keep their shape, larger ones follow the target. From \f$ 10^{-6} \f$ to \f$ 10^3 \f$.
   double detail_length = 0.1;
@@ -35,6 +38,11 @@ struct Registration_options
   /// \cgalCite{cgal:canonical-s-sdacm-15} (Equation 11). From 0 to \f$ 10^9 \f$. It slows down
   /// convergence and rarely helps.
   double tikhonov = 0;
+
+  /// @}
+
+  /// \name Iteration
+  /// @{
 
   /// maximum number of iterations. Nonnegative.
   int number_of_iterations = 500;
@@ -54,6 +62,11 @@ struct Registration_options
   /// is no correction with fairing or a Tikhonov term. Nonnegative.
   int acceleration_window = 5;
 
+  /// @}
+
+  /// \name Fairing
+  /// @{
+
   /// number of fairing passes (Taubin \cgalCite{cgal:canonical-t-spafsd-95}: one step of \f$
   /// \lambda \f$ and one of \f$ \mu \f$, equal weights over the edges of the boundary of the body)
   /// of the copy from which the rotations are computed from the second iteration on
@@ -67,6 +80,11 @@ struct Registration_options
   /// \f$ \mu \f$ of the fairing. From \f$ -1 \f$ to 1.
   double fairing_mu = -0.53;
 
+  /// @}
+
+  /// \name Inverted cells
+  /// @{
+
   /// whether the result must not have inverted or flat cells, that is, cells whose orientation
   /// differs from that at rest, where none is flat. Such cells are untangled after the iteration,
   /// with their surroundings, by foldover-free maps \cgalCite{cgal:canonical-gkkprs-ffm-21}; then
@@ -75,6 +93,8 @@ struct Registration_options
   /// converged. If there are no such cells, this option has no effect. By default, it is set unless
   /// there is fairing, as with the paper's weights.
   std::optional<bool> injective;
+
+  /// @}
 
   /// returns `injective`, or its default.
   bool is_injective() const { return injective.value_or(fairing_passes == 0); }

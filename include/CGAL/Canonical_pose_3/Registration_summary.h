@@ -95,10 +95,19 @@ struct Registration_summary
   /// a stage of the pipeline with its running time in seconds.
   using Stage = std::pair<std::string, double>;
 
+  /// \name Iteration
+  /// @{
+
   /// why the iteration stopped.
   Termination termination = NOT_RUN;
   /// number of completed iterations.
   int iterations = 0;
+
+  /// @}
+
+  /// \name Energies
+  /// @{
+
   /// the energy \f$ E \f$ of the result, dimensionless.
   double energy = 0;
   /// its matching term, or its unfolding term, which is negative.
@@ -110,6 +119,12 @@ struct Registration_summary
   /// the energy at the start and after each iteration; if inverted cells were untangled, followed
   /// by that of the result, which may be higher.
   std::vector<double> energy_history;
+
+  /// @}
+
+  /// \name Quality of the pose
+  /// @{
+
   /// number of cells that are inverted (or flat) in the result.
   std::size_t inverted = 0;
   /// number of surface faces whose normal is rotated by more than 90 degrees relative to the
@@ -120,10 +135,22 @@ struct Registration_summary
   /// median over the edges of the surface of \f$ | \log(\text{length in the result} / \text{length
   /// at rest}) | \f$.
   double median_edge_strain = 0;
+
+  /// @}
+
+  /// \name Solver and running times
+  /// @{
+
   /// name of the linear solver.
   std::string solver;
   /// running time of each stage, in the order of the pipeline.
   std::vector<Stage> stages;
+
+  /// @}
+
+  /// \name Input, target, rounds and body
+  /// @{
+
   /// diagnosis of the surface.
   Diagnosis_3 input;
   /// the target.
@@ -132,10 +159,12 @@ struct Registration_summary
   std::vector<Round> rounds;
   /// the body.
   Body body;
-  /// the components without a pose of their own: pieces and fragments, too.
+  /// the components without a pose of their own, including pieces and fragments.
   std::vector<Follower> followers;
   /// warnings, one line each, about a usable result.
   std::vector<std::string> warnings;
+
+  /// @}
 
   /// returns whether the stopping inequalities hold.
   bool converged() const { return termination == CONVERGED; }

@@ -62,7 +62,7 @@ public:
   sorts the answers to each query, by increasing dissimilarity; of equal ones, that with the smaller
   number comes first.
 
-  \param dissimilarities \f$ n \times n \f$; row \f$ i \f$ belongs to query \f$ i \f$. See
+  \param dissimilarities \f$ n \times n \f$, such as shape distances; row \f$ i \f$ belongs to query \f$ i \f$. See
          `Descriptor_index_3::distances()`, `fused_distances()`, `manifold_ranking()`.
   \param classes the class of each shape, a number.
 

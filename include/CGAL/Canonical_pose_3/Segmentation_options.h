@@ -26,7 +26,7 @@ struct Segmentation_options
   /// `k_means_segmentation()`.
   unsigned int random_seed = 0;
 
-  /// at most so many threads; 0: as many as there are. The result does not depend on it.
+  /// maximum number of threads; 0 for no limit. The result does not depend on it.
   int number_of_threads = 0;
 };
 

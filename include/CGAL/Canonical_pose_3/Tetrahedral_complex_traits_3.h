@@ -101,6 +101,7 @@ struct No_complex_traits<Triangulation, true>
 } // namespace internal
 
 /*!
+\struct CGAL::Canonical_pose_3::Tetrahedral_complex_traits_3 Tetrahedral_complex_traits_3.h <CGAL/Canonical_pose_3/Tetrahedral_complex_traits_3.h>
 \ingroup PkgCanonicalPose3Ref
 
 \brief describes how to read a tetrahedral complex; specialize it for your own complex type.

@@ -55,7 +55,7 @@ public:
   */
   Eigen::VectorXd operator()(const Point_matrix& points, const Face_list& polygons) const;
 
-  /// returns the distances of `query` to the columns of `others`: sums of absolute differences, the
+  /// returns the shape distances of `query` to the columns of `others`: sums of absolute differences, the
   /// least one over the 48 positions.
   static Eigen::VectorXd distances(const Eigen::VectorXd& query,
                                    const Eigen::Ref<const Eigen::MatrixXd>& others);

@@ -21,7 +21,7 @@ curve of edges if it is not longer than \f$ s/4 \f$, the surface remains connect
 between both sides becomes at least \f$ 0.6\,s \f$. Candidates are the shortest closed curves through
 concave edges that cannot be contracted, computed by CGAL's package Surface Mesh Topology; concave
 edges count as shorter than they are, since necks of contacts have creases. True handles that fulfill
-these conditions, such as a thin ring, are cut, too.
+these conditions, such as a thin ring, are also cut.
 
 In a pose of the input, a vertex of the curve is halfway between its two copies.
 

@@ -19,7 +19,7 @@ namespace CGAL {
 namespace Canonical_pose_3 {
 
 /// \ingroup PkgCanonicalPose3Ref
-/// computes distances on an oriented 2-manifold, possibly with boundary and several components. The
+/// computes geodesic distances on an oriented 2-manifold, possibly with boundary and several components. The
 /// arguments are its points, its triangles as triples of rows, and the rows of the sources. Corners of
 /// faces without area are moved by about 1e-9 of the size before, so that each face has an area. Returns
 /// one row per point and one column per source.
@@ -30,7 +30,7 @@ using Distances_function = std::function<Eigen::MatrixXd(
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief computes distances on a polygon soup, which is repaired as in `canonical_pose_3()`.
+\brief computes geodesic distances on a polygon soup, which is repaired as in `canonical_pose_3()`.
 
 Heat distances are not accurate where triangles are large against the shape: on such a component,
 those of `Wavefront_geodesics_3` are returned instead. Where the surface is not manifold, it falls into

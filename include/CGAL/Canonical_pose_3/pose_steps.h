@@ -85,7 +85,7 @@ Prepared_surface_3 prepare_surface(const TriangleMesh& tmesh,
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief simplifies a surface, since distances do not require all vertices: the second step of
+\brief simplifies a surface, since geodesic distances do not require all vertices: the second step of
 `canonical_pose_3()`, after `prepare_surface()`.
 
 \param surface the surface.
@@ -98,7 +98,7 @@ Coarse_surface_3 coarse_surface(const Surface_component_3& surface,
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief chooses landmarks on a surface and computes the distances to them.
+\brief chooses landmarks on a surface and computes the geodesic distances to them.
 
 \param surface the surface.
 \param options `geodesics`, `landmark_fields_function`, `number_of_landmarks`, `random_seed`, the
@@ -113,7 +113,7 @@ Landmark_fields_3 landmark_fields(const Surface_component_3& surface,
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief chooses landmarks on a coarse surface and computes the distances to them, or returns the
+\brief chooses landmarks on a coarse surface and computes the geodesic distances to them, or returns the
 given ones for its vertices: the third step of `canonical_pose_3()`, after `coarse_surface()`.
 
 \param coarse the coarse surface.
@@ -130,7 +130,7 @@ Landmark_fields_3 landmark_fields(const Coarse_surface_3& coarse,
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief computes the distances to given landmarks on a surface.
+\brief computes the geodesic distances to given landmarks on a surface.
 
 \param surface the surface.
 \param landmarks vertices of the surface.
@@ -171,7 +171,7 @@ Target_3 mds_target(const Surface_component_3& surface, const Coarse_surface_3& 
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief computes a target from distances that were measured on a pose of the surface, starting from
+\brief computes a target from geodesic distances that were measured on a pose of the surface, starting from
 this pose, and aligns it with the surface.
 
 In the pose, limbs are straight, so the shortest paths do not depend on how they were bent. The
@@ -195,7 +195,7 @@ Target_3 refined_target(const Surface_component_3& surface, const Coarse_surface
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief extrapolates distances from those of the input beyond those of a pose, in which limbs are
+\brief extrapolates geodesic distances from those of the input beyond those of a pose, in which limbs are
 nearly, but not entirely straight.
 
 Let \f$ g \f$ be the distances on the input, multiplied by the square root of the area of the pose
@@ -256,7 +256,7 @@ inline Surface_body_3 surface_body(const Surface_component_3& surface,
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief computes a target without distances, by unfolding the body of the surface, see `Unfolding`:
+\brief computes a target without geodesic distances, by unfolding the body of the surface, see `Unfolding`:
 replaces `mds_target()` if `Method_options::target_mode` is `UNFOLDING`.
 
 The body is unfolded strongly, so that hardly any bend is left, which also inflates it; the registration
