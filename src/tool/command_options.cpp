@@ -3,6 +3,7 @@
 
 #include "command_options.h"
 #include "exact_geodesics.h"
+#include "method_options.h"
 #include "formats/Mesh_file.h"
 #include "formats/Shortest_numbers.h"
 
@@ -102,11 +103,13 @@ void take_constraints(const Raw_arguments& raw, Options& options)
   }
 }
 
-// The same text for the same number. Integers are such texts already.
+// The same text for the same number.
 std::string as_value(const std::string& text)
 {
+  if(const auto count = count_of<unsigned long long>(text))
+    return std::to_string(*count);
   const std::optional<double> number = real_of(text);
-  if(!number || count_of<unsigned long long>(text))
+  if(!number)
     return text;
   std::ostringstream out;
   use_shortest_numbers(out);
@@ -169,16 +172,35 @@ void add_quiet(Command_options& o)
   o.app.add_flag("--quiet", o.arguments.quiet, "print nothing but errors");
 }
 
+void add_method_option(Command_options& o, const std::string& name)
+{
+  const Method_option& option = method_option(name);
+  Options& options = o.arguments.options;
+  CLI::Option* const added = o.app.add_option_function<std::string>(
+    "--" + name, [&option, &options](const std::string& text) { option.set(options, text); },
+    option.help);
+  if(option.type == Method_option::Type::CHOICE)
+    added->check(CLI::IsMember(option.choices));
+  else
+  {
+    const auto check = [&option](const std::string& text) {
+      Options any;
+      return option.set(any, text) ? std::string() : "'" + text + "' is not " + option.range;
+    };
+    added->check(CLI::Validator(check, check("0").empty() ? "NONNEGATIVE" : "POSITIVE"))
+      ->type_name(option.type == Method_option::Type::INTEGER ? "INT" : "FLOAT");
+  }
+  Options any;
+  if(const std::string value = option.value(options); option.set(any, value))
+    added->default_str(value);
+}
+
 void add_common(Command_options& o)
 {
-  o.app.add_option("--geodesics", o.arguments.geodesics, "distances: heat, wavefront, exact")
+  o.app.add_option("--geodesics", o.arguments.geodesics, "method of measuring geodesic distances")
     ->check(CLI::IsMember({"heat", "wavefront", "exact"}))
     ->capture_default_str();
-  o.app
-    .add_option("--threads", o.arguments.options.number_of_threads,
-                "maximum number of threads; 0: all processors")
-    ->transform(integer(0))
-    ->capture_default_str();
+  add_method_option(o, "threads");
   add_quiet(o);
 }
 
@@ -196,45 +218,10 @@ void add_constraints(Command_options& o)
 
 void add_method_options(Command_options& o)
 {
+  for(const Method_option& option : method_options())
+    if(option.name != "threads" && option.name != "frame")
+      add_method_option(o, option.name);
   Options& options = o.arguments.options;
-  o.app
-    .add_option("--body", o.raw.body, "elastic body inside a surface: auto, lattice, tetgen, mesh")
-    ->check(CLI::IsMember({"auto", "lattice", "tetgen", "mesh"}))
-    ->capture_default_str();
-  o.app
-    .add_option("--spacing", options.lattice_spacing,
-                "spacing of the lattice, as a fraction of the largest distance")
-    ->check(number(Options::SMALLEST_LATTICE_SPACING, 1));
-  o.app
-    .add_option("--target-mode", o.raw.target_mode,
-                "target by scaling of distances, or by moving vertices away from each other, which "
-                "needs none: mds, unfold")
-    ->check(CLI::IsMember({"mds", "unfold"}))
-    ->capture_default_str();
-  o.app
-    .add_option("--kernel", o.raw.kernel,
-                "kernel of the target: classical, gaussian, gaussian-uncentred")
-    ->check(CLI::IsMember({"classical", "gaussian", "gaussian-uncentred"}))
-    ->capture_default_str();
-  o.app.add_option("--landmarks", options.number_of_landmarks, "number of landmarks")
-    ->transform(integer(std::size_t(1)))
-    ->capture_default_str();
-  o.app
-    .add_option("--detail-length", options.registration.detail_length,
-                "features smaller than this fraction of the largest distance keep their shape")
-    ->check(number(Registration_options::SMALLEST_DETAIL_LENGTH,
-                   Registration_options::LARGEST_DETAIL_LENGTH))
-    ->capture_default_str();
-  o.app
-    .add_option("--tikhonov", options.registration.tikhonov,
-                "weight that keeps an iterate close to the previous one")
-    ->check(number(0, Registration_options::LARGEST_WEIGHT))
-    ->capture_default_str();
-  o.app
-    .add_option("--iterations", options.registration.number_of_iterations,
-                "maximum number of iterations")
-    ->transform(integer(1))
-    ->capture_default_str();
   o.app.add_option("--paper-weights", o.raw.paper_weights,
                    "ALPHA,BETA: the weights as the paper prints them");
   o.app.add_flag_callback(
@@ -245,36 +232,12 @@ void add_method_options(Command_options& o)
       "--no-injective", [&options] { options.registration.injective = false; },
       "inverted cells are allowed")
     ->excludes("--injective");
-  o.app
-    .add_option(
-      "--rounds", options.number_of_rounds,
-      "maximum number of times that distances are measured again on the pose; default: 3, or "
-      "0 with --given-target, --paper-weights, --target-mode unfold or the uncentered kernel")
-    ->transform(integer(0));
-  o.app
-    .add_option("--components", o.raw.components,
-                "treatment of several connected components: auto, refuse, largest, each")
-    ->check(CLI::IsMember({"auto", "refuse", "largest", "each"}))
-    ->capture_default_str();
-  o.app
-    .add_option("--contacts", o.raw.contacts,
-                "handles of a surface that look like false contacts of its parts: keep, cut")
-    ->check(CLI::IsMember({"keep", "cut"}))
-    ->capture_default_str();
-  o.app.add_option("--solver", o.raw.solver, "linear solver: auto, eigen, cholmod")
-    ->check(CLI::IsMember({"auto", "eigen", "cholmod"}))
-    ->capture_default_str();
-  o.app
-    .add_option("--seed", options.random_seed,
-                "seed that draws the first landmark; 0: the vertex farthest from the centroid")
-    ->transform(integer(0u))
-    ->capture_default_str();
   add_common(o);
 }
 
 void add_method_options_for_each_component(Command_options& o)
 {
-  o.raw.components = "each";
+  o.arguments.options.components = Options::Components::EACH;
   add_method_options(o);
 }
 
@@ -333,10 +296,12 @@ Options watched_options(const Arguments& arguments)
   Options options = arguments.options;
   if(arguments.is_watched)
     options.visitor = [&arguments](const CGAL::Canonical_pose_3::Registration_progress& progress) {
+      const std::string stage
+        = progress.round > 0 ? "round " + std::to_string(progress.round) : "pose";
       char text[80];
-      std::snprintf(text, sizeof(text), "iteration %d, energy %.6g, largest move %.2g of L",
+      std::snprintf(text, sizeof(text), ", iteration %d, energy %.6g, largest move %.2g of L",
                     progress.iteration, progress.energy, progress.largest_move);
-      arguments.say(text);
+      arguments.say(stage + text);
       return true;
     };
   return options;
@@ -345,13 +310,6 @@ Options watched_options(const Arguments& arguments)
 void take(const Raw_arguments& raw, Arguments& arguments)
 {
   Options& options = arguments.options;
-  options.body = BODIES.at(raw.body);
-  options.components = COMPONENTS.at(raw.components);
-  options.frame = FRAMES.at(raw.frame);
-  options.kernel = KERNELS.at(raw.kernel);
-  options.solver = SOLVERS.at(raw.solver);
-  options.contacts = CONTACTS.at(raw.contacts);
-  options.target_mode = TARGET_MODES.at(raw.target_mode);
   set_geodesics(options, arguments.geodesics);
   if(!raw.paper_weights.empty())
   {

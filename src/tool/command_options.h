@@ -23,9 +23,7 @@ using CGAL::Canonical_pose_3::Registration_options;
 // Arguments that are converted to options of the library.
 struct Raw_arguments
 {
-  std::string body = "auto", kernel = "classical", components = "auto", solver = "auto",
-              frame = "input", target_mode = "mds", contacts = "keep", paper_weights,
-              parts = "auto";
+  std::string paper_weights, parts = "auto";
   std::vector<std::string> springs, directions, handles, symmetric_pairs;
   std::string format; // of the standard output
 };
@@ -80,6 +78,8 @@ void add_output(Command_options& o, const std::string& help,
                 const std::vector<std::string>& formats = {});
 void add_report(Command_options& o);
 void add_quiet(Command_options& o);
+
+void add_method_option(Command_options& o, const std::string& name);
 
 // --geodesics, --threads, --quiet.
 void add_common(Command_options& o);

@@ -15,6 +15,7 @@
 #include "shapes.h"
 #include "written_file.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -253,12 +254,13 @@ TEST(Gltf, parts_split_vertices)
   const std::string bytes = written(surface);
   expect_near(read(bytes), surface.mesh, 1e-6);
   const std::vector<float> labels = numbers<float>(bytes, "_LABEL");
-  const std::vector<std::uint8_t> colors = numbers<std::uint8_t>(bytes, "COLOR_0");
+  const std::vector<std::uint16_t> colors = numbers<std::uint16_t>(bytes, "COLOR_0");
   EXPECT_GT(labels.size(), surface.mesh.points.size());
   EXPECT_EQ(labels.back(), -1); // of no face
   for(std::size_t i = 0; i < labels.size(); ++i)
     for(std::size_t j = 0; j < i; ++j)
-      EXPECT_EQ(labels[i] == labels[j], std::memcmp(&colors[4 * i], &colors[4 * j], 4) == 0);
+      EXPECT_EQ(labels[i] == labels[j],
+                std::equal(&colors[4 * i], &colors[4 * i] + 4, &colors[4 * j]));
 }
 
 TEST(Gltf, values_are_attributes)

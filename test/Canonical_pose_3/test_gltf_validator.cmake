@@ -32,6 +32,14 @@ run(${MAKE_FIGURE} --vertices 70000 figure.off) # indices of four bytes
 run(${TOOL} pose figure.off --rounds 0 -o figure.glb --scene figure_scene.glb)
 run(${MAKE_FIGURE} --vertices 260000 large.off) # quantized
 run(${TOOL} pose large.off --rounds 0 -o large.glb --scene large_scene.glb)
+# Two materials, a texture of one pixel with a seam, and colors.
+run(${NODE} -e "require('fs').writeFileSync('a.png', Buffer.from('iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mP8z8BQDwAEhQGAhKmMIQAAAABJRU5ErkJggg==', 'base64'))")
+file(WRITE ${WORK}/a.mtl "newmtl a\nmap_Kd a.png\nnewmtl b\nKd 1 0 0\nd .5\n")
+file(WRITE ${WORK}/textured.obj "mtllib a.mtl\nv 0 0 0 1 0 0\nv 2 0 0 0 1 0\nv 0 2 0 0 0 1\nv 0 0 2 1 1 1\nvt 0 0\nvt 1 0\nvt 0 1\n"
+  "usemtl a\nf 1/1 3/2 2/3\nf 1/3 2/2 4/1\nusemtl b\nf 2/1 3/2 4/3\nf 3/3 1/2 4/2\n")
+run(${TOOL} pose textured.obj -o textured.glb --scene textured_scene.glb)
+run(${TOOL} segment textured.obj --parts 1 --method sweep -o textured_parts.glb)
+run(${TOOL} geodesics textured.obj --source 0 -o textured_distances.glb)
 file(GLOB files ${WORK}/*.glb)
 execute_process(COMMAND ${NODE} validate_gltf.js ${files} WORKING_DIRECTORY ${WORK} RESULT_VARIABLE result OUTPUT_VARIABLE report)
 list(LENGTH files number)

@@ -14,6 +14,7 @@
 #include <regex>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace test_rewritten_files {
@@ -123,11 +124,32 @@ TEST(Rewritten_files, attributes)
                                              "property float z\nproperty uchar red\nelement face 1\n"
                                              "property list uchar int vertex_indices\nelement edge 0\nproperty int v\n"
                                              "end_header\n0 0 0 9\n1 0 0 9\n0 1 0 9\n3 0 1 2\n")),
-            (Names{"the element edge", "the property red"}));
+            (Names{"colors", "the element edge"}));
   const Mesh_file colored
     = read("a.off", "COFF\n3 1 0\n0 0 0 9 9 9\n1 0 0 9 9 9\n0 1 0 9 9 9\n3 0 1 2\n");
   EXPECT_EQ(losses(colored, Format::OFF), Names());
   EXPECT_EQ(losses(colored, Format::PLY), Names{"colors"});
+}
+
+// Two triangles with a right angle between them, which are unfolded: at the hard edge, each side has copies of the
+// vertices, with its normal, which turns with its triangle and not with the mean.
+TEST(Rewritten_files, normals_at_hard_edges)
+{
+  const std::string corners = "0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0 0 0 1\n0 0 0 1 0 0\n0 1 0 1 0 0\n0 0 1 1 0 0\n";
+  const std::string faces = "3 0 1 2\n3 3 4 5\n";
+  const std::string unfolded = "0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0 0 0 1\n0 0 0 0 0 1\n0 1 0 0 0 1\n-1 0 0 0 0 1\n";
+  const std::string ply = "ply\nformat ascii 1.0\nelement vertex 6\nproperty float x\nproperty float y\nproperty float z\n"
+                          "property float nx\nproperty float ny\nproperty float nz\nelement face 2\n"
+                          "property list uchar int vertex_indices\nend_header\n";
+  for(const auto& [name, header] : {std::make_pair("hard.off", std::string("NOFF\n6 2 0\n")), std::make_pair("hard.ply", ply)})
+  {
+    const Mesh_file mesh = read(name, header + corners + faces);
+    Points points = mesh.points;
+    points[5] = {-1, 0, 0};
+    std::ostringstream out;
+    rewrite_mesh(out, mesh, points, {});
+    expect_same_text(std::regex_replace(out.str(), std::regex("-0\\b"), "0"), header + unfolded + faces);
+  }
 }
 
 // Normals that do not exist are left alone.

@@ -24,7 +24,7 @@ inline std::string trimmed(const std::string& text)
 }
 
 /// Returns the class of each stem, from a file of lines "stem class". What is between them is the first
-/// tabulator, if there is one, otherwise the last blank: the other part may have blanks.
+/// tab, if there is one, otherwise the last blank: the other part may have blanks.
 /// \throws std::invalid_argument if it cannot be read, or a line is different; the line is named.
 inline std::map<std::string, std::string> read_classes(const std::string& path)
 {

@@ -29,7 +29,7 @@ int run_check(Arguments& arguments)
 {
   Stage_clock clock;
   Output_files files({arguments.report}, {arguments.input});
-  const Mesh_file input = read_mesh_file(arguments.input);
+  const Mesh_file input = read_mesh_file(arguments.input, Source::UNCHECKED);
   const double seconds_to_read = clock.lap();
   arguments.say("looking for defects");
   const auto diagnosis = diagnosis_of(input);

@@ -271,7 +271,7 @@ private:
   std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();
 };
 
-// Outcome, path and message, with tabulators between them.
+// Outcome, path and message, with tabs between them.
 std::string line_of(const Shape_row& row, const std::string& before_message = "")
 {
   return name_of(row.outcome) + '\t' + row.key.path

@@ -97,13 +97,9 @@ void add_pose_options(Command_options& o)
   add_path(o, "--given-target", o.arguments.given_target,
            "take this target, as --target writes it, instead of computing one");
   add_path(o, "--given-distances", o.arguments.given_distances,
-           "take these distances, as geodesics writes them, instead of computing any");
+           "take these geodesic distances, as geodesics writes them, for the first target");
   add_constraints(o);
-  o.app
-    .add_option("--frame", o.raw.frame,
-                "position of the pose: near the input, or canonical: principal axes")
-    ->check(CLI::IsMember({"input", "canonical"}))
-    ->capture_default_str();
+  add_method_option(o, "frame");
   add_report(o);
   add_method_options(o);
 }
@@ -117,9 +113,10 @@ void check_formats(const Arguments& arguments)
     return format == Format::MEDIT || format == Format::VTU;
   };
   if(is_tetrahedral != holds_tetrahedra(arguments.output))
-    throw Usage_error(is_tetrahedral
-                        ? "the pose of a tetrahedral mesh (.mesh) has to be one, too (.mesh, .vtu)"
-                        : "the pose of a surface cannot be a tetrahedral mesh (.mesh, .vtu)");
+    throw Usage_error(
+      is_tetrahedral
+        ? "the pose of a tetrahedral mesh (.mesh) must also be tetrahedral (.mesh, .vtu)"
+        : "the pose of a surface cannot be a tetrahedral mesh (.mesh, .vtu)");
   if(!arguments.target.empty() && holds_tetrahedra(arguments.target))
     throw Usage_error("the target is a surface and cannot be a tetrahedral mesh (.mesh, .vtu)");
   if(!arguments.scene.empty() && format_of_output(arguments.scene) != Format::GLB)
@@ -142,7 +139,10 @@ int run_pose(Arguments& arguments)
   const std::vector<std::string> outputs
     = {arguments.output, arguments.target, arguments.scene, arguments.report};
   Output_files files(outputs, inputs);
-  const Mesh_file input = read_mesh_file(arguments.input, Source::KEPT);
+  Mesh_file input = read_mesh_file(arguments.input, Source::KEPT);
+  if(!arguments.target.empty() || !arguments.scene.empty()
+     || !is_rewritable(input, format_of(arguments.output)))
+    load_appearance(input);
   check_format_holds(format_of(arguments.output), input);
   if(!arguments.target.empty())
     check_format_holds(format_of(arguments.target), input);

@@ -39,23 +39,33 @@ std::vector<std::size_t> parts_of(const Mesh_file& input, const Arguments& argum
 Mesh_file part_of(const Mesh_file& input, const std::vector<std::size_t>& parts,
                   const std::size_t part)
 {
+  const Appearance& appearance = input.appearance;
   Mesh_file result;
   std::vector<std::size_t> index(input.points.size(), input.points.size());
-  for(std::size_t f = 0; f < parts.size(); ++f)
+  std::size_t corner = 0;
+  for(std::size_t f = 0; f < parts.size(); corner += input.faces[f++].size())
     if(parts[f] == part)
     {
       std::vector<std::size_t> face;
       for(const std::size_t v : input.faces[f])
       {
+        if(!appearance.texture_coordinates.empty())
+          result.appearance.texture_coordinates.push_back(
+            appearance.texture_coordinates[corner + face.size()]);
         if(index[v] == input.points.size())
         {
           index[v] = result.points.size();
           result.points.push_back(input.points[v]);
+          if(!appearance.vertex_colors.empty())
+            result.appearance.vertex_colors.push_back(appearance.vertex_colors[v]);
         }
         face.push_back(index[v]);
       }
       result.faces.push_back(face);
+      if(appearance.has_materials())
+        result.appearance.material_of_face.push_back(appearance.material_of_face[f]);
     }
+  result.appearance.materials = appearance.materials;
   return result;
 }
 
@@ -163,7 +173,7 @@ int run_segment(Arguments& arguments)
   Output_folder folder(is_folder(arguments.output) ? arguments.output : std::string());
   Output_files({is_folder(arguments.output) ? std::string() : arguments.output, arguments.report},
                inputs_of(arguments));
-  const Mesh_file input = read_mesh_file(arguments.input);
+  const Mesh_file input = read_shown_mesh_file(arguments.input);
   check_is_surface(input);
   Segmentation_report report;
   report.stages.emplace_back("read", clock.lap());

@@ -46,8 +46,9 @@ int run_shape(Arguments& arguments)
   Output_files files({arguments.output}, {arguments.input});
   const std::vector<Descriptor> chosen
     = arguments.has_no_descriptor ? std::vector<Descriptor>() : descriptors(arguments.descriptors);
-  const Mesh_file input
+  Mesh_file input
     = read_mesh_file(arguments.input, arguments.output.empty() ? Source::DROPPED : Source::KEPT);
+  load_appearance(input);
   const double seconds_to_read = clock.lap();
   Shape_description shape
     = describe_shape(input, chosen, arguments, arguments.is_segmented || !arguments.output.empty());

@@ -8,11 +8,14 @@
 
 #include <tiny_gltf.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <limits>
 #include <stdexcept>
+#include <string>
+#include <type_traits>
 #include <utility>
 
 namespace Canonical_pose_tool {
@@ -24,7 +27,7 @@ public:
   template <class Number>
   using Rows = Eigen::Array<Number, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-  enum class Use { VERTICES, INDICES, ANIMATION };
+  enum class Use { VERTICES, INDICES, ANIMATION, IMAGE };
 
   Gltf_builder() { m_model.buffers.emplace_back(); }
 
@@ -39,9 +42,10 @@ public:
     accessor.componentType = component_type(Number());
     accessor.count = static_cast<std::size_t>(rows.rows());
     accessor.type = rows.cols() == 1   ? TINYGLTF_TYPE_SCALAR
+                    : rows.cols() == 2 ? TINYGLTF_TYPE_VEC2
                     : rows.cols() == 3 ? TINYGLTF_TYPE_VEC3
                                        : TINYGLTF_TYPE_VEC4;
-    accessor.normalized = sizeof(Number) == 1;
+    accessor.normalized = use == Use::VERTICES && std::is_unsigned_v<Number>; // colors
     if(has_bounds)
       for(Eigen::Index k = 0; k < rows.cols(); ++k)
       {
@@ -50,6 +54,21 @@ public:
       }
     m_model.accessors.push_back(std::move(accessor));
     return static_cast<int>(m_model.accessors.size()) - 1;
+  }
+
+  // Appends the content of an image, and returns the index of a texture that shows it.
+  int append_texture(const std::string& content, const std::string& type)
+  {
+    Rows<std::uint8_t> bytes(static_cast<Eigen::Index>(content.size()), 1);
+    std::copy(content.begin(), content.end(), bytes.data());
+    tinygltf::Image image;
+    image.bufferView = append_view(bytes, Use::IMAGE);
+    image.mimeType = type;
+    m_model.images.push_back(std::move(image));
+    tinygltf::Texture texture;
+    texture.source = static_cast<int>(m_model.images.size()) - 1;
+    m_model.textures.push_back(std::move(texture));
+    return static_cast<int>(m_model.textures.size()) - 1;
   }
 
 private:

@@ -18,6 +18,7 @@
 #include <fstream>
 #include <ios>
 #include <iostream>
+#include <limits>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -280,6 +281,7 @@ Mesh_file read_mesh_file(const std::string& path, const Source source)
   const bool is_text = format != Format::GLB && !(format == Format::STL && is_binary_stl(bytes));
   const bool has_byte_order_mark = is_text && remove_byte_order_mark(bytes);
   Mesh_file mesh;
+  mesh.is_checked = source != Source::UNCHECKED;
   try
   {
     entry.read(bytes, path, mesh);
@@ -297,7 +299,7 @@ Mesh_file read_mesh_file(const std::string& path, const Source source)
       if(std::optional<std::string> all = self_contained_glb(bytes, path))
         bytes = std::move(*all);
     mesh.source = std::make_shared<const Source_file>(
-      Source_file{written_format(format), std::move(bytes), has_byte_order_mark});
+      Source_file{written_format(format), std::move(bytes), path, has_byte_order_mark});
   }
   return mesh;
 }
@@ -346,10 +348,11 @@ catch(const std::invalid_argument& error)
   throw std::invalid_argument("'" + path + "': " + error.what());
 }
 
-std::size_t vertex_index(const long long index, const std::size_t n, const Element& element,
-                         const int base)
+std::size_t vertex_index(const Mesh_file& mesh, const long long index, const std::size_t n,
+                         const Element& element, const int base)
 {
-  if(index < base || static_cast<unsigned long long>(index - base) >= n)
+  const std::size_t end = mesh.is_checked ? n : (std::numeric_limits<Face_list::Index>::max)();
+  if(index < base || static_cast<unsigned long long>(index - base) >= end)
     throw std::invalid_argument(element.name() + " names vertex " + std::to_string(index)
                                 + (base == 0 ? "" : " (counted from 1)") + ", but there are "
                                 + std::to_string(n));
@@ -365,15 +368,16 @@ void add_faces(const std::vector<long long>& corners, const std::vector<std::siz
   {
     face.clear();
     for(; corner < ends[f.index]; ++corner)
-      face.push_back(vertex_index(corners[corner], mesh.points.size(), f, base));
+      face.push_back(vertex_index(mesh, corners[corner], mesh.points.size(), f, base));
     mesh.faces.push_back(face);
   }
 }
 
-void check_is_finite(const std::array<double, 3>& point, const Element& element)
+void check_is_finite(const Mesh_file& mesh, const std::array<double, 3>& point,
+                     const Element& element)
 {
   for(const double x : point)
-    if(!std::isfinite(x))
+    if(!std::isfinite(x) && mesh.is_checked)
       throw std::invalid_argument(element.name() + " has a coordinate that is not finite");
 }
 

@@ -4,6 +4,8 @@
 #ifndef CGAL_CANONICAL_POSE_3_TOOL_MESH_FILE_H
 #define CGAL_CANONICAL_POSE_3_TOOL_MESH_FILE_H
 
+#include "Appearance.h"
+
 #include <CGAL/Canonical_pose_3/Face_list.h>
 
 #include <array>
@@ -25,6 +27,7 @@ struct Source_file
 {
   Format format;
   std::string bytes;
+  std::string path = {};            // beside which other files are
   bool has_byte_order_mark = false; // before these bytes
 };
 
@@ -32,11 +35,13 @@ struct Source_file
 struct Mesh_file
 {
   bool is_tetrahedral = false;
+  bool is_checked = true; // whether positions that are not finite, and wrong indices, are refused
   std::vector<std::array<double, 3>> points;
   Face_list faces;                                          // of a surface
   std::vector<std::array<std::size_t, 4>> cells;            // of a tetrahedral mesh
   std::vector<long long> point_references, cell_references; // MEDIT's labels
   std::shared_ptr<const Source_file> source;                // if it was kept
+  Appearance appearance;                                    // if it was loaded
 };
 
 // Returns the format for the extension or, of a file to read with another one or none, by its content.
@@ -73,11 +78,23 @@ std::string stem_of(const std::string& path);
 
 bool is_compressed(const std::string& path); // by its extension
 
+// Loads the appearance of a surface from its file, if that was kept. What is wrong about it is left out.
+void load_appearance(Mesh_file& mesh);
+
 // Reads a file. Afterward, coordinates are finite and indices in range; nothing else is checked.
 // Throws std::invalid_argument with the defect and the element. This is why CGAL's readers are not
 // used: they only report failure. With KEPT, the mesh can be written again as the file with other positions.
-enum class Source { DROPPED, KEPT };
+// With UNCHECKED, coordinates may be not finite, and indices too large.
+enum class Source { DROPPED, KEPT, UNCHECKED };
 Mesh_file read_mesh_file(const std::string& path, Source source = Source::DROPPED);
+
+// The same, with its appearance.
+inline Mesh_file read_shown_mesh_file(const std::string& path)
+{
+  Mesh_file mesh = read_mesh_file(path, Source::KEPT);
+  load_appearance(mesh);
+  return mesh;
+}
 
 // The same, for a file other than the main input of a command: the message also names the file.
 Mesh_file read_other_mesh_file(const std::string& path, Source source = Source::DROPPED);

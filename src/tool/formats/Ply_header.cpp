@@ -205,4 +205,27 @@ Ply_header read_ply_header(Text_cursor& text)
   return header;
 }
 
+std::size_t texture_coordinate_of(const Ply_property& property)
+{
+  const std::array<std::array<const char*, 4>, 2> names
+    = {{{"s", "u", "texture_u", "tex_u"}, {"t", "v", "texture_v", "tex_v"}}};
+  for(std::size_t k = 0; !property.is_list && k < names.size(); ++k)
+    if(std::find(names[k].begin(), names[k].end(), property.name) != names[k].end())
+      return k;
+  return names.size();
+}
+
+std::size_t channel_of(const Ply_property& property)
+{
+  const std::array<const char*, 3> names = {"red", "green", "blue"};
+  const auto found
+    = property.is_list ? names.end() : std::find(names.begin(), names.end(), property.name);
+  return static_cast<std::size_t>(found - names.begin());
+}
+
+bool is_list_of_coordinates(const Ply_property& property)
+{
+  return property.is_list && property.name == "texcoord";
+}
+
 } // namespace Canonical_pose_tool

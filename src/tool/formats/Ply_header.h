@@ -53,6 +53,15 @@ std::size_t coordinate_of(const Ply_property& property);
 // Whether a property of a face is the list of its vertices.
 bool is_list_of_vertices(const Ply_property& property);
 
+// Which of u and v a property of a vertex is, by the names of Blender, MeshLab, Open3D and others; 2 if it is none.
+std::size_t texture_coordinate_of(const Ply_property& property);
+
+// Which of red, green and blue a property of a vertex is; 3 if it is none.
+std::size_t channel_of(const Ply_property& property);
+
+// Whether a property of a face is the list of the texture coordinates of its corners, as MeshLab writes it.
+bool is_list_of_coordinates(const Ply_property& property);
+
 struct Ply_header
 {
   bool is_binary = false, is_big_endian = false;

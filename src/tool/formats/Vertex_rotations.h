@@ -11,9 +11,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <map>
 #include <numeric>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace Canonical_pose_tool {
@@ -76,14 +79,31 @@ inline Eigen::Vector3d turned_normal(const Eigen::Vector3d& turned, const Eigen:
            : normal;
 }
 
+// Directions that differ by a twentieth of a degree are not distinguished.
+using Rounded_direction = std::array<long, 3>;
+
+inline Rounded_direction rounded(const Eigen::Vector3d& normal)
+{
+  const double steps = 1000;
+  const Eigen::Vector3d direction = normal.stableNormalized() * steps;
+  if(!direction.allFinite())
+    return {};
+  return {std::lround(direction[0]), std::lround(direction[1]), std::lround(direction[2])};
+}
+
 // How normals turn with the faces at a vertex, from one position of the vertices to another. Vertices at the same position
-// belong together, so that normals along seams remain equal.
+// with the same normal belong together: normals along seams remain equal, and those at a hard edge turn with the
+// faces of their side.
 class Vertex_rotations
 {
 public:
-  Vertex_rotations(const Mesh_file& mesh, const Points& points)
+  Vertex_rotations(const Mesh_file& mesh, const Points& points,
+                   const std::vector<Eigen::Vector3d>& normals)
     : m_place(places_of(mesh.points)), m_sums(mesh.points.size(), Eigen::Matrix3d::Zero())
   {
+    std::map<std::pair<std::size_t, Rounded_direction>, std::size_t> groups;
+    for(std::size_t v = 0; v < m_place.size(); ++v)
+      m_place[v] = groups.try_emplace({m_place[v], rounded(normals[v])}, v).first->second;
     for(const Face_list::Face face : mesh.faces)
     {
       const Eigen::Matrix3d rotation = rotation_of_face(face, mesh.points, points);

@@ -142,24 +142,6 @@ std::string uri_of(const nlohmann::ordered_json& image)
 // Whether this leads to a file, rather than being empty or data.
 bool is_file(const std::string& uri) { return !uri.empty() && uri.compare(0, 5, "data:") != 0; }
 
-// By its content; empty if it is of no type that a binary file can hold.
-std::string type_of_image(const std::vector<unsigned char>& bytes)
-{
-  const std::size_t longest = 12;
-  std::string beginning(
-    bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>((std::min)(bytes.size(), longest)));
-  beginning.resize(longest);
-  if(beginning.compare(0, 4, "\x89PNG") == 0)
-    return "image/png";
-  if(beginning.compare(0, 3, "\xFF\xD8\xFF") == 0)
-    return "image/jpeg";
-  if(beginning.compare(0, 4, "RIFF") == 0 && beginning.compare(8, 4, "WEBP") == 0)
-    return "image/webp";
-  if(beginning.compare(0, 8, "\xABKTX 20\xBB") == 0)
-    return "image/ktx2";
-  return {};
-}
-
 // Newer versions also ask for the size of a file.
 template <class Callbacks>
 auto add_size(Callbacks& callbacks, int) -> decltype(callbacks.GetFileSizeInBytes, void())
@@ -407,7 +389,7 @@ try
       std::vector<unsigned char> content;
       if(!is_file(uri_of(image)) || !files.exists(name) || !files.read(name, content))
         continue;
-      const std::string type = type_of_image(content);
+      const std::string type = type_of_image(std::string(content.begin(), content.end()));
       if(type.empty())
         continue;
       json["bufferViews"].push_back(

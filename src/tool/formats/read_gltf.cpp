@@ -15,6 +15,7 @@
 #include <limits>
 #include <map>
 #include <numeric>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -63,7 +64,7 @@ void read_points(const Gltf_numbers& numbers, const Skinned_vertices& transforma
     const Eigen::Vector3d p
       = transformations(i) * Eigen::Vector3d(numbers(i, 0), numbers(i, 1), numbers(i, 2));
     mesh.points.push_back({p[0], p[1], p[2]});
-    check_is_finite(mesh.points.back(), Element{"vertex", mesh.points.size() - 1});
+    check_is_finite(mesh, mesh.points.back(), Element{"vertex", mesh.points.size() - 1});
   }
 }
 
@@ -74,10 +75,11 @@ struct Vertices
   bool is_mirrored;
 };
 
-void read_triangles(const Model& model, const Primitive& primitive, const Vertices& vertices,
-                    Mesh_file& mesh)
+// The vertices of the triangles of a primitive, counted from 0. `face`: the index of the first triangle.
+std::vector<std::size_t> corners_of(const Model& model, const Primitive& primitive,
+                                    const std::size_t count, const bool is_mirrored,
+                                    const std::size_t face)
 {
-  const auto [first, count, is_mirrored] = vertices;
   std::vector<std::size_t> corners(count);
   std::iota(corners.begin(), corners.end(), std::size_t(0));
   if(primitive.indices != -1)
@@ -87,18 +89,25 @@ void read_triangles(const Model& model, const Primitive& primitive, const Vertic
       throw std::invalid_argument("the indices are not unsigned integers");
     corners.resize(numbers.count());
     for(std::size_t i = 0; i < corners.size(); ++i)
-      corners[i] = vertex_index(static_cast<long long>(numbers(i, 0)), count,
-                                Element{"face", mesh.faces.size() + i / 3});
+      corners[i] = vertex_index(Mesh_file(), static_cast<long long>(numbers(i, 0)), count,
+                                Element{"face", face + i / 3});
   }
   if(corners.size() % 3 != 0)
     throw std::invalid_argument("the number of corners, " + std::to_string(corners.size())
                                 + ", is no multiple of 3");
+  for(std::size_t i = 0; is_mirrored && i < corners.size(); i += 3)
+    std::swap(corners[i + 1], corners[i + 2]);
+  return corners;
+}
+
+void read_triangles(const Model& model, const Primitive& primitive, const Vertices& vertices,
+                    Mesh_file& mesh)
+{
+  const auto [first, count, is_mirrored] = vertices;
+  const std::vector<std::size_t> corners
+    = corners_of(model, primitive, count, is_mirrored, mesh.faces.size());
   for(std::size_t i = 0; i < corners.size(); i += 3)
-  {
-    if(is_mirrored)
-      std::swap(corners[i + 1], corners[i + 2]);
     mesh.faces.push_back({first + corners[i], first + corners[i + 1], first + corners[i + 2]});
-  }
 }
 
 // Primitives often share their vertices, and differ in material.
@@ -166,6 +175,158 @@ void merge_copies(const Model& model, const Primitive& primitive, Mesh_file& mes
   mesh.faces = std::move(faces);
 }
 
+bool have_same_vertices(const std::vector<Primitive>& primitives)
+{
+  return !primitives.empty()
+         && std::all_of(primitives.begin(), primitives.end(), [&](const Primitive& primitive) {
+              return primitive.attributes == primitives[0].attributes;
+            });
+}
+
+unsigned char srgb(const double linear)
+{
+  const double x = (std::min)((std::max)(linear, 0.), 1.);
+  const double y = x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055;
+  return static_cast<unsigned char>(std::lround(255 * y));
+}
+
+// Reads the appearance of the primitives of a mesh that was read, in the same order.
+class Appearance_reader
+{
+public:
+  Appearance_reader(const Model& model, Mesh_file& mesh)
+    : m_model(model), m_mesh(mesh), m_appearance(mesh.appearance)
+  {
+    for(const tinygltf::Material& material : model.materials)
+      m_appearance.materials.push_back(material_of(material));
+    m_appearance.materials.emplace_back(); // of primitives without
+  }
+
+  void read(const Mesh_instance& instance, const Primitive& primitive)
+  {
+    const std::size_t count
+      = Gltf_numbers(m_model, primitive.attributes.at("POSITION"), 3, "POSITION").count();
+    const bool is_mirrored = Skinned_vertices(m_model, instance, primitive, count).is_mirrored();
+    const std::vector<std::size_t> corners
+      = corners_of(m_model, primitive, count, is_mirrored, m_face);
+    const auto material = static_cast<std::size_t>(primitive.material);
+    const bool has_material = primitive.material >= 0 && material < m_model.materials.size();
+    m_has_materials = m_has_materials || has_material;
+    read_colors(primitive, corners);
+    read_coordinates(primitive, corners,
+                     has_material
+                       ? m_model.materials[material].pbrMetallicRoughness.baseColorTexture
+                       : tinygltf::TextureInfo());
+    m_appearance.material_of_face.resize(
+      m_face += corners.size() / 3, has_material ? material : m_appearance.materials.size() - 1);
+  }
+
+  // What no primitive has is removed.
+  void finish()
+  {
+    if(!m_has_coordinates)
+      m_appearance.texture_coordinates.clear();
+    if(!m_has_materials)
+      m_appearance = {m_appearance.vertex_colors, m_appearance.texture_coordinates, {}, {}};
+  }
+
+private:
+  Material material_of(const tinygltf::Material& material) const
+  {
+    Material result;
+    const tinygltf::PbrMetallicRoughness& base = material.pbrMetallicRoughness;
+    for(std::size_t k = 0; k < 4 && k < base.baseColorFactor.size(); ++k)
+      result.color[k] = (std::min)((std::max)(base.baseColorFactor[k], 0.), 1.);
+    if(material.alphaMode == "BLEND" || material.alphaMode == "MASK")
+      result.alpha_mode = material.alphaMode;
+    const auto entry = [](const auto& list, const int i) {
+      return i >= 0 && static_cast<std::size_t>(i) < list.size()
+               ? &list[static_cast<std::size_t>(i)]
+               : nullptr;
+    };
+    const auto* const texture = entry(m_model.textures, base.baseColorTexture.index);
+    const auto* const image = texture ? entry(m_model.images, texture->source) : nullptr;
+    const auto* const view = image ? entry(m_model.bufferViews, image->bufferView) : nullptr;
+    const auto* const buffer = view ? entry(m_model.buffers, view->buffer) : nullptr;
+    if(!buffer || view->byteOffset > buffer->data.size()
+       || view->byteLength > buffer->data.size() - view->byteOffset)
+      return result;
+    const auto begin = buffer->data.begin() + static_cast<std::ptrdiff_t>(view->byteOffset);
+    result.image.assign(begin, begin + static_cast<std::ptrdiff_t>(view->byteLength));
+    if(type_of_image(result.image).empty())
+      result.image.clear();
+    return result;
+  }
+
+  // The accessor of an attribute with a tuple for each vertex; none if it is not so.
+  std::optional<Gltf_numbers> numbers(const Primitive& primitive, const std::string& name,
+                                      const int components,
+                                      const std::vector<std::size_t>& corners) const
+  try
+  {
+    const auto found = primitive.attributes.find(name);
+    if(found == primitive.attributes.end())
+      return std::nullopt;
+    const Gltf_numbers result(m_model, found->second, components, name);
+    const auto largest = std::max_element(corners.begin(), corners.end());
+    return largest == corners.end() || *largest < result.count() ? std::optional(result)
+                                                                 : std::nullopt;
+  }
+  catch(const std::invalid_argument&)
+  {
+    return std::nullopt;
+  }
+
+  void read_colors(const Primitive& primitive, const std::vector<std::size_t>& corners)
+  {
+    std::optional<Gltf_numbers> colors = numbers(primitive, "COLOR_0", 4, corners);
+    if(!colors)
+      colors = numbers(primitive, "COLOR_0", 3, corners);
+    if(!colors)
+      return;
+    if(m_appearance.vertex_colors.empty())
+      m_appearance.vertex_colors.assign(m_mesh.points.size(), Color{255, 255, 255});
+    for(std::size_t i = 0; i < corners.size(); ++i)
+      for(std::size_t k = 0; k < 3; ++k)
+        m_appearance.vertex_colors[m_mesh.faces[m_face + i / 3][i % 3]][k]
+          = srgb((*colors)(corners[i], k));
+  }
+
+  void read_coordinates(const Primitive& primitive, const std::vector<std::size_t>& corners,
+                        const tinygltf::TextureInfo& texture)
+  {
+    std::array<double, 2> offset = {0, 0}, scale = {1, 1};
+    if(const auto found = texture.extensions.find("KHR_texture_transform");
+       found != texture.extensions.end())
+      for(int k = 0; k < 2; ++k)
+      {
+        const auto value = [&](const char* const name, double& result) {
+          const tinygltf::Value& vector = found->second.Get(name);
+          if(vector.IsArray() && vector.ArrayLen() == 2 && vector.Get(k).IsNumber())
+            result = vector.Get(k).GetNumberAsDouble();
+        };
+        value("offset", offset[static_cast<std::size_t>(k)]);
+        value("scale", scale[static_cast<std::size_t>(k)]);
+      }
+    const auto coordinates
+      = numbers(primitive, "TEXCOORD_" + std::to_string(texture.texCoord), 2, corners);
+    m_has_coordinates = m_has_coordinates || coordinates;
+    for(const std::size_t v : corners)
+    {
+      std::array<float, 2> uv = {0, 0};
+      for(std::size_t k = 0; coordinates && k < 2; ++k)
+        uv[k] = static_cast<float>(offset[k] + scale[k] * (*coordinates)(v, k));
+      m_appearance.texture_coordinates.push_back(uv);
+    }
+  }
+
+  const Model& m_model;
+  const Mesh_file& m_mesh;
+  Appearance& m_appearance;
+  std::size_t m_face = 0;
+  bool m_has_coordinates = false, m_has_materials = false;
+};
+
 } // namespace
 
 bool is_gltf_available() { return true; }
@@ -178,8 +339,18 @@ void read_gltf(const std::string& bytes, const std::string& path, Mesh_file& mes
   const std::vector<Mesh_instance> shown = mesh_instances(model);
   for(const Mesh_instance& instance : shown)
     read_instance(model, instance, mesh);
-  if(shown.size() == 1 && model.meshes[shown[0].mesh].primitives.size() == 1)
+  if(shown.size() == 1 && have_same_vertices(model.meshes[shown[0].mesh].primitives))
     merge_copies(model, model.meshes[shown[0].mesh].primitives[0], mesh);
+}
+
+void load_appearance_of_gltf(Mesh_file& mesh)
+{
+  const Model model = load_gltf(mesh.source->bytes, "");
+  Appearance_reader reader(model, mesh);
+  for(const Mesh_instance& instance : mesh_instances(model))
+    for(const Primitive& primitive : model.meshes[instance.mesh].primitives)
+      reader.read(instance, primitive);
+  reader.finish();
 }
 
 } // namespace Canonical_pose_tool

@@ -70,7 +70,7 @@ public:
     {
       std::array<std::size_t, 4> cell;
       for(std::size_t k = 0; k < 4; ++k)
-        cell[k] = vertex_index(m_cells[c.index][k], m_mesh.points.size(), c, 1);
+        cell[k] = vertex_index(m_mesh, m_cells[c.index][k], m_mesh.points.size(), c, 1);
       m_mesh.cells.push_back(cell);
     }
     if(m_mesh.cells.empty())
@@ -124,7 +124,7 @@ private:
       std::array<double, 3> point;
       for(double& x : point)
         x = m_text.number(m_text.word(), m_last);
-      check_is_finite(point, m_last);
+      check_is_finite(m_mesh, point, m_last);
       m_mesh.points.push_back(point);
       m_mesh.point_references.push_back(m_text.integer(m_text.word(), m_last));
     }

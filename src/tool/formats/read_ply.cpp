@@ -67,7 +67,7 @@ private:
     if(!element.is_vertex())
       return;
     m_mesh.points.push_back({point[0], point[1], point[2]});
-    check_is_finite(m_mesh.points.back(), e);
+    check_is_finite(m_mesh, m_mesh.points.back(), e);
   }
 
   void add_face(const std::vector<double>& corners, const Element& face)

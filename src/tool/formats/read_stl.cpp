@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <map>
@@ -29,11 +31,14 @@ public:
 
   void add_corner(const std::array<double, 3>& point)
   {
-    check_is_finite(point, next_face());
-    const auto found = m_vertices.emplace(point, m_mesh.points.size());
-    if(found.second)
+    check_is_finite(m_mesh, point, next_face());
+    const std::size_t n = m_mesh.points.size();
+    const bool is_finite
+      = std::all_of(point.begin(), point.end(), [](const double x) { return std::isfinite(x); });
+    const std::size_t vertex = is_finite ? m_vertices.emplace(point, n).first->second : n;
+    if(vertex == n)
       m_mesh.points.push_back(point);
-    m_face.push_back(found.first->second);
+    m_face.push_back(vertex);
   }
 
   void check_is_between_faces() const

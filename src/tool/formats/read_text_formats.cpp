@@ -80,7 +80,7 @@ void read_off(const std::string& bytes, Mesh_file& mesh)
     const double y = text.number(text.word_on_line(), v);
     const double z = text.number(text.word_on_line(), v);
     mesh.points.push_back({x, y, z});
-    check_is_finite(mesh.points.back(), v);
+    check_is_finite(mesh, mesh.points.back(), v);
     text.skip_line();
   }
   std::vector<std::size_t> face;
@@ -90,7 +90,7 @@ void read_off(const std::string& bytes, Mesh_file& mesh)
     check_is_polygon(corners, f);
     face.clear();
     for(long long k = 0; k < corners; ++k)
-      face.push_back(vertex_index(text.integer(text.word(), f), mesh.points.size(), f));
+      face.push_back(vertex_index(mesh, text.integer(text.word(), f), mesh.points.size(), f));
     mesh.faces.push_back(face);
     text.skip_line();
   }
@@ -111,7 +111,7 @@ void read_obj(const std::string& bytes, Mesh_file& mesh)
       std::array<double, 3> point;
       for(double& x : point)
         x = text.number(text.word_on_line(), v);
-      check_is_finite(point, v);
+      check_is_finite(mesh, point, v);
       mesh.points.push_back(point);
     }
     else if(is_face_of_obj(word))

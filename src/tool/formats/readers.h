@@ -67,20 +67,25 @@ void rewrite_glb(std::ostream& out, const Mesh_file& mesh,
 // What binary or text glTF holds beside positions and faces.
 std::vector<std::string> attributes_of_gltf(const Mesh_file& mesh);
 
+// The part of load_appearance() for glTF.
+void load_appearance_of_gltf(Mesh_file& mesh);
+
 // Whether this program was built with glTF.
 bool is_gltf_available();
 
 // Converts `index`, one of `n` vertices counted from `base`, to a count from 0. Throws if there is
-// no such vertex.
-std::size_t vertex_index(long long index, std::size_t n, const Element& element, int base = 0);
+// no such vertex in `mesh`; if that is not checked, only if there can be none.
+std::size_t vertex_index(const Mesh_file& mesh, long long index, std::size_t n,
+                         const Element& element, int base = 0);
 
 // Appends faces with these corners, vertices counted from `base`. `ends`: of the faces, among the corners. Throws if
 // there is no such vertex.
 void add_faces(const std::vector<long long>& corners, const std::vector<std::size_t>& ends,
                int base, Mesh_file& mesh);
 
-// Throws if a coordinate is not finite.
-void check_is_finite(const std::array<double, 3>& point, const Element& element);
+// Throws if a coordinate is not finite, and `mesh` is checked.
+void check_is_finite(const Mesh_file& mesh, const std::array<double, 3>& point,
+                     const Element& element);
 
 // Throws if a face has fewer than three corners.
 void check_is_polygon(long long number_of_corners, const Element& face);

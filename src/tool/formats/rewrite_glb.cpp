@@ -186,6 +186,34 @@ private:
   std::set<int> m_taken;
 };
 
+// Those of the vertices of a mesh that was read from the model, in the space of the scene.
+std::vector<Eigen::Vector3d> normals_of(const tinygltf::Model& model)
+{
+  std::vector<Eigen::Vector3d> result;
+  for(const Mesh_instance& instance : mesh_instances(model))
+  {
+    std::set<std::pair<int, int>> known;
+    for(const tinygltf::Primitive& primitive : model.meshes[instance.mesh].primitives)
+    {
+      if(!known.insert(accessors_of_vertices(instance, primitive)).second)
+        continue;
+      const std::size_t first = result.size();
+      const std::size_t count
+        = Gltf_numbers(model, primitive.attributes.at("POSITION"), 3, "POSITION").count();
+      result.resize(first + count, Eigen::Vector3d::Zero());
+      const auto found = primitive.attributes.find("NORMAL");
+      if(found == primitive.attributes.end())
+        continue;
+      const Gltf_numbers normals(model, found->second, 3, "NORMAL");
+      const Skinned_vertices transformations(model, instance, primitive, count);
+      for(std::size_t i = 0; i < count; ++i)
+        result[first + i] = transformations(i).linear().inverse().transpose()
+                            * Eigen::Vector3d(normals(i, 0), normals(i, 1), normals(i, 2));
+    }
+  }
+  return result;
+}
+
 // Changes the primitives of a mesh that a node shows, whose first vertex is `first`; adds the number of its vertices to that.
 void change_instance(const tinygltf::Model& model, const Mesh_instance& instance, Json& mesh,
                      const Points& points, const Vertex_rotations& rotations, std::size_t& first,
@@ -344,7 +372,7 @@ void rewrite_glb(std::ostream& out, const Mesh_file& mesh, const Points& points)
     for(Json& node : json["nodes"])
       node.erase("skin");
 
-  const Vertex_rotations rotations(mesh, points);
+  const Vertex_rotations rotations(mesh, points, normals_of(model));
   Changed_accessors changed(model, json, buffer);
   const Json meshes = json["meshes"];
   std::set<std::size_t> shown;

@@ -84,36 +84,53 @@ std::string line_end_of(const std::string& bytes)
                                               : bytes.substr(end, 1);
 }
 
+// Advances to the vertices of an OFF file. Returns whether they have normals.
+bool skip_header_of_off(Text_cursor& text)
+{
+  const std::string_view keyword = text.word();
+  if(keyword.back() == 'F') // otherwise with the first number
+    text.word();
+  text.skip_line();
+  return keyword.substr(0, keyword.find("OFF")).find('N') != std::string_view::npos;
+}
+
+std::vector<Eigen::Vector3d> normals_of_off(Text_cursor text, const std::size_t number)
+{
+  std::vector<Eigen::Vector3d> result(number);
+  for(Eigen::Vector3d& normal : result)
+  {
+    text.word();
+    text.word_on_line();
+    text.word_on_line();
+    for(double& x : normal)
+      x = text.number_or(text.word_on_line(), 0);
+    text.skip_line();
+  }
+  return result;
+}
+
 void rewrite_off(std::ostream& out, const std::string& bytes, const Mesh_file& mesh,
                  const Points& points)
 {
   Text_cursor text(bytes);
   Text_copy copy(out, bytes);
-  const std::string_view keyword = text.word();
-  if(keyword.back() == 'F') // otherwise with the first number
-    text.word();
-  text.skip_line();
-  std::optional<Vertex_rotations> rotations;
-  if(keyword.substr(0, keyword.find("OFF")).find('N') != std::string_view::npos)
-    rotations.emplace(mesh, points);
+  std::vector<Eigen::Vector3d> normals;
+  if(skip_header_of_off(text))
+  {
+    normals = normals_of_off(text, points.size());
+    const Vertex_rotations rotations(mesh, points, normals);
+    for(std::size_t v = 0; v < normals.size(); ++v)
+      normals[v] = rotations(v, normals[v]);
+  }
   for(std::size_t v = 0; v < points.size(); ++v)
   {
     copy.replace(text.word(), points[v][0]);
     copy.replace(text.word_on_line(), points[v][1]);
     copy.replace(text.word_on_line(), points[v][2]);
-    if(rotations)
-    {
-      std::array<std::string_view, 3> words;
-      Eigen::Vector3d normal;
-      for(std::size_t k = 0; k < 3; ++k)
-      {
-        words[k] = text.word_on_line();
-        normal[static_cast<Eigen::Index>(k)] = text.number_or(words[k], 0);
-      }
-      normal = (*rotations)(v, normal);
-      for(std::size_t k = 0; k < 3 && !words[k].empty(); ++k)
-        copy.replace(words[k], normal[static_cast<Eigen::Index>(k)]);
-    }
+    if(!normals.empty())
+      for(const double x : normals[v])
+        if(const std::string_view word = text.word_on_line(); !word.empty())
+          copy.replace(word, x);
     text.skip_line();
   }
   copy.finish();
@@ -144,7 +161,7 @@ public:
       sums.try_emplace(key_of(use), Eigen::Vector3d::Zero()).first->second
         += rotation * m_normals[use.normal];
     }
-    std::vector<std::map<Rounded, std::size_t>> known(m_normals.size());
+    std::vector<std::map<Rounded_direction, std::size_t>> known(m_normals.size());
     for(Use& use : m_uses)
     {
       const Eigen::Vector3d normal = turned_normal(sums.at(key_of(use)), m_normals[use.normal]);
@@ -207,16 +224,6 @@ private:
     std::size_t face, corner, normal;
     std::size_t variant = 0;
   };
-  using Rounded = std::array<long, 3>;
-
-  // Directions that differ by a twentieth of a degree are not distinguished.
-  static Rounded rounded(const Eigen::Vector3d& normal)
-  {
-    const double steps = 1000;
-    const Eigen::Vector3d direction = normal.stableNormalized() * steps;
-    return {std::lround(direction[0]), std::lround(direction[1]), std::lround(direction[2])};
-  }
-
   void read(const std::string& bytes)
   {
     Text_cursor text(bytes, Text_cursor::Lines::CONTINUED);
@@ -558,7 +565,7 @@ private:
           });
     m_text = text;
     m_byte = byte;
-    const Vertex_rotations rotations(m_mesh, m_points);
+    const Vertex_rotations rotations(m_mesh, m_points, m_normals);
     for(std::size_t v = 0; v < m_normals.size(); ++v)
       m_normals[v] = rotations(v, m_normals[v]);
     for(std::size_t f = 0; f < m_face_normals.size(); ++f)
@@ -593,13 +600,25 @@ bool holds_positions(const std::string& bytes)
   return true;
 }
 
+bool has_color_of_obj(Text_cursor text)
+{
+  std::size_t numbers = 0;
+  while(!text.word_on_line().empty())
+    ++numbers;
+  return numbers >= 6;
+}
+
 std::vector<std::string> attributes_of_obj(const std::string& bytes)
 {
   std::set<std::string_view> words;
+  bool has_colors = false; // of the first vertex
   Text_cursor text(bytes);
   for(std::string_view word = text.word(); !word.empty(); text.skip_line(), word = text.word())
-    words.insert(word);
+    if(words.insert(word).second && word == "v")
+      has_colors = has_color_of_obj(text);
   std::vector<std::string> result;
+  if(has_colors)
+    result.push_back("colors");
   const std::array<std::pair<const char*, const char*>, 5> texts = {{{"vn", "normals"},
                                                                      {"vt", "texture coordinates"},
                                                                      {"usemtl", "materials"},
@@ -609,6 +628,15 @@ std::vector<std::string> attributes_of_obj(const std::string& bytes)
     if(words.count(word) > 0)
       result.push_back(name);
   return result;
+}
+
+std::string name_of_attribute(const Ply_element& element, const Ply_property& property)
+{
+  if(element.is_vertex() && channel_of(property) < 3)
+    return "colors";
+  if(element.is_vertex() ? texture_coordinate_of(property) < 2 : is_list_of_coordinates(property))
+    return "texture coordinates";
+  return "the property " + property.name;
 }
 
 std::vector<std::string> attributes_of_ply(const std::string& bytes)
@@ -621,7 +649,7 @@ std::vector<std::string> attributes_of_ply(const std::string& bytes)
     else
       for(const Ply_property& property : element.properties)
         if(element.is_vertex() ? coordinate_of(property) == 3 : !is_list_of_vertices(property))
-          result.push_back("the property " + property.name);
+          result.push_back(name_of_attribute(element, property));
   std::sort(result.begin(), result.end());
   result.erase(std::unique(result.begin(), result.end()), result.end());
   return result;
@@ -686,13 +714,22 @@ bool is_rewritable(const Mesh_file& mesh, const Format format)
 std::vector<std::string> losses(const Mesh_file& mesh, const Format format)
 {
   std::vector<std::string> names = attributes_of_file(mesh);
-  if(names.empty() || !is_rewritable(mesh, format))
-    return names;
+  const bool is_rewritten = is_rewritable(mesh, format);
   const std::set<std::string> always
     = {"animations", "images that are not beside it", "morph targets", "skins", "turned normals"};
-  names.erase(std::remove_if(names.begin(), names.end(),
-                             [&](const std::string& name) { return always.count(name) == 0; }),
-              names.end());
+  const auto is_kept = [&](const std::string& name) {
+    if(is_rewritten)
+      return always.count(name) == 0;
+    const Appearance& appearance = mesh.appearance;
+    const bool has_textures
+      = format == Format::GLB || format == Format::PLY || format == Format::OBJ;
+    return name == "colors"
+             ? (has_textures || format == Format::OFF) && !appearance.vertex_colors.empty()
+           : name == "texture coordinates"
+             ? has_textures && !appearance.texture_coordinates.empty()
+             : name == "materials" && format == Format::GLB && appearance.has_materials();
+  };
+  names.erase(std::remove_if(names.begin(), names.end(), is_kept), names.end());
   return names;
 }
 

@@ -24,6 +24,8 @@ std::optional<std::string> self_contained_glb(const std::string&, const std::str
   return std::nullopt;
 }
 
+void load_appearance_of_gltf(Mesh_file&) {}
+
 bool is_rewritable_glb(const Mesh_file&) { return false; }
 
 void rewrite_glb(std::ostream&, const Mesh_file&, const std::vector<std::array<double, 3>>&)

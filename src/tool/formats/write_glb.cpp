@@ -18,6 +18,7 @@
 #include <ostream>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -31,8 +32,19 @@ using Rows = Gltf_builder::Rows<Number>;
 using Use = Gltf_builder::Use;
 using Triangles = std::vector<std::array<std::size_t, 3>>;
 
-// A vertex of the surface and its part; -1 if there are no parts, or if it belongs to no face.
-using Copy = std::pair<std::size_t, long long>;
+struct Copy
+{
+  std::size_t vertex;
+  long long part = -1; // -1 if there are no parts, or if it belongs to no face
+  std::array<float, 2> texture_coordinates = {}; // the same
+
+  bool operator<(const Copy& other) const
+  {
+    return std::tie(vertex, part, texture_coordinates)
+           < std::tie(other.vertex, other.part, other.texture_coordinates);
+  }
+  bool operator==(const Copy& other) const { return !(*this < other) && !(other < *this); }
+};
 
 const double LARGEST_FLOAT = (std::numeric_limits<float>::max)();
 
@@ -42,11 +54,10 @@ float to_float(const double x)
 }
 
 // Colors of glTF are linear.
-std::uint8_t linear(const unsigned char of_srgb)
+double linear(const unsigned char of_srgb)
 {
   const double x = of_srgb / 255.;
-  const double y = x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4);
-  return static_cast<std::uint8_t>(std::lround(255 * y));
+  return x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4);
 }
 
 Point_matrix matrix_of(const Mesh_file& mesh)
@@ -58,8 +69,8 @@ Point_matrix matrix_of(const Mesh_file& mesh)
   return points;
 }
 
-// The triangles of a surface; its vertices are split where parts meet, sorted by vertex. Each has
-// at least one copy.
+// The triangles of a surface; its vertices are split where parts meet, and at seams of the texture; sorted by vertex.
+// Each has at least one copy.
 struct Split_surface
 {
   Split_surface(const Point_matrix& points, const Shown_surface& surface)
@@ -68,37 +79,65 @@ struct Split_surface
       = CGAL::Canonical_pose_3::triangulate_polygons(points, surface.mesh.faces);
     faces = polygons.triangles;
     triangles = std::move(polygons.triangles);
+    polygon_of_triangle = std::move(polygons.polygon_of_triangle);
     const std::size_t n = surface.mesh.points.size();
-    if(surface.part_of_face.empty())
+    const std::vector<Copy> corners = copies_of_corners(surface);
+    if(corners.empty())
     {
       for(std::size_t v = 0; v < n; ++v)
-        copies.emplace_back(v, -1);
+        copies.push_back({v});
       return;
     }
-    const auto part = [&](const std::size_t t) {
-      return static_cast<long long>(surface.part_of_face[polygons.polygon_of_triangle[t]]);
-    };
     std::vector<bool> has_face(n, false);
-    for(std::size_t t = 0; t < faces.size(); ++t)
-      for(const std::size_t v : faces[t])
-      {
-        has_face[v] = true;
-        copies.emplace_back(v, part(t));
-      }
+    for(const Copy& copy : corners)
+      has_face[copy.vertex] = true;
+    copies = corners;
     for(std::size_t v = 0; v < n; ++v)
       if(!has_face[v])
-        copies.emplace_back(v, -1);
+        copies.push_back({v});
     std::sort(copies.begin(), copies.end());
     copies.erase(std::unique(copies.begin(), copies.end()), copies.end());
-    for(std::size_t t = 0; t < faces.size(); ++t)
+    std::size_t first = 0; // corner of the polygon
+    for(std::size_t t = 0, polygon = 0; t < faces.size(); ++t)
+    {
+      for(; polygon < polygon_of_triangle[t]; ++polygon)
+        first += surface.mesh.faces[polygon].size();
       for(std::size_t& v : triangles[t])
-        v = static_cast<std::size_t>(
-          std::lower_bound(copies.begin(), copies.end(), Copy(v, part(t))) - copies.begin());
+      {
+        std::size_t corner = first;
+        while(corners[corner].vertex != v)
+          ++corner;
+        v = static_cast<std::size_t>(std::lower_bound(copies.begin(), copies.end(), corners[corner])
+                                     - copies.begin());
+      }
+    }
   }
 
   std::vector<Copy> copies;
   Triangles triangles; // of copies
   Triangles faces;     // the same of vertices
+  std::vector<std::size_t> polygon_of_triangle;
+
+private:
+  // Of all corners of the polygons; empty if no vertex is split.
+  static std::vector<Copy> copies_of_corners(const Shown_surface& surface)
+  {
+    std::vector<Copy> corners;
+    const auto& coordinates = surface.mesh.appearance.texture_coordinates;
+    if(surface.part_of_face.empty() && coordinates.empty())
+      return corners;
+    for(std::size_t f = 0; f < surface.mesh.faces.size(); ++f)
+      for(const std::size_t v : surface.mesh.faces[f])
+      {
+        Copy copy{v};
+        if(!surface.part_of_face.empty())
+          copy.part = static_cast<long long>(surface.part_of_face[f]);
+        if(!coordinates.empty())
+          copy.texture_coordinates = coordinates[corners.size()];
+        corners.push_back(copy);
+      }
+    return corners;
+  }
 };
 
 // Where a file has its origin, and its unit of length.
@@ -131,7 +170,10 @@ public:
     tinygltf::Model& model = m_builder.model();
     model.asset.generator = "canonical-pose";
     if(m_is_quantized)
-      model.extensionsUsed = model.extensionsRequired = {"KHR_mesh_quantization"};
+    {
+      model.extensionsRequired = {"KHR_mesh_quantization"};
+      model.extensionsUsed.push_back("KHR_mesh_quantization");
+    }
     if(!tinygltf::TinyGLTF().WriteGltfSceneToStream(&model, out, false, true))
       throw std::runtime_error("the model could not be turned into glTF");
   }
@@ -140,6 +182,7 @@ private:
   static constexpr std::size_t LARGEST_UNQUANTIZED = 250000;
   static constexpr std::size_t LARGEST_VERTEX_OF_ATTRIBUTES = 16777216; // of float
   static constexpr double LARGEST_SHORT = 32767;
+  static constexpr const char* VARIANTS = "KHR_materials_variants";
 
   // The origin is moved only if the surface is far from it, where single precision is coarse.
   void choose_frame()
@@ -189,7 +232,7 @@ private:
   void add_vertices()
   {
     m_primitive.attributes["POSITION"] = m_builder.append(
-      rows<float>(3, [&](const Copy& c, const int k) { return position(c.first, k); }),
+      rows<float>(3, [&](const Copy& c, const int k) { return position(c.vertex, k); }),
       Use::VERTICES, true);
     for(const Other_shape& shape : m_surface.other_shapes)
       add_shape(shape);
@@ -197,6 +240,13 @@ private:
       add_normals();
     add_values();
     add_colors();
+    if(!m_surface.mesh.appearance.texture_coordinates.empty())
+      m_primitive.attributes["TEXCOORD_0"]
+        = m_builder.append(rows<float>(2,
+                                       [](const Copy& c, const int k) {
+                                         return c.texture_coordinates[static_cast<std::size_t>(k)];
+                                       }),
+                           Use::VERTICES);
   }
 
   // Some viewers read positions in single precision only, whatever they read of differences.
@@ -208,7 +258,7 @@ private:
   void add_shape(const Other_shape& shape)
   {
     const auto difference = [&](const Copy& c, const int k) {
-      return stored(shape.points, c.first, k) - static_cast<double>(position(c.first, k));
+      return stored(shape.points, c.vertex, k) - static_cast<double>(position(c.vertex, k));
     };
     std::map<std::string, int> target;
     target["POSITION"]
@@ -229,7 +279,7 @@ private:
   {
     const Point_matrix of_vertices = CGAL::Canonical_pose_3::vertex_normals(points, m_split.faces);
     return rows<float>(3, [&](const Copy& c, const int k) {
-      const auto normal = of_vertices.row(static_cast<Eigen::Index>(c.first));
+      const auto normal = of_vertices.row(static_cast<Eigen::Index>(c.vertex));
       return normal.isZero() ? (k == 2 ? 1.f : 0.f) : static_cast<float>(normal[k]);
     });
   }
@@ -258,62 +308,130 @@ private:
       m_primitive.attributes[attribute(values.name)] = m_builder.append(
         rows<float>(1,
                     [&](const Copy& c, int) {
-                      return to_float(values.values[static_cast<Eigen::Index>(c.first)]);
+                      return to_float(values.values[static_cast<Eigen::Index>(c.vertex)]);
                     }),
         Use::VERTICES);
     if(!m_surface.part_of_face.empty())
       m_primitive.attributes["_LABEL"] = m_builder.append(
-        rows<float>(1, [](const Copy& c, int) { return static_cast<float>(c.second); }),
+        rows<float>(1, [](const Copy& c, int) { return static_cast<float>(c.part); }),
         Use::VERTICES);
     if(!m_surface.origins.empty())
       m_primitive.attributes["_VERTEX"] = m_builder.append(
         rows<float>(
-          1, [&](const Copy& c, int) { return static_cast<float>(m_surface.origins[c.first]); }),
+          1, [&](const Copy& c, int) { return static_cast<float>(m_surface.origins[c.vertex]); }),
         Use::VERTICES);
   }
 
+  bool has_colors_of_results() const
+  {
+    return !m_surface.part_of_face.empty() || !m_surface.vertex_colors.empty();
+  }
+
+  // Those of the results, if any, come first.
   void add_colors()
   {
-    const bool has_parts = !m_surface.part_of_face.empty();
-    if(!has_parts && m_surface.vertex_colors.empty())
-      return;
-    m_primitive.attributes["COLOR_0"] = m_builder.append(
-      rows<std::uint8_t>(4,
-                         [&](const Copy& c, const int k) -> std::uint8_t {
-                           if(k == 3)
-                             return 255;
-                           const Color color
-                             = !has_parts     ? m_surface.vertex_colors[c.first]
-                               : c.second < 0 ? Color{128, 128, 128}
-                                              : color_of_part(static_cast<std::size_t>(c.second));
-                           return linear(color[static_cast<std::size_t>(k)]);
-                         }),
-      Use::VERTICES);
+    const std::vector<Color>& own = m_surface.mesh.appearance.vertex_colors;
+    const auto add = [&](const std::string& name, const auto& color) {
+      constexpr double most = (std::numeric_limits<std::uint16_t>::max)();
+      m_primitive.attributes[name] = m_builder.append(
+        rows<std::uint16_t>(4,
+                            [&](const Copy& c, const int k) {
+                              const double share
+                                = k == 3 ? 1 : linear(color(c)[static_cast<std::size_t>(k)]);
+                              return static_cast<std::uint16_t>(std::lround(most * share));
+                            }),
+        Use::VERTICES);
+    };
+    if(!m_surface.part_of_face.empty())
+      add("COLOR_0", [](const Copy& c) {
+        return c.part < 0 ? Color{128, 128, 128} : color_of_part(static_cast<std::size_t>(c.part));
+      });
+    else if(!m_surface.vertex_colors.empty())
+      add("COLOR_0", [&](const Copy& c) { return m_surface.vertex_colors[c.vertex]; });
+    if(!own.empty())
+      add(has_colors_of_results() ? "COLOR_1" : "COLOR_0",
+          [&](const Copy& c) { return own[c.vertex]; });
   }
 
   template <class Number>
-  int append_indices()
+  int append_indices(const std::vector<std::size_t>& triangles)
   {
-    Rows<Number> indices(static_cast<Eigen::Index>(3 * m_split.triangles.size()), 1);
+    Rows<Number> indices(static_cast<Eigen::Index>(3 * triangles.size()), 1);
     Eigen::Index i = 0;
-    for(const std::array<std::size_t, 3>& triangle : m_split.triangles)
-      for(const std::size_t v : triangle)
+    for(const std::size_t t : triangles)
+      for(const std::size_t v : m_split.triangles[t])
         indices(i++) = static_cast<Number>(v);
     return m_builder.append(indices, Use::INDICES);
   }
 
-  void add_triangles()
+  int add_material(const Material& given)
   {
-    const bool is_small = m_split.copies.size() <= std::numeric_limits<std::uint16_t>::max();
-    m_primitive.indices
-      = is_small ? append_indices<std::uint16_t>() : append_indices<std::uint32_t>();
-    m_primitive.mode = TINYGLTF_MODE_TRIANGLES;
-    m_primitive.material = 0;
     tinygltf::Material material;
     material.doubleSided = true; // surfaces may be open
-    material.pbrMetallicRoughness.metallicFactor = 0;
-    material.pbrMetallicRoughness.roughnessFactor = 0.8;
+    tinygltf::PbrMetallicRoughness& base = material.pbrMetallicRoughness;
+    base.metallicFactor = 0;
+    base.roughnessFactor = 0.8;
+    base.baseColorFactor.assign(given.color.begin(), given.color.end());
+    material.alphaMode = given.alpha_mode;
+    if(!given.image.empty() && m_primitive.attributes.count("TEXCOORD_0") > 0)
+    {
+      const auto [texture, is_new] = m_textures.emplace(given.image, 0);
+      if(is_new)
+        texture->second = m_builder.append_texture(given.image, type_of_image(given.image));
+      base.baseColorTexture.index = texture->second;
+    }
     m_builder.model().materials.push_back(material);
+    return static_cast<int>(m_builder.model().materials.size()) - 1;
+  }
+
+  // A primitive for each material. If colors show results, materials are those of a variant.
+  void add_triangles()
+  {
+    const Appearance& appearance = m_surface.mesh.appearance;
+    std::map<std::size_t, std::vector<std::size_t>> triangles;
+    for(std::size_t t = 0; t < m_split.triangles.size(); ++t)
+      triangles[appearance.has_materials()
+                  ? appearance.material_of_face[m_split.polygon_of_triangle[t]]
+                  : 0]
+        .push_back(t);
+    m_primitive.mode = TINYGLTF_MODE_TRIANGLES;
+    const bool has_variant = appearance.has_materials() && has_colors_of_results();
+    const int plain = has_variant || !appearance.has_materials() ? add_material(Material()) : -1;
+    const bool is_small = m_split.copies.size() <= std::numeric_limits<std::uint16_t>::max();
+    for(const auto& [material, of_material] : triangles)
+    {
+      m_primitive.indices = is_small ? append_indices<std::uint16_t>(of_material)
+                                     : append_indices<std::uint32_t>(of_material);
+      m_primitive.material = plain;
+      if(appearance.has_materials())
+      {
+        const int own = add_material(appearance.materials[material]);
+        if(has_variant)
+          m_primitive.extensions[VARIANTS] = variant_of(own);
+        else
+          m_primitive.material = own;
+      }
+      m_primitives.push_back(m_primitive);
+    }
+    if(has_variant)
+      add_variant();
+  }
+
+  static tinygltf::Value variant_of(const int material)
+  {
+    using tinygltf::Value;
+    const Value mapping(
+      Value::Object{{"material", Value(material)}, {"variants", Value(Value::Array{Value(0)})}});
+    return Value(Value::Object{{"mappings", Value(Value::Array{mapping})}});
+  }
+
+  void add_variant()
+  {
+    using tinygltf::Value;
+    const Value name(Value::Object{{"name", Value(std::string("texture"))}});
+    m_builder.model().extensions[VARIANTS]
+      = Value(Value::Object{{"variants", Value(Value::Array{name})}});
+    m_builder.model().extensionsUsed.push_back(VARIANTS);
   }
 
   // Viewers look for the names of shapes in the extras of the mesh.
@@ -353,7 +471,7 @@ private:
     if(!m_surface.other_shapes.empty() || m_surface.legend || !m_surface.figures.empty())
       mesh.extras = extras();
     mesh.weights.assign(m_surface.other_shapes.size(), 0);
-    mesh.primitives.push_back(m_primitive);
+    mesh.primitives = m_primitives;
     m_builder.model().meshes.push_back(std::move(mesh));
     tinygltf::Node node;
     node.mesh = 0;
@@ -396,7 +514,9 @@ private:
   const bool m_is_quantized;
   Frame m_frame;
   Gltf_builder m_builder;
-  tinygltf::Primitive m_primitive;
+  tinygltf::Primitive m_primitive; // what those of all materials have in common
+  std::vector<tinygltf::Primitive> m_primitives;
+  std::map<std::string, int> m_textures; // by the contents of their images
 };
 
 } // namespace

@@ -5,13 +5,13 @@
 #include "Shortest_numbers.h"
 #include "Shown_surface.h"
 
-#include <CGAL/IO/OBJ.h>
-#include <CGAL/IO/OFF.h>
 #include <CGAL/IO/STL.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <map>
 #include <ostream>
 #include <stdexcept>
 #include <string>
@@ -38,6 +38,61 @@ void write_medit(std::ostream& out, const Mesh_file& mesh)
     out << mesh.cell_references[c] << '\n';
   }
   out << "End\n";
+}
+
+// With the colors of the vertices, if there are.
+void write_off(std::ostream& out, const Mesh_file& mesh)
+{
+  const std::vector<Color>& colors = mesh.appearance.vertex_colors;
+  out << (colors.empty() ? "OFF\n" : "COFF\n") << mesh.points.size() << ' ' << mesh.faces.size()
+      << " 0\n";
+  for(std::size_t v = 0; v < mesh.points.size(); ++v)
+  {
+    const std::array<double, 3>& p = mesh.points[v];
+    out << p[0] << ' ' << p[1] << ' ' << p[2];
+    if(!colors.empty())
+      for(const int c : {int(colors[v][0]), int(colors[v][1]), int(colors[v][2]), 255})
+        out << ' ' << c;
+    out << '\n';
+  }
+  for(const Face_list::Face face : mesh.faces)
+  {
+    out << face.size();
+    for(const std::size_t v : face)
+      out << ' ' << v;
+    out << '\n';
+  }
+}
+
+// With the colors of the vertices, and the texture coordinates of the corners, if there are.
+void write_obj(std::ostream& out, const Mesh_file& mesh)
+{
+  const Appearance& appearance = mesh.appearance;
+  for(std::size_t v = 0; v < mesh.points.size(); ++v)
+  {
+    const std::array<double, 3>& p = mesh.points[v];
+    out << "v " << p[0] << ' ' << p[1] << ' ' << p[2];
+    if(!appearance.vertex_colors.empty())
+      for(const unsigned char c : appearance.vertex_colors[v])
+        out << ' ' << std::round(1e4 * c / 255.) / 1e4;
+    out << '\n';
+  }
+  std::map<std::array<float, 2>, std::size_t> numbers; // from 1
+  for(const std::array<float, 2>& coordinates : appearance.texture_coordinates)
+    if(numbers.emplace(coordinates, numbers.size() + 1).second)
+      out << "vt " << coordinates[0] << ' ' << 1 - coordinates[1] << '\n';
+  std::size_t corner = 0;
+  for(const Face_list::Face face : mesh.faces)
+  {
+    out << 'f';
+    for(const std::size_t v : face)
+    {
+      out << ' ' << v + 1;
+      if(!numbers.empty())
+        out << '/' << numbers.at(appearance.texture_coordinates[corner++]);
+    }
+    out << '\n';
+  }
 }
 
 } // namespace
@@ -74,23 +129,19 @@ void write_mesh(std::ostream& out, const Format format, const Mesh_file& mesh)
   {
     Shown_surface surface;
     surface.mesh = mesh;
+    if(!mesh.appearance.texture_coordinates.empty()) // copies at seams are found again
+      for(std::size_t v = 0; v < mesh.points.size(); ++v)
+        surface.origins.push_back(v);
     return format == Format::GLB ? write_glb(out, surface) : write_ply(out, surface);
   }
+  if(format == Format::OFF)
+    return write_off(out, mesh);
+  if(format == Format::OBJ)
+    return write_obj(out, mesh);
   std::vector<Point> points;
   for(const std::array<double, 3>& p : mesh.points)
     points.emplace_back(p[0], p[1], p[2]);
-  const auto precision = CGAL::parameters::stream_precision(17);
-  switch(format)
-  {
-  case Format::OBJ:
-    CGAL::IO::write_OBJ(out, points, mesh.faces, precision);
-    break;
-  case Format::STL:
-    CGAL::IO::write_STL(out, points, mesh.faces, precision);
-    break;
-  default:
-    CGAL::IO::write_OFF(out, points, mesh.faces, precision);
-  }
+  CGAL::IO::write_STL(out, points, mesh.faces, CGAL::parameters::stream_precision(17));
 }
 
 } // namespace Canonical_pose_tool

@@ -24,11 +24,18 @@ void write_color(std::ostream& out, const Color& color)
     out << ' ' << static_cast<int>(c);
 }
 
+// Colors that show results come before those of the surface itself.
+const std::vector<Color>& colors_of(const Shown_surface& surface)
+{
+  return surface.vertex_colors.empty() ? surface.mesh.appearance.vertex_colors
+                                       : surface.vertex_colors;
+}
+
 void write_header(std::ostream& out, const Shown_surface& surface)
 {
   out << "ply\nformat ascii 1.0\nelement vertex " << surface.mesh.points.size()
       << "\nproperty double x\nproperty double y\nproperty double z\n";
-  if(!surface.vertex_colors.empty())
+  if(!colors_of(surface).empty())
     announce_color(out);
   for(const Vertex_values& values : surface.values)
     out << "property double " << values.name << '\n';
@@ -39,6 +46,8 @@ void write_header(std::ostream& out, const Shown_surface& surface)
     announce_color(out);
     out << "property int part\n";
   }
+  if(!surface.mesh.appearance.texture_coordinates.empty())
+    out << "property list uchar float texcoord\n";
   out << "end_header\n";
 }
 
@@ -50,16 +59,19 @@ void write_ply(std::ostream& out, const Shown_surface& surface)
   check_format_holds(Format::PLY, mesh);
   use_shortest_numbers(out);
   write_header(out, surface);
+  const std::vector<Color>& colors = colors_of(surface);
+  const auto& coordinates = mesh.appearance.texture_coordinates;
   for(std::size_t v = 0; v < mesh.points.size(); ++v)
   {
     const std::array<double, 3>& p = mesh.points[v];
     out << p[0] << ' ' << p[1] << ' ' << p[2];
-    if(!surface.vertex_colors.empty())
-      write_color(out, surface.vertex_colors[v]);
+    if(!colors.empty())
+      write_color(out, colors[v]);
     for(const Vertex_values& values : surface.values)
       out << ' ' << values.values[static_cast<Eigen::Index>(v)];
     out << '\n';
   }
+  std::size_t corner = 0;
   for(std::size_t f = 0; f < mesh.faces.size(); ++f)
   {
     out << mesh.faces[f].size();
@@ -69,6 +81,12 @@ void write_ply(std::ostream& out, const Shown_surface& surface)
     {
       write_color(out, color_of_part(surface.part_of_face[f]));
       out << ' ' << surface.part_of_face[f];
+    }
+    if(!coordinates.empty())
+    {
+      out << ' ' << 2 * mesh.faces[f].size();
+      for(std::size_t k = 0; k < mesh.faces[f].size(); ++k, ++corner)
+        out << ' ' << coordinates[corner][0] << ' ' << 1 - coordinates[corner][1];
     }
     out << '\n';
   }

@@ -59,6 +59,32 @@ void check_writer(const Reader& reader, const Mesh_file& mesh)
                "what is written is what is read again");
 }
 
+// What is loaded belongs to the vertices, faces and corners, and is written.
+void check_appearance(Mesh_file mesh)
+{
+  load_appearance(mesh);
+  const Appearance& appearance = mesh.appearance;
+  std::size_t corners = 0;
+  for(const CGAL::Canonical_pose_3::Face_list::Face face : mesh.faces)
+    corners += face.size();
+  const auto belongs = [](const auto& values, const std::size_t number) {
+    return values.empty() || values.size() == number;
+  };
+  CPF::require(belongs(appearance.vertex_colors, mesh.points.size())
+                 && belongs(appearance.texture_coordinates, corners)
+                 && belongs(appearance.material_of_face, mesh.faces.size()),
+               "the appearance is that of the mesh");
+  for(const std::size_t material : appearance.material_of_face)
+    CPF::require(material < appearance.materials.size(), "materials exist");
+  for(const Format format : {Format::OFF, Format::OBJ, Format::PLY, Format::GLB})
+  {
+    losses(mesh, format);
+    std::ostringstream out;
+    if(!mesh.is_tetrahedral && CPF::is_accepted([&] { check_format_holds(format, mesh); }))
+      CPF::is_accepted([&] { write_mesh(out, format, mesh); });
+  }
+}
+
 // A file with other positions is read again, with them: exactly, if they are text.
 void check_rewriter(const Reader& reader, std::string bytes, Mesh_file mesh)
 {
@@ -70,6 +96,7 @@ void check_rewriter(const Reader& reader, std::string bytes, Mesh_file mesh)
     return;
   mesh.source = std::make_shared<const Source_file>(Source_file{format, bytes});
   attributes_of_file(mesh);
+  check_appearance(mesh);
   if(!is_rewritable(mesh, format))
     return;
   std::vector<std::array<double, 3>> points = mesh.points;

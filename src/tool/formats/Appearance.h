@@ -1,0 +1,39 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_CANONICAL_POSE_3_TOOL_APPEARANCE_H
+#define CGAL_CANONICAL_POSE_3_TOOL_APPEARANCE_H
+
+#include "colors.h"
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace Canonical_pose_tool {
+
+struct Material
+{
+  std::array<double, 4> color = {1, 1, 1, 1}; // linear, with opacity; a factor if there is an image
+  std::string alpha_mode = "OPAQUE";          // of glTF
+  std::string image;                          // the content of its file
+};
+
+// What a surface has beside its shape, as far as several formats have it. What is empty, it does not have.
+struct Appearance
+{
+  std::vector<Color> vertex_colors;
+  std::vector<std::array<float, 2>> texture_coordinates; // of the corners of all faces; (0, 0) is the upper left
+  std::vector<Material> materials;
+  std::vector<std::size_t> material_of_face;
+
+  bool has_materials() const { return !material_of_face.empty(); }
+};
+
+// The type of an image by its content; empty if it is of no type that glTF holds.
+std::string type_of_image(const std::string& bytes);
+
+} // namespace Canonical_pose_tool
+
+#endif // CGAL_CANONICAL_POSE_3_TOOL_APPEARANCE_H

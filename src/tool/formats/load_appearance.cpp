@@ -1,0 +1,342 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The appearance of surfaces in OFF, OBJ and PLY.
+
+#include "Mesh_file.h"
+#include "Ply_header.h"
+#include "readers.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace Canonical_pose_tool {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+unsigned char byte_of(const double value, const double largest)
+{
+  const double share = std::isfinite(value) ? value / largest : 0;
+  return static_cast<unsigned char>(std::lround(255 * (std::min)((std::max)(share, 0.), 1.)));
+}
+
+// A file whose name another one states; only the name counts if it leads elsewhere. Empty if there is none.
+std::string content_beside(const std::string& path, std::string name)
+{
+  std::replace(name.begin(), name.end(), '\\', '/');
+  fs::path relative(name);
+  if(relative.is_absolute() || name.find(':') != std::string::npos
+     || std::find(relative.begin(), relative.end(), "..") != relative.end())
+    relative = relative.filename();
+  std::error_code error;
+  const fs::path found = fs::path(path).parent_path() / relative;
+  if(path.empty() || relative.empty() || !fs::is_regular_file(found, error))
+    return {};
+  std::ifstream in(found, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
+std::string image_beside(const std::string& path, const std::string& name)
+{
+  std::string image = content_beside(path, name);
+  return type_of_image(image).empty() ? std::string() : image;
+}
+
+// What follows on this line, without blanks around it.
+std::string rest_of_line(Text_cursor& text)
+{
+  const std::string_view first = text.word_on_line();
+  if(first.empty())
+    return {};
+  text.skip_line();
+  std::string result(first.data(), text.position());
+  result.erase(result.find_last_not_of(" \t\r") + 1);
+  return result;
+}
+
+// Colors are numbers up to 1 if any of them is written with a point, and up to 255 otherwise.
+void load_off(const std::string& bytes, const std::size_t number_of_vertices,
+              Appearance& appearance)
+{
+  Text_cursor text(bytes);
+  const std::string_view keyword = text.word();
+  const std::string_view variant = keyword.substr(0, keyword.find("OFF"));
+  if(variant.find('C') == std::string_view::npos)
+    return;
+  text.word();
+  text.skip_line();
+  const int skipped = variant.find('N') == std::string_view::npos ? 2 : 5;
+  for(std::size_t v = 0; v < number_of_vertices; ++v)
+  {
+    text.word();
+    for(int k = 0; k < skipped; ++k)
+      text.word_on_line();
+    std::array<double, 3> color;
+    bool is_fraction = false;
+    for(double& x : color)
+    {
+      const std::string_view word = text.word_on_line();
+      is_fraction = is_fraction || word.find('.') != std::string_view::npos;
+      x = text.number_or(word, 0);
+    }
+    const double largest = is_fraction ? 1 : 255;
+    appearance.vertex_colors.push_back(
+      {byte_of(color[0], largest), byte_of(color[1], largest), byte_of(color[2], largest)});
+    text.skip_line();
+  }
+}
+
+using Material_indices = std::map<std::string, std::size_t>;
+
+void load_mtl(const std::string& path, const std::string& name, Appearance& appearance,
+              Material_indices& indices)
+{
+  const std::string bytes = content_beside(path, name);
+  Text_cursor text(bytes);
+  Material unnamed;
+  Material* material = &unnamed;
+  const auto number = [&] { return text.number_or(text.word_on_line(), 1); };
+  for(std::string_view word = text.word(); !word.empty(); text.skip_line(), word = text.word())
+    if(word == "newmtl")
+    {
+      indices.emplace(rest_of_line(text), appearance.materials.size());
+      material = &appearance.materials.emplace_back();
+    }
+    else if(word == "Kd" && material->image.empty())
+      for(std::size_t k = 0; k < 3; ++k)
+        material->color[k] = (std::min)((std::max)(number(), 0.), 1.);
+    else if(word == "d" || word == "Tr")
+    {
+      const double opacity = (std::min)((std::max)(number(), 0.), 1.);
+      material->color[3] = word == "d" ? opacity : 1 - opacity;
+      if(material->color[3] < 1)
+        material->alpha_mode = "BLEND";
+    }
+    else if(word == "map_Kd")
+    {
+      std::string file = rest_of_line(text);
+      if(!file.empty() && file[0] == '-') // options and their values
+        file.erase(0, file.find_last_of(" \t") + 1);
+      material->image = image_beside(path, file);
+      if(!material->image.empty())
+        std::fill(material->color.begin(), material->color.begin() + 3, 1.);
+    }
+}
+
+void load_obj(const std::string& bytes, const std::string& path, Appearance& appearance)
+{
+  std::vector<std::array<float, 2>> coordinates;
+  std::vector<long long> indices_of_corners; // of coordinates, from 0; -1: none
+  Material_indices materials;
+  std::optional<std::size_t> material;
+  bool has_coordinates = false, has_colors = true;
+  Text_cursor text(bytes, Text_cursor::Lines::CONTINUED);
+  for(std::string_view word = text.word(); !word.empty(); text.skip_line(), word = text.word())
+    if(word == "v" && has_colors)
+    {
+      for(int k = 0; k < 3; ++k)
+        text.word_on_line();
+      std::array<double, 3> color;
+      for(double& x : color)
+      {
+        word = text.word_on_line();
+        has_colors = has_colors && !word.empty();
+        x = text.number_or(word, 0);
+      }
+      appearance.vertex_colors.push_back(
+        {byte_of(color[0], 1), byte_of(color[1], 1), byte_of(color[2], 1)});
+    }
+    else if(word == "vt")
+    {
+      const double u = text.number_or(text.word_on_line(), 0);
+      const double v = text.number_or(text.word_on_line(), 0);
+      coordinates.push_back({static_cast<float>(u), static_cast<float>(1 - v)});
+    }
+    else if(word == "mtllib")
+      load_mtl(path, rest_of_line(text), appearance, materials);
+    else if(word == "usemtl")
+    {
+      const auto found = materials.find(rest_of_line(text));
+      material = found == materials.end() ? std::nullopt : std::optional(found->second);
+    }
+    else if(is_face_of_obj(word))
+    {
+      for(word = text.word_on_line(); !word.empty(); word = text.word_on_line())
+      {
+        word.remove_prefix((std::min)(word.find('/'), word.size()));
+        const double index
+          = word.empty() ? 0 : text.number_or(word.substr(1, word.find('/', 1) - 1), 0);
+        indices_of_corners.push_back(
+          static_cast<long long>(index < 0 ? static_cast<double>(coordinates.size()) + index
+                                           : index - 1));
+        has_coordinates = has_coordinates || index != 0;
+      }
+      appearance.material_of_face.push_back(material.value_or(std::size_t(-1)));
+    }
+  if(!has_colors)
+    appearance.vertex_colors.clear();
+  if(has_coordinates)
+    for(const long long i : indices_of_corners)
+      appearance.texture_coordinates.push_back(i >= 0
+                                                   && i < static_cast<long long>(coordinates.size())
+                                                 ? coordinates[static_cast<std::size_t>(i)]
+                                                 : std::array<float, 2>());
+  // Faces without a material have another one.
+  if(appearance.materials.empty())
+    appearance.material_of_face.clear();
+  else if(std::count(appearance.material_of_face.begin(), appearance.material_of_face.end(),
+                     std::size_t(-1))
+          > 0)
+  {
+    std::replace(appearance.material_of_face.begin(), appearance.material_of_face.end(),
+                 std::size_t(-1), appearance.materials.size());
+    appearance.materials.emplace_back();
+  }
+}
+
+// The first image that comments name.
+std::string texture_of_ply(const std::string& bytes, const std::string& path)
+{
+  Text_cursor text(bytes);
+  for(std::string_view word = text.word(); !word.empty() && word != "end_header";
+      text.skip_line(), word = text.word())
+    if(word == "comment" && text.word_on_line() == "TextureFile")
+      if(std::string image = image_beside(path, rest_of_line(text)); !image.empty())
+        return image;
+  return {};
+}
+
+void load_ply(const std::string& bytes, const std::string& path, const Face_list& faces,
+              Appearance& appearance)
+{
+  Text_cursor text(bytes);
+  const Ply_header header = read_ply_header(text);
+  const auto has = [&](const bool of_vertices, const auto& holds) {
+    return std::any_of(header.elements.begin(), header.elements.end(), [&](const Ply_element& e) {
+      return (of_vertices ? e.is_vertex() : e.is_face())
+             && std::any_of(e.properties.begin(), e.properties.end(), holds);
+    });
+  };
+  const bool has_colors = has(true, [](const Ply_property& p) { return channel_of(p) == 0; });
+  const bool is_of_vertices
+    = has(true, [](const Ply_property& p) { return texture_coordinate_of(p) == 0; });
+  const bool is_of_corners = has(false, is_list_of_coordinates);
+  if(!has_colors && !is_of_vertices && !is_of_corners)
+    return;
+  const char* byte = text.position();
+  const auto next = [&](const Ply_number_type type) {
+    if(!header.is_binary)
+      return text.number_or(text.word(), 0);
+    const double number = header.number_at(byte, type);
+    byte += type.size;
+    return number;
+  };
+  std::vector<std::array<float, 2>> of_vertices;
+  std::size_t f = 0;
+  for(const Ply_element& element : header.elements)
+    for(std::size_t i = 0; i < element.number && !element.properties.empty(); ++i)
+    {
+      std::array<double, 3> coordinates = {};
+      std::array<unsigned char, 4> color = {};
+      std::vector<double> of_corners;
+      for(const Ply_property& property : element.properties)
+        if(property.is_list)
+          for(auto n = static_cast<std::size_t>(next(property.count)); n > 0; --n)
+          {
+            const double value = next(property.value);
+            if(element.is_face() && is_list_of_coordinates(property))
+              of_corners.push_back(value);
+          }
+        else
+        {
+          const double value = next(property.value);
+          coordinates[texture_coordinate_of(property)] = value;
+          color[channel_of(property)] = byte_of(value, property.value.is_integer ? 255 : 1);
+        }
+      if(element.is_vertex() && has_colors)
+        appearance.vertex_colors.push_back({color[0], color[1], color[2]});
+      if(element.is_vertex() && is_of_vertices)
+        of_vertices.push_back(
+          {static_cast<float>(coordinates[0]), static_cast<float>(1 - coordinates[1])});
+      if(element.is_face() && is_of_corners)
+      {
+        of_corners.resize(2 * faces[f].size());
+        for(std::size_t k = 0; k < faces[f].size(); ++k)
+          appearance.texture_coordinates.push_back({static_cast<float>(of_corners[2 * k]),
+                                                    static_cast<float>(1 - of_corners[2 * k + 1])});
+        ++f;
+      }
+    }
+  if(!is_of_corners && is_of_vertices)
+    for(const Face_list::Face face : faces)
+      for(const std::size_t v : face)
+        appearance.texture_coordinates.push_back(of_vertices[v]);
+  if(std::string image = texture_of_ply(bytes, path);
+     !image.empty() && !appearance.texture_coordinates.empty())
+  {
+    appearance.materials.emplace_back().image = std::move(image);
+    appearance.material_of_face.assign(faces.size(), 0);
+  }
+}
+
+} // namespace
+
+std::string type_of_image(const std::string& bytes)
+{
+  const auto has = [&](const std::size_t begin, const std::string_view magic) {
+    return bytes.compare((std::min)(begin, bytes.size()), magic.size(), magic) == 0;
+  };
+  return has(0, "\x89PNG")                      ? "image/png"
+         : has(0, "\xFF\xD8\xFF")               ? "image/jpeg"
+         : has(0, "RIFF") && has(8, "WEBP")     ? "image/webp"
+         : has(0, std::string_view("\xABKTX 20\xBB")) ? "image/ktx2"
+                                                : "";
+}
+
+void load_appearance(Mesh_file& mesh)
+try
+{
+  mesh.appearance = Appearance();
+  if(!mesh.source)
+    return;
+  const std::string &bytes = mesh.source->bytes, &path = mesh.source->path;
+  switch(mesh.source->format)
+  {
+  case Format::OFF:
+    load_off(bytes, mesh.points.size(), mesh.appearance);
+    break;
+  case Format::OBJ:
+    load_obj(bytes, path, mesh.appearance);
+    break;
+  case Format::PLY:
+    load_ply(bytes, path, mesh.faces, mesh.appearance);
+    break;
+  case Format::GLB:
+    load_appearance_of_gltf(mesh);
+    break;
+  default:;
+  }
+  for(std::array<float, 2>& coordinates : mesh.appearance.texture_coordinates)
+    for(float& x : coordinates)
+      x = std::isfinite(x) ? x : 0;
+}
+catch(const std::invalid_argument&) // of glTF that cannot be in one file
+{
+  mesh.appearance = Appearance();
+}
+
+} // namespace Canonical_pose_tool
