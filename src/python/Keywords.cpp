@@ -4,13 +4,19 @@
 #include "Keywords.h"
 
 #include "exact_geodesics.h"
+#include "method_options.h"
 
 #include <CGAL/Canonical_pose_3/Landmark_fields_3.h>
 
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
 #include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -19,6 +25,13 @@ namespace Canonical_pose_python {
 namespace {
 
 std::string option_of(const char* const name) { return "option " + std::string(name); }
+
+// The keyword of an option of the program.
+std::string keyword_of(std::string name)
+{
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+}
 
 // The value of an integer; of a larger one than `long long` holds, the largest or smallest.
 std::optional<long long> integer_of(const py::handle& value)
@@ -47,25 +60,6 @@ std::optional<long long> index_of(const py::object& value)
   return static_cast<long long>(number);
 }
 
-void take_geodesics(Keywords& keywords, Options& options)
-{
-  static const Canonical_pose_tool::Option_values<std::string> choices
-    = {{"heat", "heat"}, {"wavefront", "wavefront"}, {"exact", "exact"}};
-  std::string name = "heat";
-  keywords.take_choice("geodesics", choices, name);
-  Canonical_pose_tool::set_geodesics(options, name);
-}
-
-// A constraint: vertices, then numbers, then optionally a stiffness.
-struct Constraint_values
-{
-  std::vector<std::size_t> vertices;
-  std::vector<double> numbers;
-  double stiffness = 1;
-
-  Eigen::RowVector3d vector() const { return {numbers[0], numbers[1], numbers[2]}; }
-};
-
 template <class Type>
 Type value_of(const py::handle& value, const std::string& name, const std::string& type)
 {
@@ -78,6 +72,28 @@ Type value_of(const py::handle& value, const std::string& name, const std::strin
     throw py::type_error(name + " must be " + type);
   }
 }
+
+void take_geodesics(Keywords& keywords, Options& options)
+{
+  const py::object value = keywords.take("geodesics");
+  if(value.is_none())
+    return;
+  const auto name = value_of<std::string>(value, "option geodesics", "a string");
+  if(name != "heat" && name != "wavefront" && name != "exact")
+    throw std::invalid_argument("option geodesics is '" + name
+                                + "', but must be one of exact, heat, wavefront");
+  Canonical_pose_tool::set_geodesics(options, name);
+}
+
+// A constraint: vertices, then numbers, then optionally a stiffness.
+struct Constraint_values
+{
+  std::vector<std::size_t> vertices;
+  std::vector<double> numbers;
+  double stiffness = 1;
+
+  Eigen::RowVector3d vector() const { return {numbers[0], numbers[1], numbers[2]}; }
+};
 
 std::vector<Constraint_values> take_constraints(Keywords& keywords, const char* const name,
                                                 const std::size_t number_of_vertices,
@@ -155,54 +171,45 @@ void take_paper_weights(Keywords& keywords, Options& options)
   options.paper_weights = CGAL::Canonical_pose_3::Paper_weights{alpha, beta};
 }
 
-void take_registration(Keywords& keywords, Options& options)
+// An option with one value, as a text that the program would take.
+std::string text_of(const py::object& value, const Canonical_pose_tool::Method_option& option)
 {
-  auto& registration = options.registration;
-  registration.detail_length
-    = keywords.take_number("detail_length").value_or(registration.detail_length);
-  registration.tikhonov = keywords.take_number("tikhonov").value_or(registration.tikhonov);
-  keywords.take_integer("iterations", 1, registration.number_of_iterations);
-  if(const py::object injective = keywords.take("injective"); !injective.is_none())
-    registration.injective = value_of<bool>(injective, "option injective", "True or False");
+  using Type = Canonical_pose_tool::Method_option::Type;
+  const auto refuse = [&](const char* const type) {
+    throw py::type_error("option " + keyword_of(option.name) + " must be " + type);
+  };
+  switch(option.type)
+  {
+  case Type::CHOICE:
+    if(!py::isinstance<py::str>(value))
+      refuse("a string");
+    return value.cast<std::string>();
+  case Type::INTEGER:
+    if(PyIndex_Check(value.ptr()) == 0 || PyBool_Check(value.ptr()) != 0)
+      refuse("an integer");
+    return py::str(py::module_::import("operator").attr("index")(value));
+  default:
+    if(PyNumber_Check(value.ptr()) == 0)
+      refuse("a number");
+    return py::repr(py::float_(value));
+  }
+}
+
+void take_method_options(Keywords& keywords, Options& options)
+{
+  for(const Canonical_pose_tool::Method_option& option : Canonical_pose_tool::method_options())
+  {
+    const std::string keyword = keyword_of(option.name);
+    const py::object value = keywords.take(keyword.c_str());
+    if(value.is_none())
+      continue;
+    if(const std::string text = text_of(value, option); !option.set(options, text))
+      throw std::invalid_argument("option " + keyword + " is " + std::string(py::repr(value))
+                                  + ", but must be " + option.range);
+  }
 }
 
 } // namespace
-
-std::optional<double> Keywords::take_number(const char* const name)
-{
-  const py::object value = take(name);
-  if(value.is_none())
-    return std::nullopt;
-  if(PyNumber_Check(value.ptr()) == 0)
-    throw py::type_error(option_of(name) + " must be a number");
-  const double number = py::float_(value);
-  if(!std::isfinite(number))
-    throw std::invalid_argument(option_of(name) + " is not finite");
-  return number;
-}
-
-std::optional<long long> Keywords::integer(const char* const name, const long long least,
-                                           const unsigned long long most)
-{
-  const py::object value = take(name);
-  if(value.is_none())
-    return std::nullopt;
-  const std::optional<long long> number = integer_of(value);
-  if(!number)
-    throw py::type_error(option_of(name) + " must be an integer");
-  if(*number < least || static_cast<unsigned long long>(*number) > most)
-    throw std::invalid_argument(
-      option_of(name) + " is " + std::string(py::str(value))
-      + (*number < least ? ", but must be >= " + std::to_string(least) : ", which is too large"));
-  return number;
-}
-
-std::string Keywords::string(const char* const name, const py::object& value)
-{
-  if(!py::isinstance<py::str>(value))
-    throw py::type_error(option_of(name) + " must be a string");
-  return value.cast<std::string>();
-}
 
 void Keywords::check_is_empty() const
 {
@@ -214,46 +221,44 @@ Options options_of(const py::dict& values)
 {
   Keywords keywords(values);
   Options options;
-  take_registration(keywords, options);
+  take_method_options(keywords, options);
   take_geodesics(keywords, options);
   take_paper_weights(keywords, options);
-  keywords.take_choice("body", Canonical_pose_tool::BODIES, options.body);
-  keywords.take_choice("kernel", Canonical_pose_tool::KERNELS, options.kernel);
-  keywords.take_choice("components", Canonical_pose_tool::COMPONENTS, options.components);
-  keywords.take_choice("contacts", Canonical_pose_tool::CONTACTS, options.contacts);
-  keywords.take_choice("frame", Canonical_pose_tool::FRAMES, options.frame);
-  keywords.take_choice("solver", Canonical_pose_tool::SOLVERS, options.solver);
-  keywords.take_choice("target_mode", Canonical_pose_tool::TARGET_MODES, options.target_mode);
-  keywords.take_integer("landmarks", 1, options.number_of_landmarks);
-  keywords.take_integer("seed", 0, options.random_seed);
-  keywords.take_integer("threads", 0, options.number_of_threads);
-  if(const std::optional<double> spacing = keywords.take_number("spacing"))
-  {
-    constexpr double least = Options::SMALLEST_LATTICE_SPACING;
-    if(!(*spacing >= least && *spacing <= 1))
-      throw std::invalid_argument("option spacing is " + std::string(py::str(py::float_(*spacing)))
-                                  + ", but must be from " + std::string(py::str(py::float_(least)))
-                                  + " to 1");
-    options.lattice_spacing = *spacing;
-  }
-  int rounds = -1;
-  keywords.take_integer("rounds", 0, rounds);
-  if(rounds >= 0)
-    options.number_of_rounds = rounds;
+  if(const py::object injective = keywords.take("injective"); !injective.is_none())
+    options.registration.injective = value_of<bool>(injective, "option injective", "True or False");
   take_values(keywords, options);
   take_all_constraints(keywords, options);
+  options.visitor = visitor_of(keywords.take("progress"));
   keywords.check_is_empty();
-  listen_to_signals(options);
   return options;
 }
 
-void listen_to_signals(Options& options)
+CGAL::Canonical_pose_3::Registration_visitor visitor_of(const py::object& progress)
 {
-  options.visitor = [](const CGAL::Canonical_pose_3::Registration_progress&) {
+  if(!progress.is_none() && PyCallable_Check(progress.ptr()) == 0)
+    throw py::type_error("option progress must be a function");
+  // It keeps no reference, since it is copied without the lock.
+  return [function = py::handle(progress)](const CGAL::Canonical_pose_3::Registration_progress& p) {
     const py::gil_scoped_acquire lock;
     if(PyErr_CheckSignals() != 0)
       throw Python_exception();
-    return true;
+    if(function.is_none())
+      return true;
+    try
+    {
+      const py::object result
+        = function(p.iteration, p.round, p.component, p.energy, p.energy_match, p.energy_arap,
+                   p.energy_constraints, p.largest_move);
+      const int goes_on = result.is_none() ? 1 : PyObject_IsTrue(result.ptr());
+      if(goes_on < 0)
+        throw py::error_already_set();
+      return goes_on > 0;
+    }
+    catch(py::error_already_set& error)
+    {
+      error.restore();
+      throw Python_exception();
+    }
   };
 }
 

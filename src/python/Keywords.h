@@ -5,17 +5,11 @@
 #define CGAL_CANONICAL_POSE_3_PYTHON_KEYWORDS_H
 
 #include "arrays.h"
-#include "option_values.h"
 
 #include <CGAL/Canonical_pose_3/Options.h>
+#include <CGAL/Canonical_pose_3/Registration_progress.h>
 
 #include <pybind11/pybind11.h>
-
-#include <algorithm>
-#include <cstddef>
-#include <limits>
-#include <optional>
-#include <string>
 
 namespace Canonical_pose_python {
 
@@ -35,54 +29,19 @@ public:
     return m_values.contains(name) ? py::object(m_values.attr("pop")(name)) : py::none();
   }
 
-  std::optional<double> take_number(const char* name);
-
-  template <class Integer>
-  void take_integer(const char* const name, const long long least, Integer& result)
-  {
-    // Larger integers than `long long` holds have arrived as its largest one.
-    constexpr auto most
-      = (std::min)(static_cast<unsigned long long>((std::numeric_limits<Integer>::max)()),
-                   static_cast<unsigned long long>((std::numeric_limits<long long>::max)()) - 1);
-    if(const std::optional<long long> value = integer(name, least, most))
-      result = static_cast<Integer>(*value);
-  }
-
-  template <class Value>
-  void take_choice(const char* const name, const Canonical_pose_tool::Option_values<Value>& choices,
-                   Value& result)
-  {
-    const py::object value = take(name);
-    if(value.is_none())
-      return;
-    const auto choice = choices.find(string(name, value));
-    if(choice != choices.end())
-    {
-      result = choice->second;
-      return;
-    }
-    std::string names;
-    for(const auto& known : choices)
-      names += (names.empty() ? "" : ", ") + known.first;
-    throw std::invalid_argument("option " + std::string(name) + " is '" + string(name, value)
-                                + "', but must be one of " + names);
-  }
-
   // Throws TypeError if there is a keyword that was not taken.
   void check_is_empty() const;
 
 private:
-  std::optional<long long> integer(const char* name, long long least, unsigned long long most);
-  static std::string string(const char* name, const py::object& value);
-
   py::dict m_values;
 };
 
-// What the keywords of `pose` say.
+// What the keywords of `pose` say. They must live as long as the options.
 Options options_of(const py::dict& keywords);
 
-// Lets the signals of Python stop a registration, such as that of Ctrl+C.
-void listen_to_signals(Options& options);
+// Calls `progress` after each iteration, unless it is None. It must live as long as the visitor, which
+// also lets the signals of Python stop a registration, such as that of Ctrl+C.
+CGAL::Canonical_pose_3::Registration_visitor visitor_of(const py::object& progress);
 
 } // namespace Canonical_pose_python
 

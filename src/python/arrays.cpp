@@ -59,9 +59,58 @@ Numbers numbers_of(const py::object& values, const py::ssize_t dimensions, const
   return Numbers(array);
 }
 
+// The value as an integer of Python.
+py::object integer_of(const py::handle& value, const std::string& name)
+{
+  const bool is_bool = PyBool_Check(value.ptr()) != 0
+                       || py::isinstance(value, py::module_::import("numpy").attr("bool_"));
+  auto result = py::reinterpret_steal<py::object>(is_bool ? nullptr : PyNumber_Index(value.ptr()));
+  if(!result)
+  {
+    PyErr_Clear();
+    throw py::type_error(name + " must be integers, the indices of vertices, but one is "
+                         + std::string(py::repr(value)));
+  }
+  return result;
+}
+
+// NumPy takes True for 1.
+void check_are_integers(const py::handle& values, const std::string& name)
+{
+  if(PyLong_CheckExact(values.ptr()) != 0) // most are, and this is fast
+    return;
+  if(!py::isinstance<py::sequence>(values))
+    integer_of(values, name);
+  else if(!py::hasattr(values, "__array__"))
+    for(const py::handle value : values)
+      check_are_integers(value, name);
+}
+
+// Of Python's numbers.
+Integers integers_of_objects(const py::array& array, const std::string& name)
+{
+  Integers result(std::vector<py::ssize_t>(array.shape(), array.shape() + array.ndim()));
+  long long* next = result.mutable_data();
+  const py::list values = array.attr("ravel")().attr("tolist")();
+  for(const py::handle value : values)
+  {
+    int overflow = 0;
+    *next++ = PyLong_AsLongLongAndOverflow(integer_of(value, name).ptr(), &overflow);
+    if(overflow != 0)
+      throw std::invalid_argument(name + " names vertex " + std::string(py::str(value))
+                                  + ", which is too " + (overflow > 0 ? "large" : "small"));
+  }
+  return result;
+}
+
 Integers integers_of(const py::object& values, const std::string& name)
 {
   const py::array array = any_array(values, name);
+  if(array.size() > 0 && array.dtype().kind() == 'O')
+    return integers_of_objects(array, name);
+  if(!py::hasattr(values, "__array__") && array.size() > 0
+     && std::strchr("iub", array.dtype().kind()) != nullptr)
+    check_are_integers(values, name);
   if(array.size() > 0 && std::strchr("iu", array.dtype().kind()) == nullptr)
     throw std::invalid_argument(name + " must be integers, the indices of vertices");
   const Integers result(array);
@@ -83,17 +132,17 @@ void check_number_of_columns(const py::array& array, const py::ssize_t columns,
 }
 
 std::vector<std::size_t> face_of(const long long* const corners, const py::ssize_t number,
-                                 const std::size_t n, const Element& face)
+                                 const Mesh_file& mesh, const Element& face)
 {
   Canonical_pose_tool::check_is_polygon(number, face);
   std::vector<std::size_t> result;
   for(py::ssize_t k = 0; k < number; ++k)
-    result.push_back(Canonical_pose_tool::vertex_index(corners[k], n, face));
+    result.push_back(Canonical_pose_tool::vertex_index(mesh, corners[k], mesh.points.size(), face));
   return result;
 }
 
 // Faces with the same number of corners each are a matrix, others a sequence of sequences.
-Face_list faces_of(const py::object& given, const std::size_t n)
+Face_list faces_of(const py::object& given, const Mesh_file& mesh)
 {
   const py::object values
     = py::hasattr(given, "__array__") ? py::object(any_array(given, "faces")) : given;
@@ -106,8 +155,8 @@ Face_list faces_of(const py::object& given, const std::size_t n)
     if(faces.ndim() != 2)
       throw std::invalid_argument("faces must have 2 dimensions, but is " + shape_of(faces));
     for(py::ssize_t f = 0; f < faces.shape(0); ++f)
-      result.push_back(
-        face_of(faces.data(f, 0), faces.shape(1), n, Element{"face", static_cast<std::size_t>(f)}));
+      result.push_back(face_of(faces.data(f, 0), faces.shape(1), mesh,
+                               Element{"face", static_cast<std::size_t>(f)}));
     return result;
   }
   if(!py::isinstance<py::sequence>(values) || py::isinstance<py::str>(values))
@@ -118,12 +167,12 @@ Face_list faces_of(const py::object& given, const std::size_t n)
     const Integers corners = integers_of(py::reinterpret_borrow<py::object>(value), face.name());
     if(corners.ndim() != 1)
       throw std::invalid_argument(face.name() + " must be a sequence of indices of vertices");
-    result.push_back(face_of(corners.data(), corners.size(), n, face));
+    result.push_back(face_of(corners.data(), corners.size(), mesh, face));
   }
   return result;
 }
 
-std::vector<std::array<std::size_t, 4>> cells_of(const py::object& values, const std::size_t n)
+std::vector<std::array<std::size_t, 4>> cells_of(const py::object& values, const Mesh_file& mesh)
 {
   const Integers cells = integers_of(values, "cells");
   if(cells.ndim() != 2)
@@ -133,7 +182,8 @@ std::vector<std::array<std::size_t, 4>> cells_of(const py::object& values, const
   for(std::size_t t = 0; t < result.size(); ++t)
     for(std::size_t k = 0; k < 4; ++k)
       result[t][k] = Canonical_pose_tool::vertex_index(
-        cells.at(static_cast<py::ssize_t>(t), static_cast<py::ssize_t>(k)), n, Element{"cell", t});
+        mesh, cells.at(static_cast<py::ssize_t>(t), static_cast<py::ssize_t>(k)),
+        mesh.points.size(), Element{"cell", t});
   return result;
 }
 
@@ -162,7 +212,8 @@ void let_signals_interrupt()
   });
 }
 
-std::vector<std::array<double, 3>> points_of(const py::object& values, const std::string& name)
+std::vector<std::array<double, 3>> points_of(const py::object& values, const std::string& name,
+                                             const Mesh_file& mesh)
 {
   const Numbers numbers = numbers_of(values, 2, name);
   check_number_of_columns(numbers, 3, name);
@@ -170,7 +221,7 @@ std::vector<std::array<double, 3>> points_of(const py::object& values, const std
   if(!points.empty())
     std::memcpy(points.data(), numbers.data(), points.size() * sizeof(points.front()));
   for(std::size_t i = 0; i < points.size(); ++i)
-    Canonical_pose_tool::check_is_finite(points[i], Element{"vertex", i});
+    Canonical_pose_tool::check_is_finite(mesh, points[i], Element{"vertex", i});
   return points;
 }
 
@@ -195,22 +246,24 @@ Eigen::VectorXd vector_of(const py::object& values, const std::string& name)
   return Eigen::VectorXd::Map(numbers.data(), numbers.size());
 }
 
-Mesh_file mesh_of(const py::object& vertices, const py::object& faces, const py::object& cells)
+Mesh_file mesh_of(const py::object& vertices, const py::object& faces, const py::object& cells,
+                  const bool is_checked)
 {
   if(faces.is_none() == cells.is_none())
     throw std::invalid_argument(faces.is_none() ? "either faces or cells are needed"
                                                 : "both faces and cells are given");
   Mesh_file mesh;
-  mesh.points = points_of(vertices, "vertices");
+  mesh.is_checked = is_checked;
+  mesh.points = points_of(vertices, "vertices", mesh);
   mesh.is_tetrahedral = !cells.is_none();
   if(mesh.is_tetrahedral)
   {
-    mesh.cells = cells_of(cells, mesh.points.size());
+    mesh.cells = cells_of(cells, mesh);
     mesh.point_references.assign(mesh.points.size(), 0);
     mesh.cell_references.assign(mesh.cells.size(), 0);
   }
   else
-    mesh.faces = faces_of(faces, mesh.points.size());
+    mesh.faces = faces_of(faces, mesh);
   return mesh;
 }
 
@@ -227,7 +280,8 @@ std::vector<std::size_t> vertices_of(const py::object& values, const std::size_t
     throw std::invalid_argument(name + " must have 1 dimension, but is " + shape_of(indices));
   std::vector<std::size_t> result;
   for(py::ssize_t i = 0; i < indices.size(); ++i)
-    result.push_back(Canonical_pose_tool::vertex_index(indices.at(i), n, Element{name.c_str()}));
+    result.push_back(
+      Canonical_pose_tool::vertex_index(Mesh_file(), indices.at(i), n, Element{name.c_str()}));
   return result;
 }
 

@@ -33,13 +33,15 @@ using CGAL::Canonical_pose_3::Point_matrix;
 struct Python_exception
 {};
 
-// A surface of `faces` or, if there are any, a tetrahedral mesh of `cells`.
-Mesh_file mesh_of(const py::object& vertices, const py::object& faces, const py::object& cells);
+// A surface of `faces` or, if there are any, a tetrahedral mesh of `cells`; see Mesh_file::is_checked.
+Mesh_file mesh_of(const py::object& vertices, const py::object& faces, const py::object& cells,
+                  bool is_checked = true);
 
 Mesh_file surface_of(const py::object& vertices, const py::object& faces);
 
 // `name` is that of the argument, for messages.
-std::vector<std::array<double, 3>> points_of(const py::object& values, const std::string& name);
+std::vector<std::array<double, 3>> points_of(const py::object& values, const std::string& name,
+                                             const Mesh_file& mesh = Mesh_file());
 Point_matrix point_matrix_of(const py::object& values, const std::string& name);
 Eigen::MatrixXd matrix_of(const py::object& values, const std::string& name);
 Eigen::VectorXd vector_of(const py::object& values, const std::string& name);

@@ -20,6 +20,7 @@
 #include "formats/Mesh_file.h"
 #include "formats/Shown_surface.h"
 
+#include <CGAL/Canonical_pose_3/align_handedness.h>
 #include <CGAL/Canonical_pose_3/call_with_threads.h>
 #include <CGAL/Canonical_pose_3/geodesic_distances.h>
 #include <CGAL/Canonical_pose_3/library_configuration.h>
@@ -94,7 +95,7 @@ Eigen::MatrixXd geodesics(const py::object& vertices, const py::object& faces,
 
 std::string check(const py::object& vertices, const py::object& faces, const py::object& cells)
 {
-  const Mesh_file input = mesh_of(vertices, faces, cells);
+  const Mesh_file input = mesh_of(vertices, faces, cells, false);
   return without_lock([&] {
     Stage_clock clock;
     const auto diagnosis = tool::diagnosis_of(input);
@@ -104,15 +105,27 @@ std::string check(const py::object& vertices, const py::object& faces, const py:
   });
 }
 
+std::vector<Point_matrix> matrices_of(const std::vector<py::object>& poses)
+{
+  std::vector<Point_matrix> result;
+  for(const py::object& pose : poses)
+    result.push_back(point_matrix_of(pose, "pose " + std::to_string(result.size())));
+  return result;
+}
+
 std::pair<double, double> compare(const std::vector<py::object>& poses)
 {
-  std::vector<Point_matrix> matrices;
-  for(const py::object& pose : poses)
-    matrices.push_back(point_matrix_of(pose, "pose " + std::to_string(matrices.size())));
+  const std::vector<Point_matrix> matrices = matrices_of(poses);
   return without_lock([&] {
     return std::make_pair(CGAL::Canonical_pose_3::mean_pose_difference(matrices, false),
                           CGAL::Canonical_pose_3::mean_pose_difference(matrices, true));
   });
+}
+
+std::vector<bool> align_handedness(const std::vector<py::object>& poses)
+{
+  const std::vector<Point_matrix> matrices = matrices_of(poses);
+  return without_lock([&] { return CGAL::Canonical_pose_3::align_handedness(matrices); });
 }
 
 // The given pose, if there is one.
@@ -222,7 +235,10 @@ std::vector<std::string> save(const std::string& path, const py::object& vertice
   return without_lock([&] {
     tool::forget_streams();
     if(like)
+    {
       mesh = tool::read_other_mesh_file(*like, tool::Source::KEPT);
+      tool::load_appearance(mesh);
+    }
     if(points.size() != mesh.points.size())
       throw std::invalid_argument("there are " + std::to_string(points.size()) + " vertices, but '"
                                   + *like + "' has " + std::to_string(mesh.points.size()));
@@ -238,6 +254,7 @@ std::vector<std::string> save(const std::string& path, const py::object& vertice
         return tool::rewrite_mesh(out, mesh, points, {});
       Mesh_file written = mesh;
       written.points = points;
+      tool::turn_normals(written, mesh.points);
       tool::write_mesh(out, format, written);
     });
     files.commit();
@@ -251,11 +268,13 @@ std::vector<std::size_t> sources_of(const Heat_solver& solver, const py::object&
   return vertices_of(sources, solver.number_of_vertices(), "source");
 }
 
-py::tuple registered(Registrar& registrar, const py::object& target, const bool is_warm)
+py::tuple registered(Registrar& registrar, const py::object& target, const bool is_warm,
+                     const py::object& progress)
 {
   const Point_matrix points = point_matrix_of(target, "target");
+  const auto visitor = visitor_of(progress);
   const Uninterrupted during_iterations; // the visitor looks for signals between them
-  Result result = without_lock([&] { return registrar.registered_to(points, is_warm); });
+  Result result = without_lock([&] { return registrar.registered_to(points, is_warm, visitor); });
   const auto& summary = result.summary;
   py::dict report(
     py::arg("iterations") = summary.iterations, py::arg("converged") = summary.converged(),
@@ -278,6 +297,7 @@ PYBIND11_MODULE(_core, module)
   module.def("geodesics", &geodesics);
   module.def("check", &check);
   module.def("compare", &compare);
+  module.def("align_handedness", &align_handedness);
   module.def("segment", &segment);
   module.def("describe", &describe);
   module.def("load", &load);

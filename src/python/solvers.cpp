@@ -221,7 +221,8 @@ void Registrar::set_detail_length(const double detail_length)
   m_data->registrar.set_detail_length(detail_length);
 }
 
-Result Registrar::registered_to(const Point_matrix& target, const bool is_warm)
+Result Registrar::registered_to(const Point_matrix& target, const bool is_warm,
+                                const CP::Registration_visitor& visitor)
 {
   Data& data = *m_data;
   const CP::Surface_component_3& surface = data.component.surface;
@@ -244,7 +245,7 @@ Result Registrar::registered_to(const Point_matrix& target, const bool is_warm)
   data.registrar.set_target(rows);
   Point_matrix positions = is_warm ? data.positions : Point_matrix(0, 3);
   Result result;
-  result.summary = data.registrar.register_to_target(positions, data.component.options.visitor);
+  result.summary = data.registrar.register_to_target(positions, visitor);
   if(!result.is_usable())
     throw std::runtime_error("there is no pose: the registration met numbers that are not finite");
   data.positions = std::move(positions);

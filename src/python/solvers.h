@@ -7,6 +7,7 @@
 #include "arrays.h"
 
 #include <CGAL/Canonical_pose_3/Options.h>
+#include <CGAL/Canonical_pose_3/Registration_progress.h>
 #include <CGAL/Canonical_pose_3/Registration_summary.h>
 #include <CGAL/Canonical_pose_3/Result.h>
 
@@ -54,7 +55,8 @@ public:
   void set_detail_length(double detail_length);
 
   // Starts at the positions of the body that the registration before ended with, if requested.
-  Result registered_to(const Point_matrix& target, bool is_warm);
+  Result registered_to(const Point_matrix& target, bool is_warm,
+                       const CGAL::Canonical_pose_3::Registration_visitor& visitor);
 
 private:
   struct Data;

@@ -116,6 +116,7 @@ Json versions()
 void write(std::ostream& out, Json report, const std::vector<Registration_summary::Stage>& stages,
            const double total_seconds)
 {
+  report["stages"] = Json::array();
   for(const Registration_summary::Stage& stage : stages)
     report["stages"].push_back({{"name", stage.first}, {"seconds", stage.second}});
   report["total_seconds"] = total_seconds;

@@ -38,15 +38,21 @@ Mesh_file pyramid()
     = written_file("a.mtl", "newmtl with blanks\nKd .2 .3 .4\nmap_Kd -s 1 1 1 C:\\elsewhere\\" + name_of(image)
                               + "\nnewmtl red\nKd 1 0 0\nd .5\nnewmtl lost\nmap_Kd nothing.png\n");
   return read_shown_mesh_file(written_file(
-    "a.obj", "mtllib " + name_of(materials) + "\nv 0 0 0 1 0 0\nv 2 0 0 0 1 0\nv 2 2 0 0 0 1\nv 0 2 0 .2 .4 .6\n"
-               + "v 1 1 3 1 1 1\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 .75\nvt .5 .125 0\nusemtl with blanks\nf 4/-2 3/3 2/2 1/1\n"
-               + "f 1/1 2/2 5/5\nf 2/2 3/3 5/5\nf 3/3 4/4 5/5\nusemtl red\nf 4/4 1/5/ 5/5\n"));
+    "a.obj",
+    "mtllib " + name_of(materials)
+      + "\nv 0 0 0 1 0 0\nv 2 0 0 0 1 0\nv 2 2 0 0 0 1\nv 0 2 0 .2 .4 .6\n"
+      + "v 1 1 3 1 1 1\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 .75\nvt .5 .125 0\nvn 0 0 -9\nvn .5 0 0\n"
+      + "usemtl with blanks\nf 4/-2/1 3/3/1 2/2/1 1/1/1\nf 1/1 2/2 5/5\nf 2/2 3/3/-1 5/5\nf 3/3 "
+        "4/4 5/5\n"
+      + "usemtl red\nf 4/4 1/5/ 5/5\n"));
 }
 
-using Corner = std::tuple<std::array<double, 3>, std::array<float, 2>, Color, std::array<double, 4>, std::string>;
+using Corner = std::tuple<std::array<double, 3>, std::array<float, 2>, Color, std::array<double, 4>,
+                          std::string, std::array<float, 3>>;
 
 // What the corners of all faces look like. Quadrangles may have become triangles.
-std::set<Corner> corners_of(const Mesh_file& mesh, const bool with_materials)
+std::set<Corner> corners_of(const Mesh_file& mesh, const bool with_materials,
+                            const bool with_normals = false)
 {
   const Appearance& appearance = mesh.appearance;
   std::set<Corner> result;
@@ -57,8 +63,12 @@ std::set<Corner> corners_of(const Mesh_file& mesh, const bool with_materials)
                                 ? appearance.materials.at(appearance.material_of_face.at(f))
                                 : Material();
     for(const std::size_t v : mesh.faces[f])
-      result.emplace(mesh.points[v], appearance.texture_coordinates.at(corner++),
-                     appearance.vertex_colors.at(v), material.color, material.image);
+    {
+      result.emplace(mesh.points[v], appearance.texture_coordinates.at(corner),
+                     appearance.vertex_colors.at(v), material.color, material.image,
+                     with_normals ? appearance.normals.at(corner) : std::array<float, 3>());
+      ++corner;
+    }
   }
   return result;
 }
@@ -84,6 +94,10 @@ TEST(Appearance, of_a_file)
   EXPECT_EQ(appearance.materials[1].alpha_mode, "BLEND");
   EXPECT_EQ(appearance.materials[2].image, "");
   EXPECT_EQ(appearance.material_of_face, (std::vector<std::size_t>{0, 0, 0, 0, 1}));
+  ASSERT_EQ(appearance.normals.size(), 16u);
+  EXPECT_EQ(appearance.normals[3], (std::array<float, 3>{0, 0, -1}));
+  EXPECT_EQ(appearance.normals[4], (std::array<float, 3>{}));
+  EXPECT_EQ(appearance.normals[8], (std::array<float, 3>{1, 0, 0}));
 }
 
 TEST(Appearance, is_carried_to_other_formats)
@@ -91,18 +105,63 @@ TEST(Appearance, is_carried_to_other_formats)
   const Mesh_file mesh = pyramid();
   using Names = std::vector<std::string>;
   EXPECT_EQ(corners_of(written(mesh, ".glb"), true), corners_of(mesh, true));
+  EXPECT_EQ(corners_of(written(mesh, ".obj"), false, true), corners_of(mesh, false, true));
   EXPECT_EQ(losses(mesh, Format::GLB), Names());
   for(const auto& [extension, format] : {std::make_pair(".ply", Format::PLY), std::make_pair(".obj", Format::OBJ)})
   {
     EXPECT_EQ(corners_of(written(mesh, extension), false), corners_of(mesh, false)) << extension;
-    EXPECT_EQ(losses(mesh, format), format == Format::OBJ ? Names() : Names{"materials"});
+    EXPECT_EQ(losses(mesh, format),
+              format == Format::OBJ ? Names() : (Names{"normals", "materials"}));
   }
   EXPECT_EQ(written(mesh, ".off").appearance.vertex_colors, mesh.appearance.vertex_colors);
-  EXPECT_EQ(losses(mesh, Format::OFF), (Names{"texture coordinates", "materials"}));
-  EXPECT_EQ(losses(mesh, Format::STL), (Names{"colors", "texture coordinates", "materials"}));
+  EXPECT_EQ(losses(mesh, Format::OFF), (Names{"normals", "texture coordinates", "materials"}));
+  EXPECT_EQ(losses(mesh, Format::STL),
+            (Names{"colors", "normals", "texture coordinates", "materials"}));
   // From glTF and PLY back to the others.
   EXPECT_EQ(corners_of(written(written(mesh, ".glb"), ".ply"), false), corners_of(mesh, false));
   EXPECT_EQ(corners_of(written(written(mesh, ".ply"), ".glb"), false), corners_of(mesh, false));
+}
+
+// A cube with a normal per side, to glTF, which splits its vertices: all corners keep theirs. With smooth normals, which PLY
+// and OFF hold, none is split. A quarter turn is exact.
+TEST(Appearance, normals)
+{
+  const std::string corners
+    = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n";
+  const std::string sides
+    = "f 4//1 3//1 2//1 1//1\nf 5//2 6//2 7//2 8//2\nf 1//3 2//3 6//3 5//3\nf 3//4 4//4 8//4 7//4\n"
+      "f 4//5 1//5 5//5 8//5\nf 2//6 3//6 7//6 6//6\n";
+  const std::string normals = "vn 0 0 -1\nvn 0 0 1\nvn 0 -1 0\nvn 0 1 0\nvn -1 0 0\nvn 1 0 0\n";
+  const Mesh_file hard = read_shown_mesh_file(written_file("hard.obj", corners + normals + sides));
+  const auto directions = [](const Mesh_file& mesh) {
+    std::set<std::pair<std::array<double, 3>, std::array<float, 3>>> result;
+    std::size_t corner = 0;
+    for(const Face_list::Face face : mesh.faces)
+      for(const std::size_t v : face)
+        result.emplace(mesh.points[v], mesh.appearance.normals.at(corner++));
+    return result;
+  };
+  EXPECT_EQ(directions(hard).size(), 24u);
+  EXPECT_EQ(directions(written(hard, ".glb")), directions(hard));
+  EXPECT_EQ(directions(written(hard, ".obj")), directions(hard));
+  EXPECT_TRUE(written(hard, ".ply").appearance.normals.empty());
+  Mesh_file turned = hard;
+  for(std::array<double, 3>& p : turned.points)
+    p = {p[0], -p[2], p[1]};
+  turn_normals(turned, hard.points);
+  const auto all = directions(turned);
+  EXPECT_EQ(all.size(), 24u);
+  for(const auto& [point, normal] : directions(hard))
+    EXPECT_EQ(all.count({{point[0], -point[2], point[1]}, {normal[0], -normal[2], normal[1]}}), 1u);
+
+  const Mesh_file smooth = read_shown_mesh_file(
+    written_file("smooth.off", "NOFF\n4 4 0\n0 0 0 -1 0 0\n1 0 0 0 0 -1\n0 1 0 0 1 0\n0 0 1 0 0 "
+                               "1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n"));
+  for(const char* const extension : {".off", ".ply", ".obj", ".glb"})
+  {
+    EXPECT_EQ(directions(written(smooth, extension)), directions(smooth)) << extension;
+    EXPECT_EQ(written(smooth, extension).points, smooth.points);
+  }
 }
 
 // Colors of results come first; those of the file stay, and its materials are a variant. Numbers of vertices let the

@@ -319,6 +319,8 @@ TEST(Gltf, unsupported_content_is_refused_by_name)
   expect_refusal(primitive + "attributes", {{"POSITION", 77}},
                  "the accessor of POSITION does not exist");
   expect_refusal(primitive + "attributes", {{"NORMAL", 1}}, "has no attribute POSITION");
+  expect_refusal("/meshes/0/primitives/1", {{"attribute", {{"POSITION", 0}}}},
+                 "a primitive of mesh 0 is not valid");
   expect_refusal("/meshes", json::array(), "node 0 names mesh 0, but there are 0");
   expect_refusal("/nodes/0/mesh", 1, "node 0 names mesh 1, but there are 1");
   expect_refusal("/nodes/0/children", {0}, "the nodes form a cycle");

@@ -23,6 +23,10 @@ Functions raise `ValueError` if an argument does not fit, with a message that na
 the element; `RuntimeError` if something fails on the way; and `TypeError` for arguments of wrong
 types. They run without the lock of the interpreter, so several can run in threads. Ctrl+C stops what
 the main thread computes: a registration after the current iteration, distances between sources.
+What `progress` raises stops a registration likewise.
+
+Many shapes are described by `collection`, compared by `search`, and evaluated by `evaluate`; these run
+the program ``canonical-pose``.
 """
 
 import json as _json
@@ -33,11 +37,13 @@ import warnings as _warnings
 import numpy as _numpy
 
 from canonical_pose import _core
+from canonical_pose._collections import collection, evaluate, search
 
 __version__ = _core.version
 __all__ = [
-    "DescriptorIndex", "HeatSolver", "Mesh", "Registrar",
-    "check", "compare", "describe", "geodesics", "load", "pose", "save", "segment", "target",
+    "DescriptorIndex", "HeatSolver", "Mesh", "Progress", "Registrar",
+    "align_handedness", "check", "collection", "compare", "describe", "evaluate", "geodesics", "load",
+    "pose", "save", "search", "segment", "shape_distance", "target",
 ]
 
 
@@ -53,6 +59,43 @@ class Mesh(_typing.NamedTuple):
     vertices: _numpy.ndarray
     faces: _typing.Any
     cells: _typing.Any
+
+
+class Progress(_typing.NamedTuple):
+    """What `progress` is called with, after each iteration of a registration.
+
+    Attributes
+    ----------
+    iteration : int
+        Number of completed iterations, from 1.
+    round : int
+        The round, from 1, if distances are measured on the pose; 0 for the final pose.
+    component : int
+        The number of the component, from 0, by decreasing size; the smallest is posed first.
+    energy, energy_match, energy_arap, energy_constraints : float
+        The energy, without unit, and its parts.
+    largest_move : float
+        The largest displacement of a vertex in this iteration, as a fraction of the largest distance.
+
+    Examples
+    --------
+    >>> vertices = [[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 5)]
+    >>> faces = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]]
+    >>> def stop_at_third(progress):
+    ...     return progress.iteration < 3
+    >>> pose, report = canonical_pose.pose(vertices, faces, landmarks=8, progress=stop_at_third)
+    >>> report["registration"]["iterations"], report["registration"]["converged"]
+    (3, False)
+    """
+
+    iteration: int
+    round: int
+    component: int
+    energy: float
+    energy_match: float
+    energy_arap: float
+    energy_constraints: float
+    largest_move: float
 
 
 def load(path):
@@ -118,7 +161,7 @@ def save(path, vertices, faces=None, *, cells=None, like=None):
                        stacklevel=2)
 
 
-def pose(vertices, faces=None, *, cells=None, return_target=False,
+def pose(vertices, faces=None, *, cells=None, return_target=False, progress=None,
          detail_length=0.1, landmarks=80, rounds=None, body="auto", spacing=None,
          geodesics="heat", target_mode="mds", kernel="classical", tikhonov=0., iterations=500,
          paper_weights=None, injective=None, frame="input", components="auto", contacts="keep",
@@ -136,6 +179,9 @@ def pose(vertices, faces=None, *, cells=None, return_target=False,
         The cells of a tetrahedral mesh, instead of `faces`.
     return_target : bool
         Whether the target of the registration is returned, too.
+    progress : function
+        Called with a `Progress` after each iteration. If it returns False, the pose is that of least
+        energy until then.
     detail_length : float
         Details smaller than this keep their shape; as a fraction of the largest distance, from
         1e-6 to 1000.
@@ -204,7 +250,13 @@ def pose(vertices, faces=None, *, cells=None, return_target=False,
     pose : array, n x 3
         The positions of the vertices in the canonical pose, in the unit of the vertices.
     report : dict
-        The report; seconds per stage, energies and the like.
+        ``"input"``, numbers of elements and of defects; ``"body"``, its ``"kind"`` and size;
+        ``"followers"``, the components without a pose of their own; ``"target"``, among others
+        ``"max_geodesic"``, the largest distance; ``"rounds"``; ``"registration"``, with
+        ``"iterations"``, ``"converged"`` and energies; ``"solver"``; ``"warnings"``; ``"stages"``, dicts
+        of ``"name"`` ("diagnosis", "geodesics", "target", "body", "factorization", "local_steps" or
+        "global_steps") and ``"seconds"``; ``"total_seconds"``, ``"peak_memory_bytes"`` and
+        ``"versions"``.
     target : array, n x 3
         Only if `return_target`. For a tetrahedral mesh, that of the vertices of its boundary.
 
@@ -221,6 +273,7 @@ def pose(vertices, faces=None, *, cells=None, return_target=False,
     True
     """
     result, target_points, report = _core.pose(vertices, faces, cells, dict(
+        progress=_values(progress),
         detail_length=detail_length, landmarks=landmarks, rounds=rounds, body=body,
         spacing=spacing, geodesics=geodesics, target_mode=target_mode, kernel=kernel,
         tikhonov=tikhonov, iterations=iterations, paper_weights=paper_weights, injective=injective,
@@ -255,7 +308,7 @@ def target(vertices, faces, **options):
         The target of each vertex, in the unit of the vertices. Vertices that belong to no face, or
         to a component that is not posed, keep their position.
     report : dict
-        The report as of `pose`, without body and registration.
+        The report as of `pose`, in which what describes body and registration is empty.
 
     Examples
     --------
@@ -265,6 +318,8 @@ def target(vertices, faces, **options):
     >>> target.shape, report["target"]["landmarks"]
     ((8, 3), 8)
     """
+    if "progress" in options:
+        raise TypeError("a target has no option progress, since there is no registration")
     result, report = _core.target(vertices, faces, options)
     return result, _json.loads(report)
 
@@ -323,7 +378,9 @@ def check(vertices, faces=None, *, cells=None):
     -------
     report : dict
         ``"input"`` with numbers of elements and of defects, ``"first_defect"`` (None if there is
-        none), and ``"defects"``, with examples.
+        none), ``"defects"``, dicts of ``"kind"``, ``"count"``, ``"element"``, ``"examples"`` and
+        ``"message"``, and ``"stages"`` (its only name is "diagnosis"), ``"total_seconds"``,
+        ``"peak_memory_bytes"`` and ``"versions"``, as of `pose`.
 
     Examples
     --------
@@ -364,7 +421,35 @@ def compare(pose, other, *more):
     return _core.compare([pose, other, *more])
 
 
-def segment(vertices, faces, *, parts="auto", method="consensus", pose=None, **options):
+def align_handedness(pose, other, *more):
+    """Find the poses of a shape that are mirror images of most of the others.
+
+    The handedness of a single pose is not always certain: see ``"is_handedness_certain"`` in the
+    report of `pose`. To make it consistent, pose such a shape again, with the mirror image of its
+    target: ``given_target=target * [-1, 1, 1]``.
+
+    Parameters
+    ----------
+    pose, other, *more : arrays, n x 3
+        Positions of corresponding vertices, in any unit, which may differ between the poses.
+
+    Returns
+    -------
+    is_mirrored : array of booleans
+        For each pose, whether it has the other handedness than most of them; of as many on each side,
+        than the first one.
+
+    Examples
+    --------
+    >>> pose = [[0, 0, 0], [1, 0, 0], [0, 2, 0], [0, 0, 3]]
+    >>> canonical_pose.align_handedness(pose, [[-x, y, z] for x, y, z in pose])
+    array([False,  True])
+    """
+    return _numpy.array(_core.align_handedness([pose, other, *more]))
+
+
+def segment(vertices, faces, *, parts="auto", method="consensus", pose=None, progress=None,
+            **options):
     """Divide a surface into parts, such as limbs, head and trunk.
 
     Parameters
@@ -379,6 +464,8 @@ def segment(vertices, faces, *, parts="auto", method="consensus", pose=None, **o
         Sweep is fast, kmeans is that of the paper.
     pose : array, n x 3
         The pose to be used, in any unit; otherwise it is computed, if the method needs it.
+    progress : function
+        As for `pose`, while it is computed.
     **options
         As for `pose`; but each component is posed by default.
 
@@ -387,8 +474,11 @@ def segment(vertices, faces, *, parts="auto", method="consensus", pose=None, **o
     part_of_face : array of integers, m
         The part of each face, from 0.
     report : dict
-        Among others, areas, neighbors and joints of the parts, and the hierarchy of parts, in which
-        ``"leaf_of_face"`` is an array.
+        ``"method"``; ``"parts"``, dicts of ``"area"``, ``"faces"`` and ``"neighbors"``, with
+        ``"part"``, ``"boundary_length"`` and ``"boundary_centroid"``; ``"tree"``, the hierarchy of parts
+        (None with kmeans), with ``"leaves"``, ``"leaf_of_face"``, an array, and ``"merges"``;
+        ``"warnings"``; ``"stages"`` ("pose", "segmentation" and "write"), ``"total_seconds"``,
+        ``"peak_memory_bytes"`` and ``"versions"``, as of `pose`.
 
     Examples
     --------
@@ -407,14 +497,15 @@ def segment(vertices, faces, *, parts="auto", method="consensus", pose=None, **o
     elif parts < 1:
         raise ValueError(f"option parts is {parts}, but must be >= 1, or 'auto'")
     part_of_face, report = _core.segment(vertices, faces, parts, method, pose,
-                                         {"components": "each", **options})
+                                         {"components": "each", "progress": _values(progress),
+                                          **options})
     report = _json.loads(report)
     if report.get("tree"):
         report["tree"]["leaf_of_face"] = _numpy.array(report["tree"]["leaf_of_face"], dtype=int)
     return part_of_face, report
 
 
-def describe(vertices, faces, *, descriptor=None, pose=None, **options):
+def describe(vertices, faces, *, descriptor=None, pose=None, progress=None, **options):
     """Describe a surface by numbers, for search.
 
     Parameters
@@ -428,6 +519,8 @@ def describe(vertices, faces, *, descriptor=None, pose=None, **options):
         "views"; by default, all.
     pose : array, n x 3
         The pose to be used, in any unit; otherwise it is computed, if a descriptor needs it.
+    progress : function
+        As for `pose`, while it is computed.
     **options
         As for `pose`; but each component is posed by default.
 
@@ -436,7 +529,7 @@ def describe(vertices, faces, *, descriptor=None, pose=None, **options):
     descriptors : dict
         For each name a dict of ``"version"``, an integer, and ``"values"``, an array without unit.
 
-    See also `DescriptorIndex`.
+    See also `shape_distance` and `DescriptorIndex`.
 
     Examples
     --------
@@ -447,7 +540,53 @@ def describe(vertices, faces, *, descriptor=None, pose=None, **options):
     (['views'], 1)
     """
     names = [] if descriptor is None else [descriptor] if isinstance(descriptor, str) else descriptor
-    return _core.describe(vertices, faces, list(names), pose, {"components": "each", **options})
+    return _core.describe(vertices, faces, list(names), pose,
+                          {"components": "each", "progress": _values(progress), **options})
+
+
+def shape_distance(vertices, faces, other_vertices, other_faces, *, descriptor=None, pose=None,
+                   other_pose=None, progress=None, **options):
+    """Tell how different two surfaces are, whatever their poses.
+
+    The distances are those by which the program searches a collection with a single descriptor. Those of
+    different descriptors cannot be compared with each other.
+
+    Parameters
+    ----------
+    vertices, other_vertices : arrays, n x 3 and N x 3
+        Positions, in any units.
+    faces, other_faces : arrays of integers, m x k and M x K, or sequences of sequences
+        The faces. Vertices and faces need not correspond.
+    descriptor : string, or sequence of strings
+        As for `describe`; by default, all.
+    pose, other_pose : arrays, n x 3 and N x 3
+        The poses to be used, in any units; otherwise they are computed, if a descriptor needs them.
+    progress : function
+        As for `pose`, while they are computed.
+    **options
+        As for `describe`.
+
+    Returns
+    -------
+    distances : dict
+        For each name of a descriptor the distance, without unit.
+
+    Examples
+    --------
+    >>> vertices = [[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 5)]
+    >>> faces = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]]
+    >>> canonical_pose.shape_distance(vertices, faces, vertices, faces, descriptor="views")
+    {'views': 0.0}
+    """
+    options.update(descriptor=descriptor, progress=progress)
+    described = describe(vertices, faces, pose=pose, **options)
+    others = describe(other_vertices, other_faces, pose=other_pose, **options)
+    distances = {}
+    for name, other in others.items():
+        index = DescriptorIndex(name)
+        index.insert(other["values"])
+        distances[name] = float(index.distances(described[name]["values"])[0])
+    return distances
 
 
 class HeatSolver:
@@ -549,7 +688,8 @@ class Registrar:
     """
 
     def __init__(self, vertices, faces, **options):
-        for name in ("rounds", "frame", "paper_weights", "spring", "direction", "handle", "symmetric"):
+        for name in ("rounds", "frame", "paper_weights", "spring", "direction", "handle", "symmetric",
+                     "progress"):
             if name in options:
                 raise TypeError(f"a registrar has no option {name}")
         self._core = _core.Registrar(vertices, faces, options)
@@ -582,7 +722,7 @@ class Registrar:
         self._core.set_detail_length(detail_length)
         self._detail_length = detail_length
 
-    def register(self, target, *, warm=False):
+    def register(self, target, *, warm=False, progress=None):
         """Pull the surface toward a target.
 
         Parameters
@@ -591,16 +731,18 @@ class Registrar:
             The target of each vertex, in the unit of the vertices.
         warm : bool
             Whether to start where the registration before ended.
+        progress : function
+            As for `pose`; ``round`` and ``component`` are 0.
 
         Returns
         -------
         pose : array, n x 3
             The positions of the vertices, in the unit of the vertices.
         report : dict
-            ``"iterations"``, ``"converged"``, energies, the number of ``"inverted"`` cells and
-            ``"volume_ratio"``.
+            ``"iterations"``, ``"converged"``, ``"energy"``, ``"energy_match"``, ``"energy_arap"``, the
+            number of ``"inverted"`` cells, and ``"volume_ratio"``.
         """
-        return self._core.register(target, warm)
+        return self._core.register(target, warm, _values(progress))
 
 
 class DescriptorIndex:
@@ -710,6 +852,11 @@ def _restored_index(descriptor, values):
     for vector in values:
         index.insert(vector)
     return index
+
+
+def _values(progress):
+    """Return a function of the values of a `Progress`."""
+    return (lambda *values: progress(Progress(*values))) if callable(progress) else progress
 
 
 def _sources(source):

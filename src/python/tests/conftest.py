@@ -14,11 +14,15 @@ make_figure writes it, and CANONICAL_POSE_LIBRARY that of the example canonical_
 library; without them, the tests that need them are skipped.
 """
 
+import ast
 import os
+import pathlib
 import subprocess
 
 import numpy as np
 import pytest
+
+import canonical_pose
 
 
 def read_off(path):
@@ -40,6 +44,72 @@ def write_off(path, vertices, faces):
             file.write(" ".join(map(repr, vertex)) + "\n")
         for face in np.asarray(faces).tolist():
             file.write(f"{len(face)} {' '.join(map(str, face))}\n")
+
+
+class Stub:
+    """What __init__.pyi says: the fields of classes, and what functions return."""
+
+    def __init__(self):
+        path = pathlib.Path(canonical_pose.__file__).with_name("__init__.pyi")
+        self.tree = ast.parse(path.read_text())
+        self.fields, self.functions = {}, {}
+        for node in self.tree.body:
+            if isinstance(node, ast.FunctionDef):
+                self.functions[node.name] = node
+            if isinstance(node, ast.ClassDef):
+                fields = {}
+                for base in node.bases:
+                    fields.update(self.fields.get(base.id, {}))
+                fields.update({item.target.id: item.annotation for item in node.body
+                               if isinstance(item, ast.AnnAssign)})
+                self.fields[node.name] = fields
+                self.functions.update({f"{node.name}.{item.name}": item for item in node.body
+                                       if isinstance(item, ast.FunctionDef)})
+
+    def check(self, function, result):
+        """Fail if the result of a function has not the type that is stated."""
+        mismatches = list(self._mismatches(result, self.functions[function].returns, function))
+        assert not mismatches, mismatches
+
+    def _mismatches(self, value, type_, where):
+        types = {"int": int, "float": (int, float), "str": str, "bool": bool,
+                 "_Floats": np.ndarray, "_Integers": np.ndarray}
+        if isinstance(type_, ast.BinOp):  # one of both
+            both = [list(self._mismatches(value, t, where)) for t in (type_.left, type_.right)]
+            yield from min(both, key=len)
+        elif isinstance(type_, ast.Name) and type_.id in self.fields:
+            fields = self.fields[type_.id]
+            if not isinstance(value, dict) or set(value) != set(fields):
+                yield f"{where}: {sorted(value) if isinstance(value, dict) else value}"
+            else:
+                for key, field in fields.items():
+                    yield from self._mismatches(value[key], field, f"{where}.{key}")
+        elif isinstance(type_, ast.Name):
+            if not isinstance(value, types[type_.id]) or isinstance(value, bool) > (type_.id == "bool"):
+                yield f"{where}: {value!r} is no {type_.id}"
+        elif isinstance(type_, ast.Constant):
+            if value is not type_.value:
+                yield f"{where}: {value!r}"
+        elif type_.value.id == "Literal":
+            if value != type_.slice.value:
+                yield f"{where}: {value!r}"
+        elif type_.value.id == "tuple":
+            if len(value) != len(type_.slice.elts):
+                yield f"{where}: {len(value)} values"
+            for entry, t in zip(value, type_.slice.elts):
+                yield from self._mismatches(entry, t, where)
+        elif type_.value.id == "list":
+            for entry in value:
+                yield from self._mismatches(entry, type_.slice, where + "[]")
+        else:
+            assert type_.value.id == "dict"
+            for key, entry in value.items():
+                yield from self._mismatches(entry, type_.slice.elts[1], f"{where}.{key}")
+
+
+@pytest.fixture(scope="session")
+def stub():
+    return Stub()
 
 
 def make_tube(rings=24, corners=10):

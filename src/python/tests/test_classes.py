@@ -181,6 +181,41 @@ def test_descriptor_index(tube, box):
         index.values(3)
 
 
+def test_shape_distance(tube, box):
+    """As by an index of the other shape."""
+    distances = canonical_pose.shape_distance(*tube, *box, rounds=0)
+    described, others = (canonical_pose.describe(*shape, rounds=0) for shape in (tube, box))
+    assert list(distances) == list(described)
+    for name, distance in distances.items():
+        index = canonical_pose.DescriptorIndex(name)
+        index.insert(others[name]["values"])
+        assert index.distances(described[name]["values"]).tolist() == [distance] and distance > 0
+    assert canonical_pose.shape_distance(*box, *box, descriptor=["views"]) == {"views": 0}
+    steps = []
+    canonical_pose.shape_distance(*tube, *tube, descriptor="views", pose=tube[0], other_pose=tube[0],
+                                  progress=steps.append)
+    assert not steps
+    canonical_pose.shape_distance(*tube, *tube, descriptor="views", progress=steps.append)
+    assert [step.iteration for step in steps].count(1) == 2
+
+
+def test_align_handedness(tube):
+    vertices, faces = tube
+    mirrored = vertices * [1, -1, 1] @ [[0, 1, 0], [0, 0, 1], [1, 0, 0]] + 3
+    result = canonical_pose.align_handedness(vertices, mirrored, 2 * vertices)
+    assert result.dtype == bool and result.tolist() == [False, True, False]
+    assert canonical_pose.align_handedness(mirrored, vertices).tolist() == [False, True]
+
+
+def test_mirror_image_of_a_target(figure):
+    """It is posed by the mirror image of its target, and not turned inside out."""
+    pose, report, target = canonical_pose.pose(*figure, return_target=True)
+    other, mirrored = canonical_pose.pose(*figure, given_target=target * [-1, 1, 1])
+    assert canonical_pose.align_handedness(pose, other).tolist() == [False, True]
+    assert report["registration"]["inverted"] == mirrored["registration"]["inverted"] == 0
+    assert mirrored["registration"]["volume_ratio"] > .5
+
+
 @pytest.mark.parametrize("copied", [copy.copy, copy.deepcopy,
                                     lambda x: pickle.loads(pickle.dumps(x))])
 def test_copies(fine_tube, tmp_path, copied):

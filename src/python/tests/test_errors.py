@@ -53,17 +53,27 @@ BAD_FACES = [
     (lambda f: with_value(f.astype(np.uint64), (3, 1), 2**64 - 1),
      "faces names vertex 18446744073709551615, which is too large"),
     (lambda f: [*f.tolist(), [1, 2]], "face .* is not a polygon"),
+    (lambda f: with_value(f.astype(object), (3, 1), 2**70), "face 3 names vertex 11.*, which is too large"),
+    (lambda f: with_value(f.astype(object), (3, 1), -2**70), "face 3 names vertex -11.*, which is too small"),
+    (lambda f: with_value(f.astype(object), (3, 1), 240), "face 3 names vertex 240, but there are 240"),
     (lambda f: [[0, 1, 2], 3], "face 1 must be a sequence of indices"),
     (lambda f: [[0, 1, "a"]], "face 0 must be integers"),
     (lambda f: "faces", "faces must be an array or a sequence of sequences"),
     (lambda f: 7, "faces must be an array or a sequence of sequences"),
     (lambda f: None, "either faces or cells are needed"),
 ]
+NOT_INTEGERS = [True, np.True_, 1., "1", None]
 
+
+def checked(*arguments, **keywords):
+    """check() lists wrong values, others refuse them."""
+    report = canonical_pose.check(*arguments, **keywords)
+    if {defect["kind"] for defect in report["defects"]} & {"not_finite", "wrong_indices"}:
+        raise ValueError(report["first_defect"])
 
 
 SURFACE_FUNCTIONS = [
-    canonical_pose.pose, canonical_pose.target, canonical_pose.check, canonical_pose.segment,
+    canonical_pose.pose, canonical_pose.target, checked, canonical_pose.segment,
     canonical_pose.describe, canonical_pose.HeatSolver, canonical_pose.Registrar,
     lambda vertices, faces: canonical_pose.geodesics(vertices, faces, 0),
 ]
@@ -89,11 +99,42 @@ def test_faces(function, change, message, tube):
         function(tube[0], change(tube[1]))
 
 
-@pytest.mark.parametrize("function", [f for f in SURFACE_FUNCTIONS if f != canonical_pose.check])
+@pytest.mark.parametrize("function", SURFACE_FUNCTIONS)
+@pytest.mark.parametrize("value", NOT_INTEGERS)
+def test_types_of_faces(function, value, tube):
+    """Of Python's numbers; those of NumPy have one type."""
+    vertices, faces = tube
+    with pytest.raises(TypeError, match=f"face 3 must be integers.*, but one is {value!r}"):
+        function(vertices, with_value(faces.astype(object), (3, 1), value))
+    if isinstance(value, (bool, np.bool_)):
+        with pytest.raises(TypeError, match=f"face 1 must be integers.*, but one is {value!r}"):
+            function(vertices, [[0, 1, 2], [0, value, 2]])
+
+
+def test_types_of_other_indices(tube):
+    vertices = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]
+    with pytest.raises(TypeError, match="cells must be integers.*, but one is True"):
+        canonical_pose.check(vertices, cells=[[0, True, 2, 3]])
+    for source in (True, [0, True], np.array([0, None])):
+        with pytest.raises(TypeError, match="source must be integers.*, but one is"):
+            canonical_pose.geodesics(*tube, source)
+
+
+@pytest.mark.parametrize("function", [f for f in SURFACE_FUNCTIONS if f != checked])
 @pytest.mark.parametrize("faces", [[], np.zeros((0, 3), dtype=int), [[0, 0, 0]], [[0, 1, 2]]])
 def test_surfaces_without_area(function, faces):
     with pytest.raises(ValueError, match="no face|no area|no face has an area"):
         function(np.zeros((3, 3)), faces)
+
+
+def test_check_lists_all(tube):
+    vertices = tube[0].copy()
+    faces = tube[1].copy()
+    vertices[[3, 7, 9], 1] = np.nan, np.inf, -np.inf
+    faces[[4, 6], 2] = 240, 999
+    defects = canonical_pose.check(vertices, faces)["defects"]
+    assert [(d["kind"], d["count"], d["examples"]) for d in defects] == [
+        ("not_finite", 3, [[3], [7], [9]]), ("wrong_indices", 2, [[4], [6]])]
 
 
 def test_check_of_nothing():
@@ -109,7 +150,7 @@ def test_check_of_nothing():
 ])
 def test_cells(cells, message):
     vertices = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]
-    for function in (canonical_pose.pose, canonical_pose.check):
+    for function in (canonical_pose.pose, checked):
         with pytest.raises(ValueError, match=message):
             function(vertices, cells=cells)
     with pytest.raises(ValueError, match="cell 0 has no volume"):
@@ -121,21 +162,21 @@ def test_cells(cells, message):
 
 
 @pytest.mark.parametrize("options, message", [
-    ({"detail_length": 0}, "option detail_length is 0, but must be from 1e-06 to 1000"),
-    ({"detail_length": float("nan")}, "detail_length is not finite"),
-    ({"landmarks": 0}, "option landmarks is 0, but must be >= 1"),
-    ({"landmarks": -2**70}, "option landmarks is -1180591620717411303424, but must be >= 1"),
-    ({"landmarks": 2**70}, "option landmarks is 1180591620717411303424, which is too large"),
-    ({"iterations": 2**31}, "option iterations is 2147483648, which is too large"),
-    ({"rounds": -1}, "option rounds is -1, but must be >= 0"),
-    ({"threads": -1}, "option threads is -1, but must be >= 0"),
-    ({"seed": 2**32}, "option seed is 4294967296, which is too large"),
-    ({"tikhonov": -1}, "option tikhonov is -1, but must be from 0 to "),
-    ({"spacing": 0}, "option spacing is 0.*, but must be from 1e-06 to 1"),
+    ({"detail_length": 0}, "option detail_length is 0, but must be a number from 1e-06 to 1000"),
+    ({"detail_length": float("nan")}, "option detail_length is nan, but must be a number from 1e-06 to 1000"),
+    ({"landmarks": 0}, "option landmarks is 0, but must be an integer from 1 to 18446744073709551615"),
+    ({"landmarks": -2**70}, "option landmarks is -1180591620717411303424, but must be"),
+    ({"landmarks": 2**70}, "option landmarks is 1180591620717411303424, but must be"),
+    ({"iterations": 2**31}, "option iterations is 2147483648, but must be an integer from 1 to 2147483647"),
+    ({"rounds": -1}, "option rounds is -1, but must be an integer from 0"),
+    ({"threads": -1}, "option threads is -1, but must be an integer from 0"),
+    ({"seed": 2**32}, "option seed is 4294967296, but must be an integer from 0 to 4294967295"),
+    ({"tikhonov": -1}, "option tikhonov is -1, but must be a number from 0 to "),
+    ({"spacing": 0}, "option spacing is 0.*, but must be a number from 1e-06 to 1"),
     ({"spacing": 1e-320}, "option spacing is 1e-320, but"),
     ({"spacing": 1.5}, "option spacing is 1.5, but"),
-    ({"detail_length": 1e-320}, "option detail_length is .*e-321, but must be from 1e-06 to 1000"),
-    ({"tikhonov": 1e300}, r"option tikhonov is 1e\+300, but must be from 0 to 1e\+09"),
+    ({"detail_length": 1e-320}, "option detail_length is .*e-32[01], but must be a number from 1e-06 to 1000"),
+    ({"tikhonov": 1e300}, r"option tikhonov is 1e\+300, but must be a number from 0 to 1e\+09"),
     ({"kernel": "cubic"}, "option kernel is 'cubic', but must be one of classical, gaussian"),
     ({"geodesics": "mmp"}, "option geodesics is 'mmp', but must be one of exact, heat, wavefront"),
     ({"body": "soul"}, "option body is 'soul'"),
@@ -191,7 +232,8 @@ def test_types_of_options(options, tube):
 
 def test_unknown_options(tube):
     for function in (canonical_pose.target, canonical_pose.segment, canonical_pose.describe,
-                     canonical_pose.Registrar):
+                     canonical_pose.Registrar, lambda *shape, **options:
+                     canonical_pose.shape_distance(*shape, *shape, **options)):
         with pytest.raises(TypeError, match="there is no option colour"):
             function(*tube, colour="red")
 
@@ -200,7 +242,7 @@ def test_options_have_the_names_of_the_tool(tool):
     usage = subprocess.run([os.environ["CANONICAL_POSE_TOOL"], "pose", "--help"],
                            capture_output=True, text=True, check=True).stdout
     names = set(inspect.signature(canonical_pose.pose).parameters)
-    names -= {"vertices", "faces", "cells", "return_target"}
+    names -= {"vertices", "faces", "cells", "return_target", "progress"}
     missing = {name for name in names if "--" + name.replace("_", "-") not in usage}
     assert not missing
 
@@ -231,10 +273,15 @@ def test_isolated_vertices_have_no_distances(tube):
 
 
 def test_poses_that_do_not_correspond(tube):
-    with pytest.raises(ValueError, match="poses of .* points cannot be compared"):
-        canonical_pose.compare(tube[0], tube[0][:-1])
-    with pytest.raises(ValueError, match="same position"):
-        canonical_pose.compare(np.zeros((4, 3)), np.zeros((4, 3)))
+    for function in (canonical_pose.compare, canonical_pose.align_handedness):
+        with pytest.raises(ValueError, match="poses of .* points cannot be compared"):
+            function(tube[0], tube[0][:-1])
+        with pytest.raises(ValueError, match="same position"):
+            function(np.zeros((4, 3)), np.zeros((4, 3)))
+        with pytest.raises(ValueError, match="pose 1 must be n x 3, but is 240 x 2"):
+            function(tube[0], tube[0][:, :2])
+    with pytest.raises(ValueError, match="the pose has 3 vertices, but the surface has 240"):
+        canonical_pose.shape_distance(*tube, *tube, other_pose=tube[0][:3], descriptor="views")
     for function in (canonical_pose.segment, canonical_pose.describe):
         with pytest.raises(ValueError, match="the pose has 3 vertices, but the surface has 240"):
             function(*tube, pose=tube[0][:3])
@@ -247,5 +294,7 @@ def test_segment_and_describe_refuse(tube):
         canonical_pose.segment(*tube, method="guess")
     with pytest.raises(ValueError, match="there is no descriptor 'colors'"):
         canonical_pose.describe(*tube, descriptor="colors")
+    with pytest.raises(ValueError, match="there is no descriptor 'colors'"):
+        canonical_pose.shape_distance(*tube, *tube, descriptor="colors")
     with pytest.raises(ValueError, match="time step|time_step"):
         canonical_pose.HeatSolver(*tube, time_step_factor=-1)

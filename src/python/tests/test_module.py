@@ -8,12 +8,12 @@
 # Author(s) : The Canonical_pose_3 authors
 """Kinds of input, threads, signals, memory, documentation and types."""
 
-import ast
 import doctest
 import inspect
 import os
 import pathlib
 import signal
+import subprocess
 import threading
 import time
 
@@ -32,7 +32,8 @@ def test_kinds_of_arrays(tube):
                    np.ma.array(vertices), vertices.astype(">f8")):
         assert canonical_pose.geodesics(values, faces, 0).tobytes() == expected
     for indices in (faces.tolist(), [tuple(face) for face in faces], list(faces),
-                    np.asfortranarray(faces), faces.astype(np.uint8), faces.astype(">i4")):
+                    np.asfortranarray(faces), faces.astype(np.uint8), faces.astype(">i4"),
+                    faces.astype(object), [[np.int32(i) for i in face] for face in faces]):
         assert canonical_pose.geodesics(vertices, indices, 0).tobytes() == expected
     exact = canonical_pose.geodesics(vertices, faces, 0, geodesics="exact")
     single = canonical_pose.geodesics(vertices.astype(np.float32), faces, 0, geodesics="exact")
@@ -54,8 +55,13 @@ def test_input_is_not_changed_and_output_is_not_copied(tube):
     assert pose.flags.f_contiguous and pose.flags.writeable and not pose.flags.owndata
 
 
+time_of_signal = 0.
+
+
 def wait_and_interrupt(seconds):
+    global time_of_signal
     time.sleep(seconds)
+    time_of_signal = time.monotonic()
     os.kill(os.getpid(), signal.SIGINT)
 
 
@@ -87,6 +93,7 @@ def test_interrupt(function, figure):
     with pytest.raises(KeyboardInterrupt):
         function(vertices, faces, **options)
         pytest.fail("it was done before the signal")
+    assert time.monotonic() - time_of_signal < 1
     thread.join()
 
 
@@ -96,7 +103,89 @@ def test_interrupt_of_a_registrar(figure):
     thread.start()
     with pytest.raises(KeyboardInterrupt):
         registrar.register(registrar.target)
+    assert time.monotonic() - time_of_signal < 1
     thread.join()
+
+
+def test_interrupt_of_components(figure):
+    """All of them, not only that of the main thread."""
+    vertices, faces = figure
+    both = np.concatenate([vertices, vertices + 9]), np.concatenate([faces, faces + len(vertices)])
+    thread = threading.Thread(target=wait_and_interrupt, args=(2.5,))
+    thread.start()
+    with pytest.raises(KeyboardInterrupt):
+        canonical_pose.pose(*both, iterations=10**9, tikhonov=1e6, rounds=0, landmarks=10,
+                            components="each")
+        pytest.fail("it was done before the signal")
+    assert time.monotonic() - time_of_signal < 1
+    thread.join()
+
+
+@pytest.mark.parametrize("function", [canonical_pose.pose, canonical_pose.segment,
+                                      canonical_pose.describe])
+def test_progress(function, tube):
+    """It is told each iteration, can stop the pose, and changes no result; what it raises is raised."""
+    def bytes_of(result):
+        return (result[0].tobytes() if isinstance(result, tuple)
+                else [descriptor["values"].tobytes() for descriptor in result.values()])
+    steps = []
+    assert bytes_of(function(*tube, progress=steps.append)) == bytes_of(function(*tube))
+    assert [step.iteration for step in steps] == list(range(1, len(steps) + 1))
+    rounds = [step.round for step in steps]
+    assert rounds[0] == 1 and rounds[-1] == 0 and {step.component for step in steps} == {0}
+    for step in steps:
+        assert isinstance(step, canonical_pose.Progress) and step.largest_move >= 0
+        assert step.energy == pytest.approx(
+            step.energy_match + step.energy_arap + step.energy_constraints)
+
+    for stops in (lambda step: False, lambda step: np.bool_(False)):
+        steps.clear()
+        function(*tube, progress=lambda step: steps.append(step) or stops(step))
+        assert len(steps) == 1
+
+    error = LookupError("mine")
+
+    def fail(step):
+        raise error
+    with pytest.raises(LookupError) as caught:
+        function(*tube, progress=fail)
+    assert caught.value is error
+    with pytest.raises(ValueError, match="truth value"):
+        function(*tube, progress=lambda step: np.zeros(2))
+    with pytest.raises(TypeError, match="option progress must be a function"):
+        function(*tube, progress=3)
+
+
+def test_progress_of_components(tube):
+    vertices, faces = tube
+    both = np.concatenate([vertices, vertices + 20]), np.concatenate([faces, faces + len(vertices)])
+    components = []
+    pose, report = canonical_pose.pose(
+        *both, components="each", rounds=0, progress=lambda step: components.append(step.component))
+    assert report["registration"]["iterations"] == len(components)
+    assert components == sorted(components, reverse=True) and set(components) == {0, 1}
+    expected, _ = canonical_pose.pose(*both, components="each", rounds=0)
+    assert pose.tobytes() == expected.tobytes()
+
+
+def test_progress_of_a_registrar(tube):
+    registrar = canonical_pose.Registrar(*tube)
+    expected, report = registrar.register(registrar.target)
+    steps = []
+    pose, _ = registrar.register(registrar.target, progress=steps.append)
+    assert pose.tobytes() == expected.tobytes()
+    assert [step.iteration for step in steps] == list(range(1, report["iterations"] + 1))
+    assert steps[-1].energy == report["energy"]
+    _, report = registrar.register(registrar.target, progress=lambda step: step.iteration < 2)
+    assert report["iterations"] == 2 and not report["converged"]
+    with pytest.raises(ZeroDivisionError):
+        registrar.register(registrar.target, progress=lambda step: 1 // 0)
+    assert registrar.register(registrar.target)[0].tobytes() == expected.tobytes()
+    for function in (canonical_pose.Registrar, canonical_pose.target):
+        with pytest.raises(TypeError, match="no option progress"):
+            function(*tube, progress=print)
+    with pytest.raises(TypeError, match="option progress must be a function"):
+        registrar.register(registrar.target, progress="no")
 
 
 def test_other_exceptions_of_signals(figure):
@@ -180,43 +269,51 @@ def public_functions():
                     yield f"{name}.{method}", function
 
 
+def has_collections():
+    """Whether the program was built, with collections."""
+    path = os.environ.get("CANONICAL_POSE_TOOL", "")
+    return os.path.exists(path) and b"without SQLite" not in subprocess.run(
+        [path, "collection", "--list", "--database", "nowhere.db"], capture_output=True).stderr
+
+
 def test_documentation(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)  # some examples write files
     finder = doctest.DocTestFinder()
     runner = doctest.DocTestRunner(optionflags=doctest.NORMALIZE_WHITESPACE)
-    tests = {test.name: test for test in finder.find(
-        canonical_pose, extraglobs={"canonical_pose": canonical_pose})}
+    tests = {}
+    for module in (canonical_pose, canonical_pose._collections):
+        for test in finder.find(module, name="canonical_pose",
+                                extraglobs={"canonical_pose": canonical_pose}):
+            if module is canonical_pose or test.examples:
+                tests[test.name] = test
     for name, value in public_functions():
         assert inspect.getdoc(value), name
         if "." not in name:
             assert tests[f"canonical_pose.{name}"].examples, name
+    if not has_collections():
+        for name in ("collection", "search", "evaluate"):
+            del tests[f"canonical_pose.{name}"]
     for test in tests.values():
         runner.run(test)
     assert runner.summarize(verbose=False).failed == 0
 
 
-def test_types():
-    """The types have the functions and parameters of the module."""
-    folder = pathlib.Path(canonical_pose.__file__).parent
-    assert (folder / "py.typed").exists()
-    tree = ast.parse((folder / "__init__.pyi").read_text())
-    typed, fields, options = {}, {}, set()
-    for node in tree.body:
-        if isinstance(node, ast.ClassDef):
-            fields[node.name] = [item.target.id for item in node.body if isinstance(item, ast.AnnAssign)]
-            if node.name == "_Options":
-                options = set(fields[node.name])
-            for item in node.body:
-                if isinstance(item, ast.FunctionDef):
-                    typed[f"{node.name}.{item.name}"] = item.args
-        elif isinstance(node, ast.FunctionDef):
-            typed[node.name] = node.args
+def test_types(stub):
+    """The types have the functions and parameters of the module, and nothing else."""
+    assert pathlib.Path(canonical_pose.__file__).with_name("py.typed").exists()
+    names = {node.name for node in stub.tree.body if hasattr(node, "name")}
+    assert {name for name in names if not name.startswith("_")} == set(canonical_pose.__all__)
+    methods = {name for name in stub.functions if "." in name and "__" not in name}
+    assert methods - {name for name, _ in public_functions()} == {
+        "Registrar.target", "Registrar.body_vertices", "Registrar.body_cells", "DescriptorIndex.load"}
+    options = set(stub.fields["_Options"])
+    assert set(stub.fields["_RecordedOptions"]) == set(canonical_pose._collections.OPTIONS)
     for name, value in public_functions():
         if hasattr(value, "_fields"):
-            assert fields[name] == list(value._fields)
+            assert list(stub.fields[name]) == list(value._fields)
             continue
         function = value.__init__ if inspect.isclass(value) else value
-        arguments = typed[name + ".__init__" if inspect.isclass(value) else name]
+        arguments = stub.functions[name + ".__init__" if inspect.isclass(value) else name].args
         names = [argument.arg for argument in arguments.args + arguments.kwonlyargs]
         parameters = inspect.signature(function).parameters
         expected = [p.name for p in parameters.values()
@@ -251,3 +348,28 @@ def test_report_of_parts(tube):
     _, report = canonical_pose.segment(*tube, method="sweep")
     assert isinstance(report["tree"]["leaf_of_face"], np.ndarray)
     assert len(report["tree"]["leaf_of_face"]) == len(tube[1])
+
+
+def test_types_of_reports(stub, tube):
+    vertices, faces = tube
+    crumb = vertices[0] + [[.1, 0, 0], [.11, 0, 0], [.1, .01, 0]]
+    shape = np.concatenate([vertices, crumb]), np.concatenate([faces, [[240, 241, 242]]])
+    pose, report = canonical_pose.pose(*shape)
+    assert report["followers"] and report["rounds"]
+    stub.check("target", (pose, report))
+    stub.check("pose", canonical_pose.pose(*tube, return_target=True))
+    names = {stage["name"] for stage in report["stages"]}
+    for name in names:
+        assert f'"{name}"' in canonical_pose.pose.__doc__
+    stub.check("target", canonical_pose.target(*tube))
+    report = canonical_pose.check(vertices, faces[3:])
+    assert report["defects"]
+    stub.check("check", report)
+    for method, parts in (("sweep", "auto"), ("consensus", 3), ("kmeans", 3)):
+        result = canonical_pose.segment(*tube, method=method, parts=parts, rounds=0)
+        stub.check("segment", result)
+        for stage in result[1]["stages"]:
+            assert f'"{stage["name"]}"' in canonical_pose.segment.__doc__
+    stub.check("describe", canonical_pose.describe(*tube, rounds=0))
+    registrar = canonical_pose.Registrar(*tube)
+    stub.check("Registrar.register", registrar.register(registrar.target))

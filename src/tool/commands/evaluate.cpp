@@ -15,6 +15,8 @@
 #include <CGAL/Canonical_pose_3/Descriptor_index_3.h>
 #include <CGAL/Canonical_pose_3/Retrieval_evaluation.h>
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cstdio>
@@ -33,6 +35,8 @@
 namespace Canonical_pose_tool {
 
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 namespace fs = std::filesystem;
 using CGAL::Canonical_pose_3::Retrieval_evaluation;
@@ -207,6 +211,39 @@ void write_csv(std::ostream& out, const std::vector<Named_evaluation>& evaluatio
               << number << '\n';
 }
 
+nlohmann::ordered_json json_of(const Retrieval_measures& m)
+{
+  return {{"nearest_neighbor", m.nearest_neighbor},
+          {"first_tier", m.first_tier},
+          {"second_tier", m.second_tier},
+          {"e_measure", m.e_measure},
+          {"discounted_cumulative_gain", m.discounted_cumulative_gain},
+          {"average_precision", m.average_precision}};
+}
+
+// The tables and the curves.
+void write_evaluations(std::ostream& out, const std::vector<Named_evaluation>& evaluations,
+                       const Classified_shapes& shapes)
+{
+  Json report;
+  for(const auto& [name, evaluation] : evaluations)
+  {
+    Json classes, nearest;
+    for(const std::size_t a : classes_of_queries(shapes))
+    {
+      classes[shapes.names[a]] = json_of(evaluation.mean_of_class(a));
+      for(std::size_t b = 0; b < shapes.names.size(); ++b)
+        if(const std::size_t number = evaluation.confusion(a, b); number > 0)
+          nearest[shapes.names[a]][shapes.names[b]] = number;
+    }
+    report[name] = {{"mean", json_of(evaluation.mean())},
+                    {"classes", classes},
+                    {"precision", evaluation.precision()},
+                    {"nearest", nearest}};
+  }
+  out << report.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+}
+
 // A file that is removed at the end.
 class Temporary_file
 {
@@ -260,16 +297,16 @@ void add_evaluate_options(Command_options& o)
 {
   add_database(o);
   add_path(o, "--classes", o.arguments.classes,
-           "the classes: lines \"stem class\", or with a tabulator between them")
+           "the classes: lines \"stem class\", or with a tab between them")
     ->required();
   add_weighted_descriptors(o);
   o.app
-    .add_option("--rerank", o.arguments.rerank,
-                "also evaluate the answers after another ranking: manifold")
+    .add_option("--rerank", o.arguments.rerank, "also evaluate the answers ranked again: manifold")
     ->check(CLI::IsMember({"manifold"}));
   add_path(o, "--csv", o.arguments.csv,
            "write precision-recall curves and the classes of nearest shapes");
   add_path(o, "--plot", o.arguments.plot, "draw the precision-recall curves (.png)");
+  add_report(o);
   add_recorded_method_options(o);
 }
 
@@ -277,7 +314,8 @@ int run_evaluate(Arguments& arguments)
 {
   if(!arguments.plot.empty())
     check_extension(arguments.plot, ".png");
-  Output_files files({arguments.csv, arguments.plot}, {arguments.classes, arguments.database});
+  const std::vector<std::string> outputs = {arguments.csv, arguments.plot, arguments.report};
+  Output_files files(outputs, {arguments.classes, arguments.database});
   Collection_database database(arguments.database, false);
   const std::vector<std::string> options = database.options();
   const bool is_only_one = options.size() == 1 && arguments.pose_options.empty();
@@ -293,8 +331,10 @@ int run_evaluate(Arguments& arguments)
   warn_of_names(class_of, shapes, classes);
   files.write(arguments.csv, [&](std::ostream& out) { write_csv(out, all, classes); });
   files.write(arguments.plot, [&](std::ostream& out) { draw(out, all); });
+  files.write(arguments.report, [&](std::ostream& out) { write_evaluations(out, all, classes); });
   files.commit();
-  write_tables(messages_beside({arguments.csv, arguments.plot}), all, classes);
+  if(!arguments.quiet)
+    write_tables(messages_beside(outputs), all, classes);
   return EXIT_SUCCESS;
 }
 

@@ -3,6 +3,7 @@
 
 // The command search.
 
+#include "Output_files.h"
 #include "command_options.h"
 #include "commands.h"
 #include "formats/Cgal_types.h"
@@ -10,17 +11,37 @@
 #include "formats/Mesh_file.h"
 #include "collection/described_collection.h"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
+#include <cstddef>
 #include <cstdlib>
 #include <iostream>
 #include <numeric>
 #include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
 namespace Canonical_pose_tool {
 
 namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Answer
+{
+  std::string path;
+  double distance;
+};
+
+void write_answers(std::ostream& out, const std::vector<Answer>& answers)
+{
+  Json report = {{"answers", Json::array()}};
+  for(const Answer& answer : answers)
+    report["answers"].push_back({{"path", answer.path}, {"distance", answer.distance}});
+  out << report.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+}
 
 void add_search_options(Command_options& o)
 {
@@ -31,11 +52,13 @@ void add_search_options(Command_options& o)
     ->capture_default_str();
   add_weighted_descriptors(o);
   add_given_pose(o);
+  add_report(o);
   add_recorded_method_options(o);
 }
 
 int run_search(Arguments& arguments)
 {
+  Output_files files({arguments.report}, {arguments.input, arguments.pose, arguments.database});
   Collection_database database(arguments.database, false);
   const std::vector<Weighted_descriptor> chosen = chosen_descriptors(arguments, database);
   const Described_collection shapes = values_of(database, chosen, arguments.pose_options);
@@ -57,9 +80,16 @@ int run_search(Arguments& arguments)
   std::stable_sort(order.begin(), order.end(), [&](const std::size_t a, const std::size_t b) {
     return distance[static_cast<Eigen::Index>(a)] < distance[static_cast<Eigen::Index>(b)];
   });
+  std::vector<Answer> answers;
   for(std::size_t i = 0; i < (std::min)(arguments.number_of_answers, order.size()); ++i)
-    std::cout << i + 1 << ' ' << distance[static_cast<Eigen::Index>(order[i])] << ' '
-              << shapes.paths[order[i]] << '\n';
+    answers.push_back({shapes.paths[order[i]], distance[static_cast<Eigen::Index>(order[i])]});
+  files.write(arguments.report, [&](std::ostream& out) { write_answers(out, answers); });
+  files.commit();
+  if(arguments.quiet)
+    return EXIT_SUCCESS;
+  std::ostream& out = messages_beside({arguments.report});
+  for(std::size_t i = 0; i < answers.size(); ++i)
+    out << i + 1 << ' ' << answers[i].distance << ' ' << answers[i].path << '\n';
   return EXIT_SUCCESS;
 }
 

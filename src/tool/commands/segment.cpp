@@ -52,6 +52,8 @@ Mesh_file part_of(const Mesh_file& input, const std::vector<std::size_t>& parts,
         if(!appearance.texture_coordinates.empty())
           result.appearance.texture_coordinates.push_back(
             appearance.texture_coordinates[corner + face.size()]);
+        if(!appearance.normals.empty())
+          result.appearance.normals.push_back(appearance.normals[corner + face.size()]);
         if(index[v] == input.points.size())
         {
           index[v] = result.points.size();

@@ -25,6 +25,7 @@ struct Appearance
 {
   std::vector<Color> vertex_colors;
   std::vector<std::array<float, 2>> texture_coordinates; // of the corners of all faces; (0, 0) is the upper left
+  std::vector<std::array<float, 3>> normals;             // of the corners of all faces; 0: none
   std::vector<Material> materials;
   std::vector<std::size_t> material_of_face;
 

@@ -88,6 +88,12 @@ void load_appearance(Mesh_file& mesh);
 enum class Source { DROPPED, KEPT, UNCHECKED };
 Mesh_file read_mesh_file(const std::string& path, Source source = Source::DROPPED);
 
+// Of the vertices of a surface; empty if a vertex has several.
+std::vector<std::array<float, 3>> normals_of_vertices(const Mesh_file& mesh);
+
+// Turns the normals of a surface with its faces, from other positions to its own.
+void turn_normals(Mesh_file& mesh, const std::vector<std::array<double, 3>>& before);
+
 // The same, with its appearance.
 inline Mesh_file read_shown_mesh_file(const std::string& path)
 {

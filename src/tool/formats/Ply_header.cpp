@@ -215,6 +215,14 @@ std::size_t texture_coordinate_of(const Ply_property& property)
   return names.size();
 }
 
+std::size_t normal_coordinate_of(const Ply_property& property)
+{
+  const std::string& name = property.name;
+  return !property.is_list && name.size() == 2 && name[0] == 'n'
+           ? (std::min)(std::string_view("xyz").find(name[1]), std::size_t(3))
+           : 3;
+}
+
 std::size_t channel_of(const Ply_property& property)
 {
   const std::array<const char*, 3> names = {"red", "green", "blue"};

@@ -56,6 +56,9 @@ bool is_list_of_vertices(const Ply_property& property);
 // Which of u and v a property of a vertex is, by the names of Blender, MeshLab, Open3D and others; 2 if it is none.
 std::size_t texture_coordinate_of(const Ply_property& property);
 
+// Which coordinate of a normal a property is; 3 if it is none.
+std::size_t normal_coordinate_of(const Ply_property& property);
+
 // Which of red, green and blue a property of a vertex is; 3 if it is none.
 std::size_t channel_of(const Ply_property& property);
 

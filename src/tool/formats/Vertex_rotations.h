@@ -123,6 +123,45 @@ private:
   std::vector<Eigen::Matrix3d> m_sums; // of the rotations of faces
 };
 
+// How normals of corners turn: those at the same position with the same normal together.
+class Corner_rotations
+{
+public:
+  Corner_rotations(const Mesh_file& mesh, const Points& before, const Points& after)
+    : m_mesh(mesh), m_places(places_of(before))
+  {
+    m_rotations.reserve(mesh.faces.size());
+    for(const Face_list::Face face : mesh.faces)
+      m_rotations.push_back(rotation_of_face(face, before, after));
+  }
+
+  void add(const std::size_t face, const std::size_t corner, const Eigen::Vector3d& normal)
+  {
+    m_sums.try_emplace(key(face, corner, normal), Eigen::Vector3d::Zero()).first->second
+      += m_rotations[face] * normal;
+  }
+
+  // Of a normal that was added.
+  Eigen::Vector3d operator()(const std::size_t face, const std::size_t corner,
+                             const Eigen::Vector3d& normal) const
+  {
+    return turned_normal(m_sums.at(key(face, corner, normal)), normal);
+  }
+
+private:
+  using Key = std::pair<std::size_t, Rounded_direction>;
+
+  Key key(const std::size_t face, const std::size_t corner, const Eigen::Vector3d& normal) const
+  {
+    return {m_places[m_mesh.faces[face][static_cast<std::ptrdiff_t>(corner)]], rounded(normal)};
+  }
+
+  const Mesh_file& m_mesh;
+  std::vector<std::size_t> m_places;
+  std::vector<Eigen::Matrix3d> m_rotations;
+  std::map<Key, Eigen::Vector3d> m_sums;
+};
+
 } // namespace Canonical_pose_tool
 
 #endif // CGAL_CANONICAL_POSE_3_TOOL_VERTEX_ROTATIONS_H

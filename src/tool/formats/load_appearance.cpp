@@ -5,7 +5,10 @@
 
 #include "Mesh_file.h"
 #include "Ply_header.h"
+#include "Vertex_rotations.h"
 #include "readers.h"
+
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <array>
@@ -68,23 +71,38 @@ std::string rest_of_line(Text_cursor& text)
   return result;
 }
 
+// What vertices have, for the corners of faces.
+template <class Value>
+std::vector<Value> at_corners(const std::vector<Value>& values, const Face_list& faces)
+{
+  std::vector<Value> result;
+  for(const Face_list::Face face : faces)
+    for(const std::size_t v : face)
+      result.push_back(values[v]);
+  return result;
+}
+
 // Colors are numbers up to 1 if any of them is written with a point, and up to 255 otherwise.
-void load_off(const std::string& bytes, const std::size_t number_of_vertices,
-              Appearance& appearance)
+void load_off(const std::string& bytes, const Mesh_file& mesh, Appearance& appearance)
 {
   Text_cursor text(bytes);
   const std::string_view keyword = text.word();
   const std::string_view variant = keyword.substr(0, keyword.find("OFF"));
-  if(variant.find('C') == std::string_view::npos)
+  const bool has_colors = variant.find('C') != std::string_view::npos,
+             has_normals = variant.find('N') != std::string_view::npos;
+  if(!has_colors && !has_normals)
     return;
   text.word();
   text.skip_line();
-  const int skipped = variant.find('N') == std::string_view::npos ? 2 : 5;
-  for(std::size_t v = 0; v < number_of_vertices; ++v)
+  std::vector<std::array<float, 3>> normals;
+  for(std::size_t v = 0; v < mesh.points.size(); ++v)
   {
     text.word();
-    for(int k = 0; k < skipped; ++k)
-      text.word_on_line();
+    text.word_on_line();
+    text.word_on_line();
+    if(has_normals)
+      for(float& x : normals.emplace_back())
+        x = static_cast<float>(text.number_or(text.word_on_line(), 0));
     std::array<double, 3> color;
     bool is_fraction = false;
     for(double& x : color)
@@ -94,10 +112,13 @@ void load_off(const std::string& bytes, const std::size_t number_of_vertices,
       x = text.number_or(word, 0);
     }
     const double largest = is_fraction ? 1 : 255;
-    appearance.vertex_colors.push_back(
-      {byte_of(color[0], largest), byte_of(color[1], largest), byte_of(color[2], largest)});
+    if(has_colors)
+      appearance.vertex_colors.push_back(
+        {byte_of(color[0], largest), byte_of(color[1], largest), byte_of(color[2], largest)});
     text.skip_line();
   }
+  if(has_normals)
+    appearance.normals = at_corners(normals, mesh.faces);
 }
 
 using Material_indices = std::map<std::string, std::size_t>;
@@ -137,13 +158,27 @@ void load_mtl(const std::string& path, const std::string& name, Appearance& appe
     }
 }
 
+// The values of these indices, 0 for others; none if there is no index at all.
+template <class Value>
+void take_values(const std::vector<Value>& values, const std::vector<long long>& indices,
+                 std::vector<Value>& result)
+{
+  const auto exists
+    = [&](const long long i) { return i >= 0 && static_cast<std::size_t>(i) < values.size(); };
+  if(std::none_of(indices.begin(), indices.end(), exists))
+    return;
+  for(const long long i : indices)
+    result.push_back(exists(i) ? values[static_cast<std::size_t>(i)] : Value());
+}
+
 void load_obj(const std::string& bytes, const std::string& path, Appearance& appearance)
 {
   std::vector<std::array<float, 2>> coordinates;
-  std::vector<long long> indices_of_corners; // of coordinates, from 0; -1: none
+  std::vector<std::array<float, 3>> normals;
+  std::vector<long long> indices_of_corners, normals_of_corners; // from 0; -1: none
   Material_indices materials;
   std::optional<std::size_t> material;
-  bool has_coordinates = false, has_colors = true;
+  bool has_colors = true;
   Text_cursor text(bytes, Text_cursor::Lines::CONTINUED);
   for(std::string_view word = text.word(); !word.empty(); text.skip_line(), word = text.word())
     if(word == "v" && has_colors)
@@ -166,6 +201,9 @@ void load_obj(const std::string& bytes, const std::string& path, Appearance& app
       const double v = text.number_or(text.word_on_line(), 0);
       coordinates.push_back({static_cast<float>(u), static_cast<float>(1 - v)});
     }
+    else if(word == "vn")
+      for(float& x : normals.emplace_back())
+        x = static_cast<float>(text.number_or(text.word_on_line(), 0));
     else if(word == "mtllib")
       load_mtl(path, rest_of_line(text), appearance, materials);
     else if(word == "usemtl")
@@ -177,24 +215,23 @@ void load_obj(const std::string& bytes, const std::string& path, Appearance& app
     {
       for(word = text.word_on_line(); !word.empty(); word = text.word_on_line())
       {
-        word.remove_prefix((std::min)(word.find('/'), word.size()));
-        const double index
-          = word.empty() ? 0 : text.number_or(word.substr(1, word.find('/', 1) - 1), 0);
-        indices_of_corners.push_back(
-          static_cast<long long>(index < 0 ? static_cast<double>(coordinates.size()) + index
-                                           : index - 1));
-        has_coordinates = has_coordinates || index != 0;
+        // The next index after a slash, from 0.
+        const auto next_index = [&](const std::size_t number) {
+          word.remove_prefix((std::min)(word.find('/'), word.size()));
+          word.remove_prefix((std::min)(std::size_t(1), word.size()));
+          const double index = text.number_or(word.substr(0, word.find('/')), 0);
+          return static_cast<long long>(index < 0 ? static_cast<double>(number) + index
+                                                  : index - 1);
+        };
+        indices_of_corners.push_back(next_index(coordinates.size()));
+        normals_of_corners.push_back(next_index(normals.size()));
       }
       appearance.material_of_face.push_back(material.value_or(std::size_t(-1)));
     }
   if(!has_colors)
     appearance.vertex_colors.clear();
-  if(has_coordinates)
-    for(const long long i : indices_of_corners)
-      appearance.texture_coordinates.push_back(i >= 0
-                                                   && i < static_cast<long long>(coordinates.size())
-                                                 ? coordinates[static_cast<std::size_t>(i)]
-                                                 : std::array<float, 2>());
+  take_values(coordinates, indices_of_corners, appearance.texture_coordinates);
+  take_values(normals, normals_of_corners, appearance.normals);
   // Faces without a material have another one.
   if(appearance.materials.empty())
     appearance.material_of_face.clear();
@@ -235,7 +272,9 @@ void load_ply(const std::string& bytes, const std::string& path, const Face_list
   const bool is_of_vertices
     = has(true, [](const Ply_property& p) { return texture_coordinate_of(p) == 0; });
   const bool is_of_corners = has(false, is_list_of_coordinates);
-  if(!has_colors && !is_of_vertices && !is_of_corners)
+  const bool has_normals
+    = has(true, [](const Ply_property& p) { return normal_coordinate_of(p) == 0; });
+  if(!has_colors && !is_of_vertices && !is_of_corners && !has_normals)
     return;
   const char* byte = text.position();
   const auto next = [&](const Ply_number_type type) {
@@ -246,12 +285,14 @@ void load_ply(const std::string& bytes, const std::string& path, const Face_list
     return number;
   };
   std::vector<std::array<float, 2>> of_vertices;
+  std::vector<std::array<float, 3>> normals;
   std::size_t f = 0;
   for(const Ply_element& element : header.elements)
     for(std::size_t i = 0; i < element.number && !element.properties.empty(); ++i)
     {
       std::array<double, 3> coordinates = {};
       std::array<unsigned char, 4> color = {};
+      std::array<double, 4> normal = {};
       std::vector<double> of_corners;
       for(const Ply_property& property : element.properties)
         if(property.is_list)
@@ -265,10 +306,14 @@ void load_ply(const std::string& bytes, const std::string& path, const Face_list
         {
           const double value = next(property.value);
           coordinates[texture_coordinate_of(property)] = value;
+          normal[normal_coordinate_of(property)] = value;
           color[channel_of(property)] = byte_of(value, property.value.is_integer ? 255 : 1);
         }
       if(element.is_vertex() && has_colors)
         appearance.vertex_colors.push_back({color[0], color[1], color[2]});
+      if(element.is_vertex() && has_normals)
+        normals.push_back({static_cast<float>(normal[0]), static_cast<float>(normal[1]),
+                           static_cast<float>(normal[2])});
       if(element.is_vertex() && is_of_vertices)
         of_vertices.push_back(
           {static_cast<float>(coordinates[0]), static_cast<float>(1 - coordinates[1])});
@@ -282,9 +327,9 @@ void load_ply(const std::string& bytes, const std::string& path, const Face_list
       }
     }
   if(!is_of_corners && is_of_vertices)
-    for(const Face_list::Face face : faces)
-      for(const std::size_t v : face)
-        appearance.texture_coordinates.push_back(of_vertices[v]);
+    appearance.texture_coordinates = at_corners(of_vertices, faces);
+  if(has_normals)
+    appearance.normals = at_corners(normals, faces);
   if(std::string image = texture_of_ply(bytes, path);
      !image.empty() && !appearance.texture_coordinates.empty())
   {
@@ -307,6 +352,47 @@ std::string type_of_image(const std::string& bytes)
                                                 : "";
 }
 
+std::vector<std::array<float, 3>> normals_of_vertices(const Mesh_file& mesh)
+{
+  const std::vector<std::array<float, 3>>& of_corners = mesh.appearance.normals;
+  if(of_corners.empty())
+    return {};
+  std::vector<std::array<float, 3>> result(mesh.points.size());
+  std::vector<bool> is_known(result.size(), false);
+  std::size_t corner = 0;
+  for(const Face_list::Face face : mesh.faces)
+    for(const std::size_t v : face)
+    {
+      const std::array<float, 3>& normal = of_corners[corner++];
+      if(is_known[v] && normal != result[v])
+        return {};
+      is_known[v] = true;
+      result[v] = normal;
+    }
+  return result;
+}
+
+void turn_normals(Mesh_file& mesh, const Points& before)
+{
+  std::vector<std::array<float, 3>>& normals = mesh.appearance.normals;
+  if(normals.empty())
+    return;
+  const auto vector
+    = [](const std::array<float, 3>& n) { return Eigen::Vector3d(n[0], n[1], n[2]); };
+  Corner_rotations rotations(mesh, before, mesh.points);
+  std::size_t i = 0;
+  for(std::size_t f = 0; f < mesh.faces.size(); ++f)
+    for(std::size_t k = 0; k < mesh.faces[f].size(); ++k)
+      rotations.add(f, k, vector(normals[i++]));
+  i = 0;
+  for(std::size_t f = 0; f < mesh.faces.size(); ++f)
+    for(std::size_t k = 0; k < mesh.faces[f].size(); ++k, ++i)
+    {
+      const Eigen::Vector3f turned = rotations(f, k, vector(normals[i])).cast<float>();
+      normals[i] = {turned[0], turned[1], turned[2]};
+    }
+}
+
 void load_appearance(Mesh_file& mesh)
 try
 {
@@ -317,7 +403,7 @@ try
   switch(mesh.source->format)
   {
   case Format::OFF:
-    load_off(bytes, mesh.points.size(), mesh.appearance);
+    load_off(bytes, mesh, mesh.appearance);
     break;
   case Format::OBJ:
     load_obj(bytes, path, mesh.appearance);
@@ -333,6 +419,14 @@ try
   for(std::array<float, 2>& coordinates : mesh.appearance.texture_coordinates)
     for(float& x : coordinates)
       x = std::isfinite(x) ? x : 0;
+  for(std::array<float, 3>& normal : mesh.appearance.normals)
+  {
+    const Eigen::Vector3d direction
+      = Eigen::Vector3d(normal[0], normal[1], normal[2]).stableNormalized();
+    for(std::size_t k = 0; k < 3; ++k)
+      normal[k]
+        = direction.allFinite() ? static_cast<float>(direction[static_cast<Eigen::Index>(k)]) : 0;
+  }
 }
 catch(const std::invalid_argument&) // of glTF that cannot be in one file
 {

@@ -336,7 +336,7 @@ tinygltf::Model load_gltf(const std::string& bytes, const std::string& path)
   return model;
 }
 
-void check_positions(const std::string& bytes)
+void check_model(const std::string& bytes, const tinygltf::Model& model)
 {
   const std::string_view json = json_of(bytes);
   const auto parsed = nlohmann::json::parse(json.begin(), json.end(), nullptr, false);
@@ -349,6 +349,11 @@ void check_positions(const std::string& bytes)
                                                 && element[name].get<double>() < 0)
             throw std::invalid_argument(std::string(name) + " of element " + std::to_string(i)
                                         + " of " + list + " is negative");
+  for(std::size_t i = 0; i < model.meshes.size(); ++i)
+    if(const auto path
+       = nlohmann::json::json_pointer("/meshes/" + std::to_string(i) + "/primitives");
+       !parsed.contains(path) || parsed[path].size() != model.meshes[i].primitives.size())
+      throw std::invalid_argument("a primitive of mesh " + std::to_string(i) + " is not valid");
 }
 
 std::optional<std::string> self_contained_glb(const std::string& bytes, const std::string& path)

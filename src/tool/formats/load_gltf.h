@@ -22,9 +22,9 @@ namespace Canonical_pose_tool {
 // Throws std::invalid_argument.
 tinygltf::Model load_gltf(const std::string& bytes, const std::string& path);
 
-// Throws std::invalid_argument if a position or length in a file that was loaded is negative: tinygltf
-// takes it for 0.
-void check_positions(const std::string& bytes);
+// Throws std::invalid_argument if tinygltf made something else of a file that was loaded: a position or length that is
+// negative is 0 then, and primitives that are not valid are left out.
+void check_model(const std::string& bytes, const tinygltf::Model& model);
 
 // A binary file with this JSON, this buffer, and chunks after it.
 std::string glb_of(const std::string& json, std::string_view buffer, std::string_view rest = {});

@@ -213,6 +213,7 @@ public:
     const bool has_material = primitive.material >= 0 && material < m_model.materials.size();
     m_has_materials = m_has_materials || has_material;
     read_colors(primitive, corners);
+    read_normals(instance, primitive, count, corners);
     read_coordinates(primitive, corners,
                      has_material
                        ? m_model.materials[material].pbrMetallicRoughness.baseColorTexture
@@ -226,8 +227,13 @@ public:
   {
     if(!m_has_coordinates)
       m_appearance.texture_coordinates.clear();
+    if(!m_has_normals)
+      m_appearance.normals.clear();
     if(!m_has_materials)
-      m_appearance = {m_appearance.vertex_colors, m_appearance.texture_coordinates, {}, {}};
+    {
+      m_appearance.materials.clear();
+      m_appearance.material_of_face.clear();
+    }
   }
 
 private:
@@ -292,6 +298,23 @@ private:
           = srgb((*colors)(corners[i], k));
   }
 
+  void read_normals(const Mesh_instance& instance, const Primitive& primitive,
+                    const std::size_t count, const std::vector<std::size_t>& corners)
+  {
+    const auto normals = numbers(primitive, "NORMAL", 3, corners);
+    m_has_normals = m_has_normals || normals;
+    const Skinned_vertices transformations(m_model, instance, primitive, count);
+    for(const std::size_t v : corners)
+    {
+      Eigen::Vector3f normal = Eigen::Vector3f::Zero();
+      if(normals)
+        normal = (transformations(v).linear().inverse().transpose()
+                  * Eigen::Vector3d((*normals)(v, 0), (*normals)(v, 1), (*normals)(v, 2)))
+                   .cast<float>();
+      m_appearance.normals.push_back({normal[0], normal[1], normal[2]});
+    }
+  }
+
   void read_coordinates(const Primitive& primitive, const std::vector<std::size_t>& corners,
                         const tinygltf::TextureInfo& texture)
   {
@@ -324,7 +347,7 @@ private:
   const Mesh_file& m_mesh;
   Appearance& m_appearance;
   std::size_t m_face = 0;
-  bool m_has_coordinates = false, m_has_materials = false;
+  bool m_has_coordinates = false, m_has_normals = false, m_has_materials = false;
 };
 
 } // namespace
@@ -334,7 +357,7 @@ bool is_gltf_available() { return true; }
 void read_gltf(const std::string& bytes, const std::string& path, Mesh_file& mesh)
 {
   const Model model = load_gltf(bytes, path);
-  check_positions(bytes);
+  check_model(bytes, model);
   check_extensions(model);
   const std::vector<Mesh_instance> shown = mesh_instances(model);
   for(const Mesh_instance& instance : shown)

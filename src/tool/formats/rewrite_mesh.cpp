@@ -147,24 +147,13 @@ public:
     if(m_normals.empty())
       return;
     m_turned.resize(m_normals.size());
-    const std::vector<std::size_t> places = places_of(mesh.points);
-    const auto key_of = [&](const Use& use) {
-      return std::make_pair(use.normal, places[mesh.faces[use.face][use.corner]]);
-    };
-    std::map<std::pair<std::size_t, std::size_t>, Eigen::Vector3d> sums;
-    Eigen::Matrix3d rotation;
-    for(std::size_t i = 0; i < m_uses.size(); ++i)
-    {
-      const Use& use = m_uses[i];
-      if(i == 0 || use.face != m_uses[i - 1].face)
-        rotation = rotation_of_face(mesh.faces[use.face], mesh.points, points);
-      sums.try_emplace(key_of(use), Eigen::Vector3d::Zero()).first->second
-        += rotation * m_normals[use.normal];
-    }
+    Corner_rotations rotations(mesh, mesh.points, points);
+    for(const Use& use : m_uses)
+      rotations.add(use.face, use.corner, m_normals[use.normal]);
     std::vector<std::map<Rounded_direction, std::size_t>> known(m_normals.size());
     for(Use& use : m_uses)
     {
-      const Eigen::Vector3d normal = turned_normal(sums.at(key_of(use)), m_normals[use.normal]);
+      const Eigen::Vector3d normal = rotations(use.face, use.corner, m_normals[use.normal]);
       std::vector<Eigen::Vector3d>& turned = m_turned[use.normal];
       const auto [variant, is_new] = known[use.normal].try_emplace(rounded(normal), turned.size());
       if(is_new)
@@ -414,14 +403,6 @@ public:
     return (element.is_vertex() || element.is_face()) && normal_coordinate_of(property) < 3;
   }
 
-  static std::size_t normal_coordinate_of(const Ply_property& property)
-  {
-    const std::string& name = property.name;
-    return !property.is_list && name.size() == 2 && name[0] == 'n'
-             ? (std::min)(std::string_view("xyz").find(name[1]), std::size_t(3))
-             : 3;
-  }
-
 private:
   // Where the value of a property comes from, if it is new.
   const Vertex_values* values_of(const Ply_property& property) const
@@ -636,6 +617,8 @@ std::string name_of_attribute(const Ply_element& element, const Ply_property& pr
     return "colors";
   if(element.is_vertex() ? texture_coordinate_of(property) < 2 : is_list_of_coordinates(property))
     return "texture coordinates";
+  if(Ply_rewriter::has_normals(element, property) && element.is_vertex())
+    return "normals";
   return "the property " + property.name;
 }
 
@@ -723,11 +706,16 @@ std::vector<std::string> losses(const Mesh_file& mesh, const Format format)
     const Appearance& appearance = mesh.appearance;
     const bool has_textures
       = format == Format::GLB || format == Format::PLY || format == Format::OBJ;
-    return name == "colors"
-             ? (has_textures || format == Format::OFF) && !appearance.vertex_colors.empty()
-           : name == "texture coordinates"
-             ? has_textures && !appearance.texture_coordinates.empty()
-             : name == "materials" && format == Format::GLB && appearance.has_materials();
+    const bool has_colors = has_textures || format == Format::OFF;
+    if(name == "normals")
+      return format == Format::GLB || format == Format::OBJ
+               ? !appearance.normals.empty()
+               : has_colors && !normals_of_vertices(mesh).empty();
+    if(name == "colors")
+      return has_colors && !appearance.vertex_colors.empty();
+    if(name == "texture coordinates")
+      return has_textures && !appearance.texture_coordinates.empty();
+    return name == "materials" && format == Format::GLB && appearance.has_materials();
   };
   names.erase(std::remove_if(names.begin(), names.end(), is_kept), names.end());
   return names;

@@ -36,12 +36,13 @@ struct Copy
 {
   std::size_t vertex;
   long long part = -1; // -1 if there are no parts, or if it belongs to no face
-  std::array<float, 2> texture_coordinates = {}; // the same
+  std::array<float, 2> texture_coordinates = {};
+  std::array<float, 3> normal = {};
 
   bool operator<(const Copy& other) const
   {
-    return std::tie(vertex, part, texture_coordinates)
-           < std::tie(other.vertex, other.part, other.texture_coordinates);
+    return std::tie(vertex, part, texture_coordinates, normal)
+           < std::tie(other.vertex, other.part, other.texture_coordinates, other.normal);
   }
   bool operator==(const Copy& other) const { return !(*this < other) && !(other < *this); }
 };
@@ -69,7 +70,7 @@ Point_matrix matrix_of(const Mesh_file& mesh)
   return points;
 }
 
-// The triangles of a surface; its vertices are split where parts meet, and at seams of the texture; sorted by vertex.
+// The triangles of a surface; its vertices are split where parts meet, at hard edges, and at seams of the texture; sorted by vertex.
 // Each has at least one copy.
 struct Split_surface
 {
@@ -124,7 +125,9 @@ private:
   {
     std::vector<Copy> corners;
     const auto& coordinates = surface.mesh.appearance.texture_coordinates;
-    if(surface.part_of_face.empty() && coordinates.empty())
+    const auto& normals = surface.mesh.appearance.normals;
+    const bool has_normals = surface.other_shapes.empty() && !normals.empty();
+    if(surface.part_of_face.empty() && coordinates.empty() && !has_normals)
       return corners;
     for(std::size_t f = 0; f < surface.mesh.faces.size(); ++f)
       for(const std::size_t v : surface.mesh.faces[f])
@@ -134,6 +137,8 @@ private:
           copy.part = static_cast<long long>(surface.part_of_face[f]);
         if(!coordinates.empty())
           copy.texture_coordinates = coordinates[corners.size()];
+        if(has_normals)
+          copy.normal = normals[corners.size()];
         corners.push_back(copy);
       }
     return corners;
@@ -279,6 +284,8 @@ private:
   {
     const Point_matrix of_vertices = CGAL::Canonical_pose_3::vertex_normals(points, m_split.faces);
     return rows<float>(3, [&](const Copy& c, const int k) {
+      if(c.normal != std::array<float, 3>())
+        return c.normal[static_cast<std::size_t>(k)];
       const auto normal = of_vertices.row(static_cast<Eigen::Index>(c.vertex));
       return normal.isZero() ? (k == 2 ? 1.f : 0.f) : static_cast<float>(normal[k]);
     });

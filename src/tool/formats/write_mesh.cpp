@@ -40,47 +40,71 @@ void write_medit(std::ostream& out, const Mesh_file& mesh)
   out << "End\n";
 }
 
-// With the colors of the vertices, if there are.
+template <class Numbers>
+void write_numbers(std::ostream& out, const Numbers& numbers)
+{
+  for(const auto x : numbers)
+    out << ' ' << x;
+}
+
+// With normals and colors of the vertices, if there are.
 void write_off(std::ostream& out, const Mesh_file& mesh)
 {
   const std::vector<Color>& colors = mesh.appearance.vertex_colors;
-  out << (colors.empty() ? "OFF\n" : "COFF\n") << mesh.points.size() << ' ' << mesh.faces.size()
-      << " 0\n";
+  const std::vector<std::array<float, 3>> normals = normals_of_vertices(mesh);
+  out << (colors.empty() ? "" : "C") << (normals.empty() ? "" : "N") << "OFF\n"
+      << mesh.points.size() << ' ' << mesh.faces.size() << " 0\n";
   for(std::size_t v = 0; v < mesh.points.size(); ++v)
   {
     const std::array<double, 3>& p = mesh.points[v];
     out << p[0] << ' ' << p[1] << ' ' << p[2];
+    if(!normals.empty())
+      write_numbers(out, normals[v]);
     if(!colors.empty())
-      for(const int c : {int(colors[v][0]), int(colors[v][1]), int(colors[v][2]), 255})
-        out << ' ' << c;
+      write_numbers(out, std::array<int, 4>{colors[v][0], colors[v][1], colors[v][2], 255});
     out << '\n';
   }
   for(const Face_list::Face face : mesh.faces)
   {
     out << face.size();
-    for(const std::size_t v : face)
-      out << ' ' << v;
+    write_numbers(out, face);
     out << '\n';
   }
 }
 
-// With the colors of the vertices, and the texture coordinates of the corners, if there are.
+// Writes values once each. Returns their numbers, from 1, in the order in which they were written.
+template <class Value, class Write>
+std::map<Value, std::size_t> write_values(const std::vector<Value>& values, const Write& write)
+{
+  std::map<Value, std::size_t> numbers;
+  for(const Value& value : values)
+    if(numbers.emplace(value, numbers.size() + 1).second)
+      write(value);
+  return numbers;
+}
+
+// With colors of the vertices, and texture coordinates and normals of the corners, if there are.
 void write_obj(std::ostream& out, const Mesh_file& mesh)
 {
   const Appearance& appearance = mesh.appearance;
   for(std::size_t v = 0; v < mesh.points.size(); ++v)
   {
-    const std::array<double, 3>& p = mesh.points[v];
-    out << "v " << p[0] << ' ' << p[1] << ' ' << p[2];
+    out << 'v';
+    write_numbers(out, mesh.points[v]);
     if(!appearance.vertex_colors.empty())
       for(const unsigned char c : appearance.vertex_colors[v])
         out << ' ' << std::round(1e4 * c / 255.) / 1e4;
     out << '\n';
   }
-  std::map<std::array<float, 2>, std::size_t> numbers; // from 1
-  for(const std::array<float, 2>& coordinates : appearance.texture_coordinates)
-    if(numbers.emplace(coordinates, numbers.size() + 1).second)
-      out << "vt " << coordinates[0] << ' ' << 1 - coordinates[1] << '\n';
+  const auto coordinates
+    = write_values(appearance.texture_coordinates, [&](const std::array<float, 2>& value) {
+        out << "vt " << value[0] << ' ' << 1 - value[1] << '\n';
+      });
+  const auto normals = write_values(appearance.normals, [&](const std::array<float, 3>& value) {
+    out << "vn";
+    write_numbers(out, value);
+    out << '\n';
+  });
   std::size_t corner = 0;
   for(const Face_list::Face face : mesh.faces)
   {
@@ -88,8 +112,13 @@ void write_obj(std::ostream& out, const Mesh_file& mesh)
     for(const std::size_t v : face)
     {
       out << ' ' << v + 1;
-      if(!numbers.empty())
-        out << '/' << numbers.at(appearance.texture_coordinates[corner++]);
+      if(!coordinates.empty() || !normals.empty())
+        out << '/';
+      if(!coordinates.empty())
+        out << coordinates.at(appearance.texture_coordinates[corner]);
+      if(!normals.empty())
+        out << '/' << normals.at(appearance.normals[corner]);
+      ++corner;
     }
     out << '\n';
   }
@@ -129,7 +158,9 @@ void write_mesh(std::ostream& out, const Format format, const Mesh_file& mesh)
   {
     Shown_surface surface;
     surface.mesh = mesh;
-    if(!mesh.appearance.texture_coordinates.empty()) // copies at seams are found again
+    const Appearance& appearance = mesh.appearance;
+    if(!appearance.texture_coordinates.empty()
+       || !appearance.normals.empty()) // copies are found again
       for(std::size_t v = 0; v < mesh.points.size(); ++v)
         surface.origins.push_back(v);
     return format == Format::GLB ? write_glb(out, surface) : write_ply(out, surface);

@@ -35,6 +35,8 @@ void write_header(std::ostream& out, const Shown_surface& surface)
 {
   out << "ply\nformat ascii 1.0\nelement vertex " << surface.mesh.points.size()
       << "\nproperty double x\nproperty double y\nproperty double z\n";
+  if(!normals_of_vertices(surface.mesh).empty())
+    out << "property float nx\nproperty float ny\nproperty float nz\n";
   if(!colors_of(surface).empty())
     announce_color(out);
   for(const Vertex_values& values : surface.values)
@@ -60,11 +62,15 @@ void write_ply(std::ostream& out, const Shown_surface& surface)
   use_shortest_numbers(out);
   write_header(out, surface);
   const std::vector<Color>& colors = colors_of(surface);
+  const std::vector<std::array<float, 3>> normals = normals_of_vertices(mesh);
   const auto& coordinates = mesh.appearance.texture_coordinates;
   for(std::size_t v = 0; v < mesh.points.size(); ++v)
   {
     const std::array<double, 3>& p = mesh.points[v];
     out << p[0] << ' ' << p[1] << ' ' << p[2];
+    if(!normals.empty())
+      for(const float x : normals[v])
+        out << ' ' << x;
     if(!colors.empty())
       write_color(out, colors[v]);
     for(const Vertex_values& values : surface.values)
