@@ -35,8 +35,8 @@ Mesh_file pyramid()
 {
   const std::string image = written_file("image.png", IMAGE);
   const std::string materials
-    = written_file("a.mtl", "newmtl with blanks\nKd .2 .3 .4\nmap_Kd -s 1 1 1 C:\\elsewhere\\" + name_of(image)
-                              + "\nnewmtl red\nKd 1 0 0\nd .5\nnewmtl lost\nmap_Kd nothing.png\n");
+    = written_file("a.mtl", "newmtl with blanks\nKd .2 .3 .4\nmap_Kd -s 1 1 1 C:\\elsewhere\\"
+                              + name_of(image) + "\nnewmtl red\nKd 1 0 0\nd .5\nnewmtl unused\n");
   return read_shown_mesh_file(written_file(
     "a.obj",
     "mtllib " + name_of(materials)
@@ -206,6 +206,67 @@ TEST(Appearance, defects_are_left_out)
              "1 0 0 1 1\n0 1 0 0 0\n3 0 1 2 2 .25 .75\n3 0 1 2 0\n");
   EXPECT_EQ(ply.texture_coordinates, (std::vector<std::array<float, 2>>{{.25f, .25f}, {0, 1}, {0, 1}, {0, 1}, {0, 1}, {0, 1}}));
   EXPECT_FALSE(ply.has_materials());
+}
+
+// What other programs write.
+TEST(Appearance, materials)
+{
+  const std::string image = name_of(written_file("an image.png", IMAGE));
+  const auto appearance = [&](const std::string& materials, const std::string& more = {}) {
+    const std::string name = name_of(written_file("a.mtl", materials));
+    return read_shown_mesh_file(written_file("a.obj", "mtllib nothing.mtl " + name
+                                                        + "\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt .5 .25\n"
+                                                        + more
+                                                        + "usemtl m # comment\nf 1/1 2/1 3/1\n"))
+      .appearance;
+  };
+  using Color_of_material = std::array<double, 4>;
+  const auto color = [&](const std::string& lines) {
+    const Appearance read = appearance("\xEF\xBB\xBFnewmtl m\n" + lines);
+    return read.materials.at(read.material_of_face.at(0)).color;
+  };
+  EXPECT_EQ(color("Kd .5\n"), (Color_of_material{.5, .5, .5, 1}));
+  EXPECT_EQ(color("Kd nan 2 -1\n"), (Color_of_material{1, 1, 1, 1}));
+  EXPECT_EQ(color("Kd xyz .1 .2 .3\n"), (Color_of_material{1, 1, 1, 1}));
+  EXPECT_EQ(color("KD .1 .2 .3\nTr 1\nd 0\n"), (Color_of_material{.1, .2, .3, 1}));
+  EXPECT_EQ(color("d .5\nTr 1\n")[3], .5);
+  for(const std::string& options :
+      {"", "-clamp on ", "-s 2 4 1 -o .25 .5 ", "-blendu off -mm 0 1 -s 2 4 -o .25 .5 0 "})
+  {
+    const Appearance read
+      = appearance("newmtl m\nmap_Kd " + options + "elsewhere\\" + image + " # comment\n");
+    EXPECT_EQ(read.materials.at(0).image, IMAGE) << options;
+    const bool is_moved = options.find("-s") != std::string::npos;
+    EXPECT_EQ(read.texture_coordinates[0],
+              (is_moved ? std::array<float, 2>{1.25f, -.5f} : std::array<float, 2>{.5f, .75f}))
+      << options;
+  }
+  EXPECT_EQ(appearance("newmtl m\nmap_Kd -s 1 1 1 no such.png\n").missing,
+            std::set<std::string>{"the texture 'no such.png'"});
+}
+
+TEST(Appearance, ranges_of_colors)
+{
+  const auto first_color = [](const std::string& name, const std::string& bytes) {
+    return read_shown_mesh_file(written_file(name, bytes)).appearance.vertex_colors.at(0);
+  };
+  EXPECT_EQ(first_color("a.obj", "v 0 0 0 51 0 255\nv 1 0 0 0 0 0\nv 0 1 0 0 0 0\nf 1 2 3\n"),
+            (Color{51, 0, 255}));
+  EXPECT_EQ(first_color("b.obj", "v 0 0 0 .2 0 1\nv 1 0 0 0 0 0\nv 0 1 0 0 0 0\nf 1 2 3\n"),
+            (Color{51, 0, 255}));
+  for(const auto& [type, numbers] :
+      {std::make_pair("uchar", "51 0 255"), std::make_pair("ushort", "13107 0 65535"),
+       std::make_pair("float", ".2 0 1")})
+    EXPECT_EQ(
+      first_color(
+        "a.ply",
+        std::string("ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+                    "property float z\nproperty ")
+          + type + " red\nproperty " + type + " green\nproperty " + type
+          + " blue\nelement face 1\nproperty list uchar int vertex_indices\n" + "end_header\n0 0 0 "
+          + numbers + "\n1 0 0 0 0 0\n0 1 0 0 0 0\n3 0 1 2\n"),
+      (Color{51, 0, 255}))
+      << type;
 }
 
 } // namespace test_appearance

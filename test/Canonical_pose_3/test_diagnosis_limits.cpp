@@ -37,8 +37,9 @@ TEST(Diagnosis, wrong_values)
   EXPECT_EQ(d.defects[1].examples, (Examples{{7}, {9}}));
   EXPECT_EQ(d.defects[1].message, "face 7 names vertex 12, but there are 12");
   EXPECT_FALSE(d.is_clean());
-  const CP::Diagnosis_3 of_cells = CP::diagnose(
-    CP::Point_matrix::Identity(3, 3), std::vector<std::array<std::size_t, 4>>{{0, 1, 2, 3}});
+  const CP::Point_matrix corners = CP::Point_matrix::Identity(3, 3);
+  const CP::Diagnosis_3 of_cells
+    = CP::diagnose(corners, std::vector<std::array<std::size_t, 4>>{{0, 1, 2, 3}});
   EXPECT_EQ(of_cells.first_defect, "cell 0 names vertex 3, but there are 3");
 }
 

@@ -15,6 +15,7 @@
 #include <Eigen/Core>
 
 #include <cstdlib>
+#include <filesystem>
 #include <iostream>
 #include <stdexcept>
 #include <string>
@@ -80,6 +81,15 @@ void warn_of_losses(const Mesh_file& input, const std::string& output,
     summary.warnings.push_back(
       "the pose in " + (is_standard_stream(output) ? "the standard output" : '\'' + output + '\'')
       + " lacks " + lost + " of the input");
+  if(is_standard_stream(output) || is_standard_stream(input.source->path)
+     || !is_rewritable(input, format_of(output)))
+    return;
+  const auto folder
+    = [](const std::string& path) { return std::filesystem::absolute(path).parent_path(); };
+  if(folder(output).lexically_normal() != folder(input.source->path).lexically_normal())
+    for(const std::string& name : files_beside(input))
+      summary.warnings.push_back("the pose names '" + name
+                                 + "', which is beside the input, but not copied");
 }
 
 void add_pose_options(Command_options& o)

@@ -113,7 +113,7 @@ void write_parts(const Mesh_file& input, const std::vector<std::size_t>& parts,
   std::vector<std::string> outputs = {arguments.output}, removed; // those of a run before
   if(has_folder)
   {
-    const std::string extension = extension_of_format(format_of(arguments.input));
+    const std::string extension = extension_of_format(written_format(format_of(arguments.input)));
     const auto part_path = [&](const std::size_t part) {
       return arguments.output + "part_" + std::to_string(part) + extension;
     };
@@ -131,7 +131,7 @@ void write_parts(const Mesh_file& input, const std::vector<std::size_t>& parts,
   for(std::size_t i = 0; i < outputs.size(); ++i)
     files.write(outputs[i], [&](std::ostream& out) {
       if(has_folder)
-        write_mesh(out, format_of(arguments.input), part_of(input, parts, i));
+        write_mesh(out, written_format(format_of(arguments.input)), part_of(input, parts, i));
       else if(is_shown(outputs[i]))
         write_shown(out, format_of(outputs[i]), shown_parts(input, parts));
       else
@@ -167,7 +167,7 @@ int run_segment(Arguments& arguments)
 {
   Stage_clock clock;
   if(is_folder(arguments.output))
-    check_format_holds(format_of(arguments.input), Mesh_file());
+    check_format_holds(written_format(format_of(arguments.input)), Mesh_file());
   else if(!is_text(arguments.output) && !is_shown(arguments.output))
     throw Usage_error("'" + arguments.output
                       + "' is neither a .txt nor a .ply nor a .glb file, nor a folder ending in /");
@@ -181,6 +181,13 @@ int run_segment(Arguments& arguments)
   report.stages.emplace_back("read", clock.lap());
   arguments.say("dividing the surface into parts");
   const std::vector<std::size_t> parts = parts_of(input, arguments, report, clock);
+  if(!is_text(arguments.output))
+    for(const std::string& name :
+        losses(input,
+               written_format(
+                 format_of(is_folder(arguments.output) ? arguments.input : arguments.output)),
+               false))
+      report.warnings.push_back("the parts lack " + name + " of the input");
   write_parts(input, parts, report.parts.size(), arguments, report, clock);
   folder.keep();
   arguments.say("");

@@ -8,6 +8,8 @@
 
 #include <array>
 #include <cstddef>
+#include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -18,6 +20,8 @@ struct Material
   std::array<double, 4> color = {1, 1, 1, 1}; // linear, with opacity; a factor if there is an image
   std::string alpha_mode = "OPAQUE";          // of glTF
   std::string image;                          // the content of its file
+  std::array<double, 2> scale = {1, 1},
+                        offset = {0, 0}; // of texture coordinates while they are read
 };
 
 // What a surface has beside its shape, as far as several formats have it. What is empty, it does not have.
@@ -28,9 +32,26 @@ struct Appearance
   std::vector<std::array<float, 3>> normals;             // of the corners of all faces; 0: none
   std::vector<Material> materials;
   std::vector<std::size_t> material_of_face;
+  std::set<std::string> missing; // what the file names, but what was not found, for messages
 
   bool has_materials() const { return !material_of_face.empty(); }
 };
+
+class Text_cursor;
+
+// What follows on this line, without a comment, blanks around it, and quotation marks.
+std::string rest_of_line(Text_cursor& text);
+
+// The content of a file that the one at `path` names, there or in the same folder; empty if there is none.
+std::string content_beside(const std::string& path, std::string name);
+
+// The same of an image; if there is none, that is noted.
+std::string image_beside(const std::string& path, const std::string& name, Appearance& appearance);
+
+// Reads the materials of an MTL file beside the one at `path`. `indices`: of the materials by name. Returns whether there
+// is such a file.
+bool load_mtl(const std::string& path, const std::string& name, Appearance& appearance,
+              std::map<std::string, std::size_t>& indices);
 
 // The type of an image by its content; empty if it is of no type that glTF holds.
 std::string type_of_image(const std::string& bytes);

@@ -126,8 +126,15 @@ bool is_rewritable(const Mesh_file& mesh, Format format);
 // What the file of a mesh holds beside positions and faces, for instance "texture coordinates".
 std::vector<std::string> attributes_of_file(const Mesh_file& mesh);
 
-// What of the file of a mesh its pose in this format lacks.
-std::vector<std::string> losses(const Mesh_file& mesh, Format format);
+// The files beside it that the file of a mesh names.
+std::vector<std::string> files_beside(const Mesh_file& mesh);
+
+// What of the file of a mesh its pose in this format lacks, whether it is written by rewrite_mesh() or not.
+std::vector<std::string> losses(const Mesh_file& mesh, Format format, bool is_rewritten);
+inline std::vector<std::string> losses(const Mesh_file& mesh, const Format format)
+{
+  return losses(mesh, format, is_rewritable(mesh, format));
+}
 
 // Throws std::invalid_argument if the format is only read, or cannot represent the mesh.
 void check_format_holds(Format format, const Mesh_file& mesh);

@@ -14,9 +14,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <optional>
 #include <stdexcept>
@@ -29,46 +26,10 @@ namespace Canonical_pose_tool {
 
 namespace {
 
-namespace fs = std::filesystem;
-
 unsigned char byte_of(const double value, const double largest)
 {
   const double share = std::isfinite(value) ? value / largest : 0;
   return static_cast<unsigned char>(std::lround(255 * (std::min)((std::max)(share, 0.), 1.)));
-}
-
-// A file whose name another one states; only the name counts if it leads elsewhere. Empty if there is none.
-std::string content_beside(const std::string& path, std::string name)
-{
-  std::replace(name.begin(), name.end(), '\\', '/');
-  fs::path relative(name);
-  if(relative.is_absolute() || name.find(':') != std::string::npos
-     || std::find(relative.begin(), relative.end(), "..") != relative.end())
-    relative = relative.filename();
-  std::error_code error;
-  const fs::path found = fs::path(path).parent_path() / relative;
-  if(path.empty() || relative.empty() || !fs::is_regular_file(found, error))
-    return {};
-  std::ifstream in(found, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-}
-
-std::string image_beside(const std::string& path, const std::string& name)
-{
-  std::string image = content_beside(path, name);
-  return type_of_image(image).empty() ? std::string() : image;
-}
-
-// What follows on this line, without blanks around it.
-std::string rest_of_line(Text_cursor& text)
-{
-  const std::string_view first = text.word_on_line();
-  if(first.empty())
-    return {};
-  text.skip_line();
-  std::string result(first.data(), text.position());
-  result.erase(result.find_last_not_of(" \t\r") + 1);
-  return result;
 }
 
 // What vertices have, for the corners of faces.
@@ -121,43 +82,6 @@ void load_off(const std::string& bytes, const Mesh_file& mesh, Appearance& appea
     appearance.normals = at_corners(normals, mesh.faces);
 }
 
-using Material_indices = std::map<std::string, std::size_t>;
-
-void load_mtl(const std::string& path, const std::string& name, Appearance& appearance,
-              Material_indices& indices)
-{
-  const std::string bytes = content_beside(path, name);
-  Text_cursor text(bytes);
-  Material unnamed;
-  Material* material = &unnamed;
-  const auto number = [&] { return text.number_or(text.word_on_line(), 1); };
-  for(std::string_view word = text.word(); !word.empty(); text.skip_line(), word = text.word())
-    if(word == "newmtl")
-    {
-      indices.emplace(rest_of_line(text), appearance.materials.size());
-      material = &appearance.materials.emplace_back();
-    }
-    else if(word == "Kd" && material->image.empty())
-      for(std::size_t k = 0; k < 3; ++k)
-        material->color[k] = (std::min)((std::max)(number(), 0.), 1.);
-    else if(word == "d" || word == "Tr")
-    {
-      const double opacity = (std::min)((std::max)(number(), 0.), 1.);
-      material->color[3] = word == "d" ? opacity : 1 - opacity;
-      if(material->color[3] < 1)
-        material->alpha_mode = "BLEND";
-    }
-    else if(word == "map_Kd")
-    {
-      std::string file = rest_of_line(text);
-      if(!file.empty() && file[0] == '-') // options and their values
-        file.erase(0, file.find_last_of(" \t") + 1);
-      material->image = image_beside(path, file);
-      if(!material->image.empty())
-        std::fill(material->color.begin(), material->color.begin() + 3, 1.);
-    }
-}
-
 // The values of these indices, 0 for others; none if there is no index at all.
 template <class Value>
 void take_values(const std::vector<Value>& values, const std::vector<long long>& indices,
@@ -171,13 +95,45 @@ void take_values(const std::vector<Value>& values, const std::vector<long long>&
     result.push_back(exists(i) ? values[static_cast<std::size_t>(i)] : Value());
 }
 
-void load_obj(const std::string& bytes, const std::string& path, Appearance& appearance)
+// They are numbers up to 1, or up to 255.
+void take_colors(const std::vector<std::array<double, 3>>& colors, Appearance& appearance)
+{
+  const bool has_bytes = std::any_of(colors.begin(), colors.end(), [](const auto& color) {
+    return *std::max_element(color.begin(), color.end()) > 1;
+  });
+  const double largest = has_bytes ? 255 : 1;
+  for(const std::array<double, 3>& color : colors)
+    appearance.vertex_colors.push_back(
+      {byte_of(color[0], largest), byte_of(color[1], largest), byte_of(color[2], largest)});
+}
+
+// Moves texture coordinates as materials have it.
+void transform_coordinates(const Face_list& faces, Appearance& appearance)
+{
+  std::size_t corner = 0;
+  for(std::size_t f = 0; f < faces.size() && !appearance.texture_coordinates.empty(); ++f)
+  {
+    const Material& material = appearance.materials[appearance.material_of_face[f]];
+    for(std::size_t i = 0; i < faces[f].size(); ++i)
+    {
+      auto& [u, v]
+        = appearance.texture_coordinates[corner++]; // v is downward here, and upward in OBJ
+      u = static_cast<float>(material.offset[0] + material.scale[0] * static_cast<double>(u));
+      v = static_cast<float>(1 - material.offset[1]
+                             - material.scale[1] * (1 - static_cast<double>(v)));
+    }
+  }
+}
+
+void load_obj(const std::string& bytes, const std::string& path, const Face_list& faces,
+              Appearance& appearance)
 {
   std::vector<std::array<float, 2>> coordinates;
   std::vector<std::array<float, 3>> normals;
   std::vector<long long> indices_of_corners, normals_of_corners; // from 0; -1: none
-  Material_indices materials;
+  std::map<std::string, std::size_t> materials;
   std::optional<std::size_t> material;
+  std::vector<std::array<double, 3>> colors;
   bool has_colors = true;
   Text_cursor text(bytes, Text_cursor::Lines::CONTINUED);
   for(std::string_view word = text.word(); !word.empty(); text.skip_line(), word = text.word())
@@ -192,8 +148,7 @@ void load_obj(const std::string& bytes, const std::string& path, Appearance& app
         has_colors = has_colors && !word.empty();
         x = text.number_or(word, 0);
       }
-      appearance.vertex_colors.push_back(
-        {byte_of(color[0], 1), byte_of(color[1], 1), byte_of(color[2], 1)});
+      colors.push_back(color);
     }
     else if(word == "vt")
     {
@@ -205,7 +160,12 @@ void load_obj(const std::string& bytes, const std::string& path, Appearance& app
       for(float& x : normals.emplace_back())
         x = static_cast<float>(text.number_or(text.word_on_line(), 0));
     else if(word == "mtllib")
-      load_mtl(path, rest_of_line(text), appearance, materials);
+    {
+      const std::string name = rest_of_line(text);
+      if(!load_mtl(path, name, appearance, materials)) // or several names, with blanks between them
+        for(Text_cursor names(name); !(word = names.word()).empty();)
+          load_mtl(path, std::string(word), appearance, materials);
+    }
     else if(word == "usemtl")
     {
       const auto found = materials.find(rest_of_line(text));
@@ -228,8 +188,8 @@ void load_obj(const std::string& bytes, const std::string& path, Appearance& app
       }
       appearance.material_of_face.push_back(material.value_or(std::size_t(-1)));
     }
-  if(!has_colors)
-    appearance.vertex_colors.clear();
+  if(has_colors)
+    take_colors(colors, appearance);
   take_values(coordinates, indices_of_corners, appearance.texture_coordinates);
   take_values(normals, normals_of_corners, appearance.normals);
   // Faces without a material have another one.
@@ -243,18 +203,28 @@ void load_obj(const std::string& bytes, const std::string& path, Appearance& app
                  std::size_t(-1), appearance.materials.size());
     appearance.materials.emplace_back();
   }
+  if(appearance.has_materials())
+    transform_coordinates(faces, appearance);
 }
 
-// The first image that comments name.
-std::string texture_of_ply(const std::string& bytes, const std::string& path)
+// The image that comments name; with several, it is not known which faces have which.
+std::string texture_of_ply(const std::string& bytes, const std::string& path,
+                           Appearance& appearance)
 {
+  std::vector<std::string> names;
   Text_cursor text(bytes);
   for(std::string_view word = text.word(); !word.empty() && word != "end_header";
       text.skip_line(), word = text.word())
     if(word == "comment" && text.word_on_line() == "TextureFile")
-      if(std::string image = image_beside(path, rest_of_line(text)); !image.empty())
-        return image;
-  return {};
+      names.push_back(rest_of_line(text));
+  if(names.size() > 1)
+    appearance.missing.insert("the textures");
+  return names.size() == 1 ? image_beside(path, names[0], appearance) : std::string();
+}
+
+double largest_color(const Ply_number_type type)
+{
+  return !type.is_integer ? 1 : type.size == 2 ? 65535 : 255;
 }
 
 void load_ply(const std::string& bytes, const std::string& path, const Face_list& faces,
@@ -307,7 +277,7 @@ void load_ply(const std::string& bytes, const std::string& path, const Face_list
           const double value = next(property.value);
           coordinates[texture_coordinate_of(property)] = value;
           normal[normal_coordinate_of(property)] = value;
-          color[channel_of(property)] = byte_of(value, property.value.is_integer ? 255 : 1);
+          color[channel_of(property)] = byte_of(value, largest_color(property.value));
         }
       if(element.is_vertex() && has_colors)
         appearance.vertex_colors.push_back({color[0], color[1], color[2]});
@@ -330,7 +300,7 @@ void load_ply(const std::string& bytes, const std::string& path, const Face_list
     appearance.texture_coordinates = at_corners(of_vertices, faces);
   if(has_normals)
     appearance.normals = at_corners(normals, faces);
-  if(std::string image = texture_of_ply(bytes, path);
+  if(std::string image = texture_of_ply(bytes, path, appearance);
      !image.empty() && !appearance.texture_coordinates.empty())
   {
     appearance.materials.emplace_back().image = std::move(image);
@@ -339,18 +309,6 @@ void load_ply(const std::string& bytes, const std::string& path, const Face_list
 }
 
 } // namespace
-
-std::string type_of_image(const std::string& bytes)
-{
-  const auto has = [&](const std::size_t begin, const std::string_view magic) {
-    return bytes.compare((std::min)(begin, bytes.size()), magic.size(), magic) == 0;
-  };
-  return has(0, "\x89PNG")                      ? "image/png"
-         : has(0, "\xFF\xD8\xFF")               ? "image/jpeg"
-         : has(0, "RIFF") && has(8, "WEBP")     ? "image/webp"
-         : has(0, std::string_view("\xABKTX 20\xBB")) ? "image/ktx2"
-                                                : "";
-}
 
 std::vector<std::array<float, 3>> normals_of_vertices(const Mesh_file& mesh)
 {
@@ -406,7 +364,7 @@ try
     load_off(bytes, mesh, mesh.appearance);
     break;
   case Format::OBJ:
-    load_obj(bytes, path, mesh.appearance);
+    load_obj(bytes, path, mesh.faces, mesh.appearance);
     break;
   case Format::PLY:
     load_ply(bytes, path, mesh.faces, mesh.appearance);

@@ -387,12 +387,15 @@ try
       view["buffer"] = 0;
     }
   Files_beside files(path);
-  if(has_files("images"))
+  if(json.contains("images"))
     for(auto& image : json["images"])
     {
-      const std::string name = decoded_uri(uri_of(image));
+      const std::string uri = uri_of(image), name = decoded_uri(uri);
       std::vector<unsigned char> content;
-      if(!is_file(uri_of(image)) || !files.exists(name) || !files.read(name, content))
+      std::string type_of_uri;
+      if(is_file(uri)
+           ? !files.exists(name) || !files.read(name, content)
+           : uri.empty() || !tinygltf::DecodeDataURI(&content, type_of_uri, uri, 0, false))
         continue;
       const std::string type = type_of_image(std::string(content.begin(), content.end()));
       if(type.empty())

@@ -319,26 +319,36 @@ private:
                         const tinygltf::TextureInfo& texture)
   {
     std::array<double, 2> offset = {0, 0}, scale = {1, 1};
+    double rotation = 0;
+    int set = texture.texCoord;
     if(const auto found = texture.extensions.find("KHR_texture_transform");
        found != texture.extensions.end())
-      for(int k = 0; k < 2; ++k)
-      {
-        const auto value = [&](const char* const name, double& result) {
-          const tinygltf::Value& vector = found->second.Get(name);
-          if(vector.IsArray() && vector.ArrayLen() == 2 && vector.Get(k).IsNumber())
-            result = vector.Get(k).GetNumberAsDouble();
-        };
-        value("offset", offset[static_cast<std::size_t>(k)]);
-        value("scale", scale[static_cast<std::size_t>(k)]);
-      }
-    const auto coordinates
-      = numbers(primitive, "TEXCOORD_" + std::to_string(texture.texCoord), 2, corners);
+    {
+      const tinygltf::Value& transform = found->second;
+      const auto read_pair = [&](const char* const name, std::array<double, 2>& result) {
+        const tinygltf::Value& pair = transform.Get(name);
+        for(std::size_t k = 0; k < 2 && pair.IsArray() && pair.ArrayLen() == 2; ++k)
+          if(pair.Get(k).IsNumber())
+            result[k] = pair.Get(k).GetNumberAsDouble();
+      };
+      read_pair("offset", offset);
+      read_pair("scale", scale);
+      if(transform.Get("rotation").IsNumber())
+        rotation = transform.Get("rotation").GetNumberAsDouble();
+      if(transform.Get("texCoord").IsNumber())
+        set = transform.Get("texCoord").GetNumberAsInt();
+    }
+    const auto coordinates = numbers(primitive, "TEXCOORD_" + std::to_string(set), 2, corners);
     m_has_coordinates = m_has_coordinates || coordinates;
     for(const std::size_t v : corners)
     {
       std::array<float, 2> uv = {0, 0};
-      for(std::size_t k = 0; coordinates && k < 2; ++k)
-        uv[k] = static_cast<float>(offset[k] + scale[k] * (*coordinates)(v, k));
+      if(coordinates)
+      {
+        const double x = scale[0] * (*coordinates)(v, 0), y = scale[1] * (*coordinates)(v, 1);
+        uv = {static_cast<float>(offset[0] + std::cos(rotation) * x + std::sin(rotation) * y),
+              static_cast<float>(offset[1] - std::sin(rotation) * x + std::cos(rotation) * y)};
+      }
       m_appearance.texture_coordinates.push_back(uv);
     }
   }

@@ -619,6 +619,8 @@ std::string name_of_attribute(const Ply_element& element, const Ply_property& pr
     return "texture coordinates";
   if(Ply_rewriter::has_normals(element, property) && element.is_vertex())
     return "normals";
+  if(element.is_face() && channel_of(property) < 3)
+    return "colors of faces";
   return "the property " + property.name;
 }
 
@@ -638,6 +640,18 @@ std::vector<std::string> attributes_of_ply(const std::string& bytes)
   return result;
 }
 
+// Whether the first face has a color. `text` is after the keyword.
+bool has_face_colors(Text_cursor text)
+{
+  const auto vertices = static_cast<std::size_t>(text.number_or(text.word(), 0));
+  text.skip_line();
+  for(std::size_t v = 0; v < vertices && !text.word().empty(); ++v)
+    text.skip_line();
+  for(double corners = text.number_or(text.word(), 0); corners > 0; --corners)
+    text.word();
+  return !text.word_on_line().empty();
+}
+
 std::vector<std::string> attributes_of_off(const std::string& bytes)
 {
   Text_cursor text(bytes);
@@ -645,6 +659,8 @@ std::vector<std::string> attributes_of_off(const std::string& bytes)
   std::vector<std::string> result;
   for(const char c : keyword.substr(0, keyword.find("OFF")))
     result.push_back(c == 'N' ? "normals" : c == 'C' ? "colors" : "texture coordinates");
+  if(has_face_colors(text))
+    result.push_back("colors of faces");
   return result;
 }
 
@@ -674,6 +690,20 @@ std::vector<std::string> attributes_of_file(const Mesh_file& mesh)
   }
 }
 
+std::vector<std::string> files_beside(const Mesh_file& mesh)
+{
+  std::vector<std::string> result;
+  const bool is_obj = mesh.source && mesh.source->format == Format::OBJ;
+  if(!is_obj && !(mesh.source && mesh.source->format == Format::PLY))
+    return result;
+  Text_cursor text(mesh.source->bytes);
+  for(std::string_view word = text.word(); !word.empty() && word != "end_header";
+      text.skip_line(), word = text.word())
+    if(is_obj ? word == "mtllib" : word == "comment" && text.word_on_line() == "TextureFile")
+      result.push_back(rest_of_line(text));
+  return result;
+}
+
 bool is_rewritable(const Mesh_file& mesh, const Format format)
 {
   if(!mesh.source || mesh.source->format != format)
@@ -694,10 +724,9 @@ bool is_rewritable(const Mesh_file& mesh, const Format format)
   }
 }
 
-std::vector<std::string> losses(const Mesh_file& mesh, const Format format)
+std::vector<std::string> losses(const Mesh_file& mesh, const Format format, const bool is_rewritten)
 {
   std::vector<std::string> names = attributes_of_file(mesh);
-  const bool is_rewritten = is_rewritable(mesh, format);
   const std::set<std::string> always
     = {"animations", "images that are not beside it", "morph targets", "skins", "turned normals"};
   const auto is_kept = [&](const std::string& name) {
@@ -718,7 +747,13 @@ std::vector<std::string> losses(const Mesh_file& mesh, const Format format)
     return name == "materials" && format == Format::GLB && appearance.has_materials();
   };
   names.erase(std::remove_if(names.begin(), names.end(), is_kept), names.end());
-  return names;
+  if(!is_rewritten && format == Format::GLB)
+    names.insert(names.end(), mesh.appearance.missing.begin(), mesh.appearance.missing.end());
+  std::vector<std::string> result; // each name once
+  for(std::string& name : names)
+    if(std::find(result.begin(), result.end(), name) == result.end())
+      result.push_back(std::move(name));
+  return result;
 }
 
 void rewrite_mesh(std::ostream& out, const Mesh_file& mesh, const Points& points,

@@ -1,0 +1,179 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Materials of OBJ, and files beside a file.
+
+#include "Appearance.h"
+#include "Text_cursor.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <cstddef>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace Canonical_pose_tool {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string content_of(const fs::path& path)
+{
+  std::error_code error;
+  if(!fs::is_regular_file(path, error))
+    return {};
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
+bool looks_like_number(const std::string_view word)
+{
+  return !word.empty() && word.find_first_not_of("+-.0123456789eE") == std::string_view::npos;
+}
+
+std::string small_letters(std::string_view word)
+{
+  std::string result(word);
+  for(char& c : result)
+    c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return result;
+}
+
+// Reads what follows map_Kd: options, then the name of a file, which may have blanks.
+std::string read_image_name(Text_cursor& text, Material& material)
+{
+  for(;;)
+  {
+    const Text_cursor begin = text;
+    const std::string option(text.word_on_line());
+    if(option.empty() || option[0] != '-')
+    {
+      text = begin;
+      return rest_of_line(text);
+    }
+    std::vector<double> numbers;
+    for(Text_cursor next = text; looks_like_number(next.word_on_line()); text = next)
+      numbers.push_back(text.number_or(Text_cursor(text).word_on_line(), 0));
+    if(numbers.empty()) // on, off, or the name of a channel
+      text.word_on_line();
+    for(std::size_t k = 0; k < 2 && k < numbers.size(); ++k)
+      if(std::isfinite(numbers[k]))
+      {
+        if(option == "-s")
+          material.scale[k] = numbers[k];
+        else if(option == "-o")
+          material.offset[k] = numbers[k];
+      }
+  }
+}
+
+} // namespace
+
+std::string rest_of_line(Text_cursor& text)
+{
+  const std::string_view first = text.word_on_line();
+  if(first.empty())
+    return {};
+  text.skip_line();
+  std::string result(first.data(), text.position());
+  for(const char* const comment : {" #", "\t#"})
+    result.erase((std::min)(result.find(comment), result.size()));
+  result.erase(result.find_last_not_of(" \t\r") + 1);
+  if(result.size() > 1 && result.front() == '"' && result.back() == '"')
+    result = result.substr(1, result.size() - 2);
+  return result;
+}
+
+std::string content_beside(const std::string& path, std::string name)
+{
+  if(path.empty() || name.empty())
+    return {};
+  std::replace(name.begin(), name.end(), '\\', '/');
+  std::error_code error;
+  for(const fs::path& file : {fs::path(path), fs::canonical(path, error)})
+    for(const fs::path& other : {fs::path(name), fs::path(name).filename()})
+      if(std::string content = content_of(file.parent_path() / other); !content.empty())
+        return content;
+  return {};
+}
+
+std::string image_beside(const std::string& path, const std::string& name, Appearance& appearance)
+{
+  std::string image = content_beside(path, name);
+  if(!type_of_image(image).empty())
+    return image;
+  appearance.missing.insert("the texture " + Text_cursor::shown(name));
+  return {};
+}
+
+bool load_mtl(const std::string& path, const std::string& name, Appearance& appearance,
+              std::map<std::string, std::size_t>& indices)
+{
+  std::string bytes = content_beside(path, name);
+  if(bytes.empty())
+    return false;
+  remove_byte_order_mark(bytes);
+  Text_cursor text(bytes);
+  Material unnamed;
+  Material* material = &unnamed;
+  for(std::string_view word = text.word(); !word.empty(); text.skip_line(), word = text.word())
+  {
+    const std::string keyword = small_letters(word);
+    if(keyword == "newmtl")
+    {
+      indices.emplace(rest_of_line(text), appearance.materials.size());
+      material = &appearance.materials.emplace_back();
+    }
+    else if(keyword == "kd" && material->image.empty())
+    {
+      double red = -1; // that of the others that are not given
+      for(std::size_t k = 0; k < 3; ++k)
+      {
+        const double value = text.number_or(text.word_on_line(), red);
+        if(!(value >= 0))
+          break; // another notation
+        material->color[k] = (std::min)(value, 1.);
+        red = k == 0 ? value : red;
+      }
+    }
+    else if(keyword == "d") // Tr means opacity in some programs, and the opposite in others
+    {
+      const double opacity = text.number_or(text.word_on_line(), 1);
+      if(opacity > 0 && opacity < 1)
+      {
+        material->color[3] = opacity;
+        material->alpha_mode = "BLEND";
+      }
+    }
+    else if(keyword == "map_kd")
+    {
+      material->image = image_beside(path, read_image_name(text, *material), appearance);
+      if(!material->image.empty())
+        std::fill(material->color.begin(), material->color.begin() + 3, 1.);
+    }
+  }
+  return true;
+}
+
+std::string type_of_image(const std::string& bytes)
+{
+  const auto has = [&](const std::size_t begin, const std::string_view magic) {
+    return bytes.compare((std::min)(begin, bytes.size()), magic.size(), magic) == 0;
+  };
+  return has(0, "\x89PNG")                            ? "image/png"
+         : has(0, "\xFF\xD8\xFF")                     ? "image/jpeg"
+         : has(0, "RIFF") && has(8, "WEBP")           ? "image/webp"
+         : has(0, std::string_view("\xABKTX 20\xBB")) ? "image/ktx2"
+                                                      : "";
+}
+
+} // namespace Canonical_pose_tool
