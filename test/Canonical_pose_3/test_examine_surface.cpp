@@ -117,7 +117,8 @@ TEST(Examine_surface, refuses_what_they_refuse)
     EXPECT_EQ(message_of([&] { CP::internal::examine_surface(points, soup.polygons, false); }),
               messages[i]);
     EXPECT_EQ(message_of([&] { CP::repair_surface(points, soup.polygons); }), messages[i]);
-    EXPECT_EQ(message_of([&] { CP::diagnose(points, soup.polygons); }), i < 2 ? messages[i] : "");
+    if(i < 2) // the diagnosis lists what others refuse
+      EXPECT_EQ(CP::diagnose(points, soup.polygons).first_defect, messages[i]);
     ++i;
   }
 }
