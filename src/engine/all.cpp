@@ -17,6 +17,8 @@
 #include "linear_algebra/leading_eigenvectors.cpp"
 #include "linear_algebra/make_default_factor.cpp"
 #include "linear_algebra/smallest_eigenpairs.cpp"
+#include "match/Matchable_surface_3.cpp"
+#include "match/match_surfaces.cpp"
 #include "pipeline/body_of_surface.cpp"
 #include "pipeline/extrapolated_fields.cpp"
 #include "pipeline/geodesic_distances.cpp"

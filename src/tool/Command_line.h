@@ -4,6 +4,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_TOOL_COMMAND_LINE_H
 #define CGAL_CANONICAL_POSE_3_TOOL_COMMAND_LINE_H
 
+#include <CGAL/Canonical_pose_3/Match_options.h>
 #include <CGAL/Canonical_pose_3/Options.h>
 
 #include <cstddef>
@@ -40,7 +41,9 @@ struct Arguments
   std::vector<std::size_t> sources;
   std::vector<std::string> poses; // this and the next: of COMPARE
   bool has_pairs = false;
-  std::string pose;                     // of SEGMENT and DESCRIBE
+  std::string pose;              // of SEGMENT, DESCRIBE and MATCH
+  std::string other, other_pose; // this and the next: of MATCH
+  CGAL::Canonical_pose_3::Match_options match;
   std::vector<std::string> descriptors; // names, of DESCRIBE
   std::string method = "consensus";     // this and the next: of SEGMENT
   std::size_t number_of_parts = 0;      // 0: automatic

@@ -332,6 +332,17 @@ void take(const Raw_arguments& raw, Arguments& arguments)
       arguments.output += '.' + raw.format;
   }
   take_constraints(raw, options);
+  for(const std::string& text : raw.landmarks)
+  {
+    const std::size_t comma = text.find(',');
+    const auto first = count_of<std::size_t>(text.substr(0, comma)),
+               second
+               = count_of<std::size_t>(comma == std::string::npos ? "" : text.substr(comma + 1));
+    if(!first || !second)
+      throw CLI::ValidationError(
+        "--landmark", "'" + text + "' is not two vertex numbers with a comma between them");
+    arguments.match.landmarks.emplace_back(*first, *second);
+  }
   if(raw.parts != "auto")
   {
     arguments.number_of_parts = count_of<std::size_t>(raw.parts).value_or(0);

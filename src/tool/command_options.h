@@ -24,7 +24,7 @@ using CGAL::Canonical_pose_3::Registration_options;
 struct Raw_arguments
 {
   std::string paper_weights, parts = "auto";
-  std::vector<std::string> springs, directions, handles, symmetric_pairs;
+  std::vector<std::string> springs, directions, handles, symmetric_pairs, landmarks;
   std::string format; // of the standard output
 };
 

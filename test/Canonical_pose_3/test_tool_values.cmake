@@ -53,3 +53,22 @@ expect_exit(2 pose ball.off --target-mode unfold --given-target ball.off -o out/
 expect_exit(2 pose ball.off --contacts separate -o out/a.off)
 expect_refusal("contacts can only be cut" pose ball.off --contacts cut --body mesh -o out/a.off)
 expect_refusal("contacts of a tetrahedral complex" pose ball.mesh --contacts cut -o out/a.mesh)
+
+# Matches: INPUT in the shape of OTHER, which is that of INPUT here, and a line per vertex.
+if(HAS_SPECTRA)
+  expect_exit(0 match ball.off ball.off -o out/match.txt --pose ball.off --other-pose ball.off --report out/match.json)
+  file(STRINGS ${WORK}/out/match.txt lines)
+  list(LENGTH lines number)
+  if(NOT number EQUAL 12)
+    fail("There should be a line for each of 12 vertices.")
+  endif()
+  list(GET lines 0 line)
+  expect_match("${line}" "^[0-9]+ [0-9]+ [0-9]+ [0-9]+ [0-9.e-]+ [0-9.e-]+ [0-9.e-]+$")
+  expect_exit(0 match ball.off ball.off -o out/match.off --pose ball.off --other-pose ball.off --landmark 0,0 --quiet)
+  expect_exit(0 check out/match.off)
+  expect_refusal("the landmark 0, 12 is out of range" match ball.off ball.off -o out/a.txt --pose ball.off
+    --other-pose ball.off --landmark 0,12)
+  expect_refusal("but the pose has" match ball.off ball.off -o out/a.txt --pose two_balls.off)
+endif()
+expect_wrong_usage("is not two vertex numbers" match ball.off ball.off -o out/a.txt --landmark 0)
+expect_refusal("a surface is needed" match ball.mesh ball.off -o out/a.txt)

@@ -35,8 +35,11 @@ class Shape_spectrum
 public:
   // `polygons`: rows of `points`. `count`: at most as many positive eigenvalues.
   Shape_spectrum(const Point_matrix& points, const Face_list& polygons, const Eigen::Index count)
-    : Shape_spectrum(Component_spectra(surface(points, polygons), count, make_default_factor),
-                     count)
+    : Shape_spectrum(surface(points, polygons), count)
+  {}
+
+  Shape_spectrum(const Delaunay_surface& surface, const Eigen::Index count)
+    : Shape_spectrum(Component_spectra(surface, count, make_default_factor), count)
   {}
 
   const Eigen::VectorXd& mass() const { return m_mass; }               // sums to 1

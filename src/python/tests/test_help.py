@@ -37,7 +37,7 @@ def test_options():
     sections = sections_of_page()
     described = set(re.findall("--[a-z-]+", PAGE.read_text()))
     for command in ("pose", "segment", "describe", "collection", "search", "evaluate", "check",
-                    "geodesics", "compare", "page"):
+                    "geodesics", "match", "compare", "page"):
         table = table_of(sections[command])
         options = options_of_help(command)
         assert set(table) <= set(options), command

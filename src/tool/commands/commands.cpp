@@ -57,6 +57,6 @@ const Command PAGE_COMMAND = {"page", "not in this build", {}, accept_anything, 
 const std::vector<const Command*> COMMANDS
   = {&POSE_COMMAND,      &SEGMENT_COMMAND,  &DESCRIBE_COMMAND, &COLLECTION_COMMAND,
      &SEARCH_COMMAND,    &EVALUATE_COMMAND, &CHECK_COMMAND,    &COMPARE_COMMAND,
-     &GEODESICS_COMMAND, &PAGE_COMMAND,     &SHAPE_COMMAND};
+     &GEODESICS_COMMAND, &MATCH_COMMAND,    &PAGE_COMMAND,     &SHAPE_COMMAND};
 
 } // namespace Canonical_pose_tool

@@ -1,0 +1,71 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_CANONICAL_POSE_3_SURFACE_MATCH_3_H
+#define CGAL_CANONICAL_POSE_3_SURFACE_MATCH_3_H
+
+#include <CGAL/Canonical_pose_3/point_matrix.h>
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+
+/*!
+\ingroup PkgCanonicalPose3Ref
+
+\brief holds where each vertex of a surface is on another one: the result of `match_surfaces()`.
+*/
+struct Surface_match_3
+{
+  /// is a point of a face: a combination of three of its corners.
+  struct Location
+  {
+    std::size_t face;                    ///< the face of the other surface.
+    std::array<std::size_t, 3> vertices; ///< three vertices of the face.
+    std::array<double, 3> weights;       ///< barycentric coordinates: nonnegative, with the sum 1.
+  };
+
+  /// where each vertex of the first surface is on the second one.
+  std::vector<Location> locations;
+
+  /// for each vertex of the first surface, the distance between it and the point to which it returns, in the
+  /// pose of unit radius: small where the matches in both directions agree.
+  Eigen::VectorXd round_trips;
+
+  /// the functional map: the coefficients of the eigenfunctions of the second surface in those of the first one.
+  Eigen::MatrixXd functional_map;
+
+  /// the mean distance between nearest points of the two poses, of unit radius, after their rotation toward each
+  /// other.
+  double mean_distance = 0;
+
+  /// whether no other rotation leads to nearly as good a match; otherwise, front and back may be confused.
+  bool is_rotation_certain = true;
+
+  /// interpolates values of the second surface, one row per vertex, at the vertices of the first one.
+  /// \pre there is a row for each vertex of the second surface.
+  template <class Matrix>
+  Matrix interpolated(const Matrix& values) const
+  {
+    Matrix result(static_cast<Eigen::Index>(locations.size()), values.cols());
+    for(std::size_t v = 0; v < locations.size(); ++v)
+    {
+      const auto& [face, vertices, weights] = locations[v];
+      auto row = result.row(static_cast<Eigen::Index>(v));
+      row = weights[0] * values.row(static_cast<Eigen::Index>(vertices[0]));
+      for(std::size_t k = 1; k < 3; ++k)
+        row += weights[k] * values.row(static_cast<Eigen::Index>(vertices[k]));
+    }
+    return result;
+  }
+};
+
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CGAL_CANONICAL_POSE_3_SURFACE_MATCH_3_H

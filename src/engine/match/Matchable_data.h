@@ -1,0 +1,44 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CANONICAL_POSE_3_ENGINE_MATCH_MATCHABLE_DATA_H
+#define CANONICAL_POSE_3_ENGINE_MATCH_MATCHABLE_DATA_H
+
+#include <CGAL/Canonical_pose_3/Coarse_surface_3.h>
+#include <CGAL/Canonical_pose_3/Face_list.h>
+#include <CGAL/Canonical_pose_3/Repaired_surface_3.h>
+#include <CGAL/Canonical_pose_3/point_matrix.h>
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+namespace internal {
+
+using Function_matrix
+  = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>; // a column each
+
+// What matching needs of a surface. Rows are those of the repaired surface or of its coarse copy.
+struct Matchable_data
+{
+  Matchable_data(const Point_matrix& points, const Face_list& polygons, const Point_matrix& pose);
+
+  std::size_t number_of_vertices; // of the input
+  Repaired_surface_3 surface;
+  Coarse_surface_3 coarse;
+  // In the frame of the principal axes of the pose; the mean square of the distances from the origin is 1.
+  Point_matrix pose_of_vertices, pose, coarse_pose;
+  Point_matrix normals;            // of the pose
+  Eigen::Vector3d lengths_of_axes; // the roots of the variances
+  Function_matrix functions;       // of the coarse surface; the first one is constant
+  double root_of_area;             // of the surface
+};
+
+} // namespace internal
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CANONICAL_POSE_3_ENGINE_MATCH_MATCHABLE_DATA_H

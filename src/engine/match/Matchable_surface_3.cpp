@@ -1,0 +1,92 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "../descriptors/Shape_spectrum.h"
+#include "Matchable_data.h"
+
+#include <CGAL/Canonical_pose_3/Matchable_surface_3.h>
+#include <CGAL/Canonical_pose_3/canonical_frame.h>
+#include <CGAL/Canonical_pose_3/internal/intrinsic/Delaunay_surface.h>
+#include <CGAL/Canonical_pose_3/internal/support/values_at.h>
+#include <CGAL/Canonical_pose_3/internal/surface/Indexed_mesh.h>
+#include <CGAL/Canonical_pose_3/internal/surface/check_soup.h>
+#include <CGAL/Canonical_pose_3/internal/surface/twice_area.h>
+#include <CGAL/Canonical_pose_3/repair_surface.h>
+#include <CGAL/Canonical_pose_3/surface_measures.h>
+
+#include <Eigen/Geometry>
+
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+namespace internal {
+namespace matching {
+namespace {
+
+Coarse_surface_3 coarse_copy(const Repaired_surface_3& repaired)
+{
+  constexpr std::size_t number_of_vertices = 4000;
+  Surface_component_3 all;
+  all.points = repaired.points;
+  all.triangles = repaired.triangles;
+  all.face_of_triangle = repaired.face_of_triangle;
+  all.origins = all.body_origins = repaired.origins;
+  return coarse_surface(all, number_of_vertices);
+}
+
+Function_matrix functions_of(const Surface_component_3& surface)
+{
+  const Indexed_mesh mesh = indexed_mesh(surface.points, surface.triangles);
+  const Shape_spectrum spectrum(
+    Delaunay_surface(face_corners(mesh, get(vertex_index, mesh)), surface.points),
+    static_cast<Eigen::Index>(Matchable_surface_3::NUMBER_OF_FUNCTIONS) - 1);
+  Function_matrix functions(surface.points.rows(), spectrum.eigenfunctions().cols() + 1);
+  functions << Eigen::VectorXd::Ones(functions.rows()), spectrum.eigenfunctions();
+  return functions;
+}
+
+} // namespace
+} // namespace matching
+
+Matchable_data::Matchable_data(const Point_matrix& points, const Face_list& polygons,
+                               const Point_matrix& given_pose)
+  : number_of_vertices(static_cast<std::size_t>(points.rows())),
+    surface(repair_surface(points, polygons)), coarse(matching::coarse_copy(surface)),
+    functions(matching::functions_of(coarse.surface))
+{
+  const Point_matrix pose_of_rows = rows_at(given_pose, surface.origins);
+  const Eigen::VectorXd shares = vertex_area_shares(pose_of_rows, surface.triangles);
+  const Eigen::Isometry3d frame = canonical_frame(pose_of_rows, shares);
+  pose_of_vertices = (frame * given_pose.transpose()).transpose();
+  pose = (frame * pose_of_rows.transpose()).transpose();
+  lengths_of_axes = (shares.transpose() / shares.sum() * pose.cwiseAbs2()).cwiseSqrt().transpose();
+  const double radius = lengths_of_axes.norm();
+  for(Point_matrix* const positions : {&pose_of_vertices, &pose})
+    *positions /= radius;
+  lengths_of_axes /= radius;
+  coarse_pose = rows_at(pose, coarse.vertices);
+  normals = vertex_normals(pose, surface.triangles);
+  root_of_area = std::sqrt(area(surface.points, surface.triangles));
+}
+
+} // namespace internal
+
+Matchable_surface_3::Matchable_surface_3(const Point_matrix& points, const Face_list& polygons,
+                                         const Point_matrix& pose)
+{
+  internal::check_finite(pose);
+  if(pose.rows() != points.rows())
+    throw std::invalid_argument("there are " + std::to_string(points.rows())
+                                + " vertices, but the pose has " + std::to_string(pose.rows()));
+  m_data = std::make_shared<const internal::Matchable_data>(points, polygons, pose);
+}
+
+std::size_t Matchable_surface_3::number_of_vertices() const { return m_data->number_of_vertices; }
+
+} // namespace Canonical_pose_3
+} // namespace CGAL

@@ -1,0 +1,206 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Matches of figures in different postures and with different vertices. What is exact: where a vertex of one mesh is on the
+// other one is known up to the length of an edge, from their common rest shape.
+
+#include "../../examples/Canonical_pose_3/Articulated_animal.h"
+#include "../../examples/Canonical_pose_3/Articulated_figure.h"
+
+#include <CGAL/Canonical_pose_3/match_surfaces.h>
+#include <CGAL/canonical_pose_3.h>
+
+#include <CGAL/Simple_cartesian.h>
+
+#include <gtest/gtest.h>
+
+#include "matchers.h"
+#include "shapes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace test_match_surfaces {
+
+namespace CP = CGAL::Canonical_pose_3;
+using Canonical_pose_examples::Articulated_animal;
+using Canonical_pose_examples::Articulated_figure;
+using Canonical_pose_test::to_matrix;
+using CP::Match_options;
+using CP::Matchable_surface_3;
+using CP::Point_matrix;
+using CP::Surface_match_3;
+
+template <class Triangles>
+Point_matrix pose_of(const Point_matrix& points, const Triangles& triangles)
+{
+  std::vector<CGAL::Simple_cartesian<double>::Point_3> input, pose;
+  for(Eigen::Index i = 0; i < points.rows(); ++i)
+    input.emplace_back(points(i, 0), points(i, 1), points(i, 2));
+  return CGAL::canonical_pose_3(input, triangles, pose).pose;
+}
+
+// In a posture, with its computed pose.
+template <class Shape>
+struct Posed
+{
+  Posed(const std::size_t number_of_vertices, const std::size_t posture)
+    : shape(number_of_vertices), rest(to_matrix(shape.points())),
+      points(to_matrix(shape.points(Shape::named_poses()[posture].angles))),
+      pose(pose_of(points, shape.triangles())),
+      surface(points, shape.triangles(), pose)
+  {}
+
+  const Shape shape;
+  const Point_matrix rest, points, pose;
+  const Matchable_surface_3 surface;
+};
+
+// The mean distance between the places on the rest shape, relative to the root of its area.
+template <class Shape>
+double mean_error(const Surface_match_3& match, const Posed<Shape>& a, const Posed<Shape>& b)
+{
+  double area = 0;
+  for(const auto& t : a.shape.triangles())
+  {
+    const auto corner = [&](const std::size_t k) -> Eigen::Vector3d {
+      return a.rest.row(static_cast<Eigen::Index>(t[k])).transpose();
+    };
+    area += (corner(1) - corner(0)).cross(corner(2) - corner(0)).norm() / 2;
+  }
+  return (match.interpolated(b.rest) - a.rest).rowwise().norm().mean() / std::sqrt(area);
+}
+
+const Posed<Articulated_figure>& running()
+{
+  static const Posed<Articulated_figure> result(2500, 1);
+  return result;
+}
+
+const Posed<Articulated_figure>& other()
+{
+  static const Posed<Articulated_figure> result(3500, 2);
+  return result;
+}
+
+TEST(Match_surfaces, figures_in_two_postures)
+{
+  const Surface_match_3 match = CP::match_surfaces(running().surface, other().surface);
+  EXPECT_LT(mean_error(match, running(), other()), .02);
+  EXPECT_TRUE(match.is_rotation_certain);
+  EXPECT_LT(match.round_trips.mean(), .05);
+  ASSERT_EQ(match.locations.size(), running().surface.number_of_vertices());
+  for(const auto& [face, vertices, weights] : match.locations)
+  {
+    const auto& corners = other().shape.triangles()[face];
+    double sum = 0;
+    for(std::size_t k = 0; k < 3; ++k)
+    {
+      EXPECT_EQ(std::count(corners.begin(), corners.end(), vertices[k]), 1);
+      EXPECT_GE(weights[k], 0);
+      sum += weights[k];
+    }
+    EXPECT_NEAR(sum, 1, 1e-12);
+  }
+}
+
+TEST(Match_surfaces, animals_in_two_postures)
+{
+  const Posed<Articulated_animal> a(2500, 0), b(3000, 2);
+  EXPECT_LT(mean_error(CP::match_surfaces(a.surface, b.surface), a, b), .02);
+}
+
+// The same bytes for any number of threads; and nearly the same match if the poses are moved.
+TEST(Match_surfaces, does_not_depend_on_threads_and_frames)
+{
+  Match_options options;
+  options.number_of_registrations = 1;
+  const Surface_match_3 match = CP::match_surfaces(running().surface, other().surface, options);
+  options.number_of_threads = 1;
+  const Surface_match_3 again = CP::match_surfaces(running().surface, other().surface, options);
+  EXPECT_TRUE(match.interpolated(other().rest) == again.interpolated(other().rest));
+  EXPECT_TRUE(match.round_trips == again.round_trips);
+
+  Eigen::Matrix3d turn;
+  turn << 0, 0, 1, 1, 0, 0, 0, 1, 0;
+  const Point_matrix moved = (3 * other().pose * turn).rowwise() + Eigen::RowVector3d(5, -7, 2);
+  const Surface_match_3 of_moved = CP::match_surfaces(
+    running().surface, Matchable_surface_3(other().points, other().shape.triangles(), moved), options);
+  EXPECT_LT(mean_error(of_moved, running(), other()), .02);
+}
+
+TEST(Match_surfaces, landmarks_are_met)
+{
+  Match_options options;
+  const std::size_t hand = running().shape.nearest_vertex(running().rest.row(100).transpose()),
+                    vertex = other().shape.nearest_vertex(running().rest.row(100).transpose());
+  options.landmarks = {{hand, vertex}};
+  const Surface_match_3 match = CP::match_surfaces(running().surface, other().surface, options);
+  EXPECT_LT(mean_error(match, running(), other()), .02);
+}
+
+// Shapes of different kinds have no match that is right, but they have one.
+TEST(Match_surfaces, any_shapes)
+{
+  using namespace Canonical_pose_test;
+  const Triangle_soup ball = icosphere_soup(3, 1.);
+  const Point_matrix of_ball = to_matrix(ball.points);
+  Point_matrix two(2 * of_ball.rows(), 3);
+  two << of_ball, (2 * of_ball).rowwise() + Eigen::RowVector3d(5, 0, 0);
+  CP::Face_list faces_of_two = ball.triangles;
+  for(const auto& t : ball.triangles)
+    faces_of_two.push_back({t[0] + ball.points.size(), t[1] + ball.points.size(), t[2] + ball.points.size()});
+  Point_matrix cube(9, 3); // the last vertex belongs to no face
+  cube << 0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1, 9, 9, 9;
+  const CP::Face_list sides
+    = {{3, 2, 1, 0}, {4, 5, 6, 7}, {0, 1, 5, 4}, {2, 3, 7, 6}, {3, 0, 4, 7}, {1, 2, 6, 5}};
+  std::vector<Matchable_surface_3> surfaces;
+  surfaces.emplace_back(of_ball, ball.triangles, of_ball);
+  surfaces.emplace_back(two, faces_of_two, two);
+  surfaces.emplace_back(cube, sides, cube);
+  for(const Matchable_surface_3& a : surfaces)
+    for(const Matchable_surface_3& b : surfaces)
+    {
+      const Surface_match_3 match = CP::match_surfaces(a, b);
+      ASSERT_EQ(match.locations.size(), a.number_of_vertices());
+      for(const auto& [face, vertices, weights] : match.locations)
+        for(std::size_t k = 0; k < 3; ++k)
+        {
+          EXPECT_LT(vertices[k], b.number_of_vertices());
+          EXPECT_TRUE(weights[k] >= 0 && weights[k] <= 1);
+        }
+    }
+}
+
+TEST(Match_surfaces, misuse)
+{
+  using namespace Canonical_pose_test;
+  const Triangle_soup ball = icosphere_soup(1, 1.);
+  const Point_matrix points = to_matrix(ball.points);
+  EXPECT_THROW_WITH(Matchable_surface_3(points, ball.triangles, points.topRows(3)), std::invalid_argument,
+                    "there are 42 vertices, but the pose has 3");
+  EXPECT_THROW_WITH(
+    Matchable_surface_3(points, ball.triangles,
+                        Point_matrix::Constant(42, 3, std::numeric_limits<double>::quiet_NaN())),
+    std::invalid_argument, "not finite");
+  const Matchable_surface_3 surface(points, ball.triangles, points);
+  Match_options options;
+  options.landmarks = {{0, 42}};
+  EXPECT_THROW_WITH(CP::match_surfaces(surface, surface, options), std::invalid_argument, "the landmark 0, 42 is out of range");
+  options = Match_options();
+  options.number_of_functions = 3;
+  EXPECT_THROW_WITH(CP::match_surfaces(surface, surface, options), std::invalid_argument, "must be at least 4");
+  options = Match_options();
+  options.pose_weight = 0;
+  EXPECT_THROW_WITH(CP::match_surfaces(surface, surface, options), std::invalid_argument, "must be positive");
+  options = Match_options();
+  options.number_of_registrations = -1;
+  EXPECT_THROW_WITH(CP::match_surfaces(surface, surface, options), std::invalid_argument, "must not be negative");
+}
+
+} // namespace test_match_surfaces
