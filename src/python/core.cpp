@@ -21,6 +21,7 @@
 #include "formats/Shown_surface.h"
 
 #include <CGAL/Canonical_pose_3/align_handedness.h>
+#include <CGAL/Canonical_pose_3/match_surfaces.h>
 #include <CGAL/Canonical_pose_3/call_with_threads.h>
 #include <CGAL/Canonical_pose_3/geodesic_distances.h>
 #include <CGAL/Canonical_pose_3/library_configuration.h>
@@ -183,6 +184,40 @@ py::dict describe(const py::object& vertices, const py::object& faces,
   return result;
 }
 
+py::tuple match(const py::object& vertices, const py::object& faces, const py::object& pose,
+                const py::object& other_vertices, const py::object& other_faces,
+                const py::object& other_pose,
+                const std::vector<std::pair<std::size_t, std::size_t>>& landmarks,
+                const int number_of_threads)
+{
+  namespace CP = CGAL::Canonical_pose_3;
+  const Mesh_file surface = surface_of(vertices, faces),
+                  other = surface_of(other_vertices, other_faces);
+  const Point_matrix poses[] = {*pose_of(pose, surface), *pose_of(other_pose, other)};
+  CP::Match_options options;
+  options.landmarks = landmarks;
+  options.number_of_threads = number_of_threads;
+  const CP::Surface_match_3 match = without_lock([&] {
+    const auto prepared = [](const Mesh_file& mesh, const Point_matrix& given) {
+      return CP::Matchable_surface_3(tool::matrix_of(tool::points_of(mesh)), mesh.faces, given);
+    };
+    return CP::match_surfaces(prepared(surface, poses[0]), prepared(other, poses[1]), options);
+  });
+  std::vector<std::size_t> found, corners;
+  Eigen::MatrixXd weights(static_cast<Eigen::Index>(match.locations.size()), 3);
+  for(const CP::Surface_match_3::Location& location : match.locations)
+  {
+    for(std::size_t k = 0; k < 3; ++k)
+      weights(static_cast<Eigen::Index>(found.size()), static_cast<Eigen::Index>(k))
+        = location.weights[k];
+    found.push_back(location.face);
+    corners.insert(corners.end(), location.vertices.begin(), location.vertices.end());
+  }
+  return py::make_tuple(array_of(std::move(found)),
+                        array_of(std::move(corners)).attr("reshape")(-1, 3), std::move(weights),
+                        match.round_trips, match.mean_distance, match.is_rotation_certain);
+}
+
 // Faces with the same number of corners each are a matrix, others a list of lists.
 py::object faces_array(const tool::Face_list& faces)
 {
@@ -298,6 +333,7 @@ PYBIND11_MODULE(_core, module)
   module.def("check", &check);
   module.def("compare", &compare);
   module.def("align_handedness", &align_handedness);
+  module.def("match", &match);
   module.def("segment", &segment);
   module.def("describe", &describe);
   module.def("load", &load);

@@ -423,7 +423,7 @@ void locate(const Matchable_data& a, const Matchable_data& b, const Coarse_match
           .norm();
   trips = a.coarse.interpolated(trips);
 
-  // Copies of a vertex agree in the last one; vertices without faces are compared by positions.
+  // Of several copies of a vertex, the last one counts; vertices without faces are compared by positions.
   result.round_trips = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(a.number_of_vertices));
   result.locations.resize(a.number_of_vertices);
   std::vector<bool> is_known(a.number_of_vertices, false);
@@ -498,7 +498,7 @@ Surface_match_3 match(const Matchable_data& a, const Matchable_data& b,
   std::unique_ptr<Coarse_match> best;
   Surface_match_3 result;
   double least = (std::numeric_limits<double>::infinity)(), second = least;
-  Eigen::Matrix3d rotation;
+  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
   for(const Rotation& candidate : candidates)
   {
     auto match = std::make_unique<Coarse_match>(a, b, candidate.matrix, options, landmarks_of_a,

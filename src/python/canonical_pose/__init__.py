@@ -41,9 +41,9 @@ from canonical_pose._collections import collection, evaluate, search
 
 __version__ = _core.version
 __all__ = [
-    "DescriptorIndex", "HeatSolver", "Mesh", "Progress", "Registrar",
+    "DescriptorIndex", "HeatSolver", "Match", "Mesh", "Progress", "Registrar",
     "align_handedness", "check", "collection", "compare", "describe", "evaluate", "geodesics", "load",
-    "pose", "save", "search", "segment", "shape_distance", "target",
+    "match", "pose", "save", "search", "segment", "shape_distance", "target",
 ]
 
 
@@ -284,6 +284,9 @@ def pose(vertices, faces=None, *, cells=None, return_target=False, progress=None
         symmetric=symmetric))
     report = _json.loads(report)
     return (result, report, target_points) if return_target else (result, report)
+
+
+_pose_of = pose  # other functions have an argument with the name of this one
 
 
 def target(vertices, faces, **options):
@@ -542,6 +545,86 @@ def describe(vertices, faces, *, descriptor=None, pose=None, progress=None, **op
     names = [] if descriptor is None else [descriptor] if isinstance(descriptor, str) else descriptor
     return _core.describe(vertices, faces, list(names), pose,
                           {"components": "each", "progress": _values(progress), **options})
+
+
+class Match(_typing.NamedTuple):
+    """Where the vertices of a surface are on another one: what `match` returns.
+
+    Attributes
+    ----------
+    faces : array of integers, n
+        For each vertex, a face of the other surface.
+    vertices : array of integers, n x 3
+        Three vertices of this face.
+    weights : array, n x 3
+        Their weights, which are not negative and sum to 1.
+    round_trips : array, n
+        The distance between a vertex and the point to which it returns from the other surface, in
+        radii of the pose: small where both directions agree.
+    mean_distance : float
+        The mean distance between nearest points of the poses, in their radii.
+    is_rotation_certain : bool
+        Whether no other rotation of the pose leads to nearly as good a match; otherwise, front and
+        back may be confused.
+
+    Examples
+    --------
+    >>> match = canonical_pose.Match([0], [[0, 1, 2]], [[.5, .5, 0]], [0], 0., True)
+    >>> match.interpolated([[0, 0], [2, 4], [9, 9]])
+    array([[1., 2.]])
+    """
+
+    faces: _numpy.ndarray
+    vertices: _numpy.ndarray
+    weights: _numpy.ndarray
+    round_trips: _numpy.ndarray
+    mean_distance: float
+    is_rotation_certain: bool
+
+    def interpolated(self, values):
+        """Return values at the vertices of the surface, given those at the vertices of the other one."""
+        return _numpy.einsum("nk,nk...->n...", self.weights, _numpy.asarray(values)[self.vertices])
+
+
+def match(vertices, faces, other_vertices, other_faces, *, pose=None, other_pose=None,
+          landmarks=(), progress=None, **options):
+    """Find which point of a surface is which point of another one of the same kind.
+
+    Parameters
+    ----------
+    vertices, other_vertices : arrays, n x 3 and N x 3
+        Positions, in any units.
+    faces, other_faces : arrays of integers, m x k and M x K, or sequences of sequences
+        The faces. Vertices and faces need not correspond.
+    pose, other_pose : arrays, n x 3 and N x 3
+        The poses to be used, in any units; otherwise they are computed.
+    landmarks : sequence of pairs of integers
+        A vertex and one of the other surface that match.
+    progress : function
+        As for `pose`, while they are computed.
+    **options
+        As for `pose`; by default, each component is posed.
+
+    Returns
+    -------
+    match : Match
+        For each vertex, a point of a face of the other surface.
+
+    Examples
+    --------
+    >>> vertices = [[x, y, z] for x in (0, 1) for y in (0, 2) for z in (0, 5)]
+    >>> faces = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]]
+    >>> match = canonical_pose.match(vertices, faces, vertices, faces, pose=vertices,
+    ...                              other_pose=vertices)
+    >>> match.interpolated(vertices).shape
+    (8, 3)
+    """
+    options = {"components": "each", "progress": progress, **options}
+    poses = [given if given is not None else _pose_of(surface, surface_faces, **options)[0]
+             for given, surface, surface_faces in ((pose, vertices, faces),
+                                                   (other_pose, other_vertices, other_faces))]
+    return Match(*_core.match(vertices, faces, poses[0], other_vertices, other_faces, poses[1],
+                              list(landmarks), options.get("threads") or 0))
 
 
 def shape_distance(vertices, faces, other_vertices, other_faces, *, descriptor=None, pose=None,

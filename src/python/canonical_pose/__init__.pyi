@@ -262,6 +262,18 @@ def segment(vertices: ArrayLike, faces: _Faces, *, parts: int | Literal["auto"] 
 def describe(vertices: ArrayLike, faces: _Faces, *, descriptor: _Descriptors = ...,
              pose: ArrayLike | None = ..., progress: _Progress = ..., **options: Unpack[_Options]
              ) -> dict[str, _Descriptor]: ...
+class Match(NamedTuple):
+    faces: _Integers
+    vertices: _Integers
+    weights: _Floats
+    round_trips: _Floats
+    mean_distance: float
+    is_rotation_certain: bool
+    def interpolated(self, values: ArrayLike) -> _Floats: ...
+def match(vertices: ArrayLike, faces: _Faces, other_vertices: ArrayLike, other_faces: _Faces, *,
+          pose: ArrayLike | None = ..., other_pose: ArrayLike | None = ...,
+          landmarks: Sequence[tuple[int, int]] = ..., progress: _Progress = ...,
+          **options: Unpack[_Options]) -> Match: ...
 def shape_distance(vertices: ArrayLike, faces: _Faces, other_vertices: ArrayLike,
                    other_faces: _Faces, *, descriptor: _Descriptors = ...,
                    pose: ArrayLike | None = ..., other_pose: ArrayLike | None = ...,

@@ -373,3 +373,21 @@ def test_types_of_reports(stub, tube):
     stub.check("describe", canonical_pose.describe(*tube, rounds=0))
     registrar = canonical_pose.Registrar(*tube)
     stub.check("Registrar.register", registrar.register(registrar.target))
+
+
+def test_match(tube):
+    """The match of a surface with itself, whose shape has several rotations, is somewhere on it."""
+    vertices, faces = tube
+    match = canonical_pose.match(vertices, faces, vertices, faces, pose=vertices, other_pose=vertices,
+                                 landmarks=[(0, 0)], threads=1)
+    assert match.weights.shape == match.vertices.shape == (len(vertices), 3)
+    np.testing.assert_allclose(match.weights.sum(axis=1), 1)
+    assert all(set(corners) == set(faces[face]) for corners, face in zip(match.vertices, match.faces))
+    assert match.interpolated(vertices).shape == vertices.shape
+    assert match.interpolated(np.arange(len(vertices))).shape == (len(vertices),)
+    again = canonical_pose.match(vertices, faces, vertices, faces, other_pose=vertices, threads=1)
+    assert again.round_trips.shape == (len(vertices),)
+    with pytest.raises(ValueError, match="the landmark 0, 240 is out of range"):
+        canonical_pose.match(*tube, *tube, pose=vertices, other_pose=vertices, landmarks=[(0, 240)])
+    with pytest.raises(ValueError, match="the pose has 3 vertices"):
+        canonical_pose.match(*tube, *tube, pose=vertices[:3], other_pose=vertices)

@@ -95,11 +95,11 @@ void take_values(const std::vector<Value>& values, const std::vector<long long>&
     result.push_back(exists(i) ? values[static_cast<std::size_t>(i)] : Value());
 }
 
-// They are numbers up to 1, or up to 255.
+// They are numbers up to 1, or a little above, or up to 255.
 void take_colors(const std::vector<std::array<double, 3>>& colors, Appearance& appearance)
 {
   const bool has_bytes = std::any_of(colors.begin(), colors.end(), [](const auto& color) {
-    return *std::max_element(color.begin(), color.end()) > 1;
+    return *std::max_element(color.begin(), color.end()) > 2;
   });
   const double largest = has_bytes ? 255 : 1;
   for(const std::array<double, 3>& color : colors)
