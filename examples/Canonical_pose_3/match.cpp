@@ -13,6 +13,7 @@
 
 #include <cstdlib>
 #include <iostream>
+#include <stdexcept>
 
 namespace CP = CGAL::Canonical_pose_3;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -24,7 +25,9 @@ CP::Matchable_surface_3 prepared(const Articulated_figure& figure, const int pos
   const Mesh mesh = figure.make_mesh<Mesh>(Articulated_figure::named_poses()[posture].angles);
   Mesh pose = mesh;
   const CP::Result result = CGAL::canonical_pose_3(mesh, pose.points());
-  return {CP::point_matrix(mesh), figure.triangles(), result.pose};
+  if(!result.is_usable())
+    throw std::runtime_error("there is no pose");
+  return {mesh, pose.points()};
 }
 
 int main()

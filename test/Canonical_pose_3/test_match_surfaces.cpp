@@ -7,10 +7,13 @@
 #include "../../examples/Canonical_pose_3/Articulated_animal.h"
 #include "../../examples/Canonical_pose_3/Articulated_figure.h"
 
+#include <CGAL/Canonical_pose_3/make_triangle_mesh.h>
 #include <CGAL/Canonical_pose_3/match_surfaces.h>
 #include <CGAL/canonical_pose_3.h>
 
+#include <CGAL/Polyhedron_3.h>
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
 
 #include <gtest/gtest.h>
 
@@ -142,6 +145,33 @@ TEST(Match_surfaces, landmarks_are_met)
   options.landmarks = {{hand, vertex}};
   const Surface_match_3 match = CP::match_surfaces(running().surface, other().surface, options);
   EXPECT_LT(mean_error(match, running(), other()), .02);
+}
+
+// Meshes are matched as their points and faces are.
+template <class Mesh>
+class Match_of_meshes : public testing::Test
+{};
+
+using Point = CGAL::Simple_cartesian<double>::Point_3;
+using Meshes = testing::Types<CGAL::Surface_mesh<Point>, CGAL::Polyhedron_3<CGAL::Simple_cartesian<double>>>;
+TYPED_TEST_SUITE(Match_of_meshes, Meshes);
+
+TYPED_TEST(Match_of_meshes, is_that_of_arrays)
+{
+  const Canonical_pose_test::Triangle_soup ball = Canonical_pose_test::icosphere_soup(2, 1.);
+  Point_matrix points = to_matrix(ball.points);
+  points.col(0) *= 3;
+  points.col(1) *= 2;
+  const TypeParam mesh = CP::make_triangle_mesh<TypeParam>(points, ball.triangles);
+  const auto map = get(CGAL::vertex_point, mesh);
+  Match_options options;
+  options.number_of_registrations = 1;
+  const Matchable_surface_3 of_arrays(points, ball.triangles, points);
+  const Surface_match_3 expected = CP::match_surfaces(of_arrays, of_arrays, options);
+  for(const Matchable_surface_3& surface :
+      {Matchable_surface_3(mesh, map), Matchable_surface_3(mesh, map, CGAL::parameters::vertex_point_map(map))})
+    EXPECT_LT((CP::match_surfaces(surface, surface, options).interpolated(points) - expected.interpolated(points)).norm(),
+              1e-9); // faces may start at other corners
 }
 
 // Shapes of different kinds have no match that is right, but they have one.

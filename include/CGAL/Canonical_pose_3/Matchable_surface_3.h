@@ -5,10 +5,15 @@
 #define CGAL_CANONICAL_POSE_3_MATCHABLE_SURFACE_3_H
 
 #include <CGAL/Canonical_pose_3/Face_list.h>
+#include <CGAL/Canonical_pose_3/internal/support/points_of_parameters.h>
+#include <CGAL/Canonical_pose_3/internal/surface/index_faces.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
+
+#include <CGAL/Named_function_parameters.h>
 
 #include <cstddef>
 #include <memory>
+#include <type_traits>
 
 namespace CGAL {
 namespace Canonical_pose_3 {
@@ -46,6 +51,27 @@ public:
   */
   Matchable_surface_3(const Point_matrix& points, const Face_list& polygons,
                       const Point_matrix& pose);
+
+  /*!
+  prepares a polygon mesh. Its vertices and faces are counted in the order of its ranges.
+
+  \tparam PolygonMesh a model of `FaceListGraph`
+  \tparam PosePointMap a model of `ReadablePropertyMap` with the vertex descriptor as key type, and the same
+          value type as the point map
+  \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+  \param mesh the mesh.
+  \param pose the pose of each vertex, as `CGAL::canonical_pose_3()` writes it.
+  \param np `vertex_point_map` and `geom_traits`, as for `CGAL::canonical_pose_3()`.
+  */
+  template <class PolygonMesh, class PosePointMap,
+            class NamedParameters = parameters::Default_named_parameters,
+            std::enable_if_t<!std::is_convertible<PolygonMesh, Point_matrix>::value, int> = 0>
+  Matchable_surface_3(const PolygonMesh& mesh, PosePointMap pose,
+                      const NamedParameters& np = parameters::default_values())
+    : Matchable_surface_3(internal::points_of_parameters(mesh, np), internal::index_polygons(mesh),
+                          internal::points_of_parameters(mesh, np.vertex_point_map(pose)))
+  {}
 
   /// returns the number of vertices.
   std::size_t number_of_vertices() const;
