@@ -8,6 +8,7 @@
 
 #include <CGAL/Canonical_pose_3/Coarse_surface_3.h>
 #include <CGAL/Canonical_pose_3/Face_list.h>
+#include <CGAL/Canonical_pose_3/Repaired_surface_3.h>
 #include <CGAL/Canonical_pose_3/Surface_component_3.h>
 #include <CGAL/Canonical_pose_3/internal/intrinsic/Delaunay_surface.h>
 #include <CGAL/Canonical_pose_3/internal/linear_algebra/Factor_base.h>
@@ -28,6 +29,17 @@ namespace CGAL {
 namespace Canonical_pose_3 {
 namespace internal {
 
+inline Coarse_surface_3 coarse_copy(const Repaired_surface_3& repaired,
+                                    const std::size_t number_of_vertices)
+{
+  Surface_component_3 all;
+  all.points = repaired.points;
+  all.triangles = repaired.triangles;
+  all.face_of_triangle = repaired.face_of_triangle;
+  all.origins = all.body_origins = repaired.origins;
+  return coarse_surface(all, number_of_vertices);
+}
+
 // The smallest eigenvalues of the Laplacian of a shape, which may have several components, in the
 // unit in which its area is 1. Shapes with many vertices are simplified.
 class Shape_spectrum
@@ -35,11 +47,12 @@ class Shape_spectrum
 public:
   // `polygons`: rows of `points`. `count`: at most as many positive eigenvalues.
   Shape_spectrum(const Point_matrix& points, const Face_list& polygons, const Eigen::Index count)
-    : Shape_spectrum(surface(points, polygons), count)
+    : Shape_spectrum(coarse_copy(repair_surface(points, polygons), COARSE_VERTICES).surface, count)
   {}
 
-  Shape_spectrum(const Delaunay_surface& surface, const Eigen::Index count)
-    : Shape_spectrum(Component_spectra(surface, count, make_default_factor), count)
+  Shape_spectrum(const Surface_component_3& surface, const Eigen::Index count)
+    : Shape_spectrum(Component_spectra(delaunay_surface(surface), count, make_default_factor),
+                     count)
   {}
 
   const Eigen::VectorXd& mass() const { return m_mass; }               // sums to 1
@@ -52,17 +65,10 @@ public:
 private:
   static constexpr std::size_t COARSE_VERTICES = 5000;
 
-  static Delaunay_surface surface(const Point_matrix& points, const Face_list& polygons)
+  static Delaunay_surface delaunay_surface(const Surface_component_3& surface)
   {
-    const Repaired_surface_3 repaired = repair_surface(points, polygons);
-    Surface_component_3 all;
-    all.points = repaired.points;
-    all.triangles = repaired.triangles;
-    all.face_of_triangle = repaired.face_of_triangle;
-    all.origins = all.body_origins = repaired.origins;
-    const Surface_component_3 coarse = coarse_surface(all, COARSE_VERTICES).surface;
-    const Indexed_mesh mesh = indexed_mesh(coarse.points, coarse.triangles);
-    return Delaunay_surface(face_corners(mesh, get(vertex_index, mesh)), coarse.points);
+    const Indexed_mesh mesh = indexed_mesh(surface.points, surface.triangles);
+    return Delaunay_surface(face_corners(mesh, get(vertex_index, mesh)), surface.points);
   }
 
   Shape_spectrum(const Component_spectra& spectra, const Eigen::Index count)

@@ -6,9 +6,7 @@
 
 #include <CGAL/Canonical_pose_3/Matchable_surface_3.h>
 #include <CGAL/Canonical_pose_3/canonical_frame.h>
-#include <CGAL/Canonical_pose_3/internal/intrinsic/Delaunay_surface.h>
 #include <CGAL/Canonical_pose_3/internal/support/values_at.h>
-#include <CGAL/Canonical_pose_3/internal/surface/Indexed_mesh.h>
 #include <CGAL/Canonical_pose_3/internal/surface/check_soup.h>
 #include <CGAL/Canonical_pose_3/internal/surface/twice_area.h>
 #include <CGAL/Canonical_pose_3/repair_surface.h>
@@ -28,23 +26,12 @@ namespace internal {
 namespace matching {
 namespace {
 
-Coarse_surface_3 coarse_copy(const Repaired_surface_3& repaired)
-{
-  constexpr std::size_t number_of_vertices = 4000;
-  Surface_component_3 all;
-  all.points = repaired.points;
-  all.triangles = repaired.triangles;
-  all.face_of_triangle = repaired.face_of_triangle;
-  all.origins = all.body_origins = repaired.origins;
-  return coarse_surface(all, number_of_vertices);
-}
+constexpr std::size_t COARSE_VERTICES = 4000;
 
 Function_matrix functions_of(const Surface_component_3& surface)
 {
-  const Indexed_mesh mesh = indexed_mesh(surface.points, surface.triangles);
   const Shape_spectrum spectrum(
-    Delaunay_surface(face_corners(mesh, get(vertex_index, mesh)), surface.points),
-    static_cast<Eigen::Index>(Matchable_surface_3::NUMBER_OF_FUNCTIONS) - 1);
+    surface, static_cast<Eigen::Index>(Matchable_surface_3::NUMBER_OF_FUNCTIONS) - 1);
   Function_matrix functions(surface.points.rows(), spectrum.eigenfunctions().cols() + 1);
   functions << Eigen::VectorXd::Ones(functions.rows()), spectrum.eigenfunctions();
   return functions;
@@ -56,7 +43,8 @@ Function_matrix functions_of(const Surface_component_3& surface)
 Matchable_data::Matchable_data(const Point_matrix& points, const Face_list& polygons,
                                const Point_matrix& given_pose)
   : number_of_vertices(static_cast<std::size_t>(points.rows())),
-    surface(repair_surface(points, polygons)), coarse(matching::coarse_copy(surface)),
+    surface(repair_surface(points, polygons)),
+    coarse(coarse_copy(surface, matching::COARSE_VERTICES)),
     functions(matching::functions_of(coarse.surface))
 {
   const Point_matrix pose_of_rows = rows_at(given_pose, surface.origins);

@@ -10,6 +10,7 @@
 #include <CGAL/Canonical_pose_3/Matchable_surface_3.h>
 #include <CGAL/Canonical_pose_3/Surface_match_3.h>
 #include <CGAL/Canonical_pose_3/call_with_threads.h>
+#include <CGAL/Canonical_pose_3/internal/support/Buckets.h>
 #include <CGAL/Canonical_pose_3/internal/support/for_each_block.h>
 #include <CGAL/Canonical_pose_3/internal/support/values_at.h>
 #include <CGAL/Canonical_pose_3/match_surfaces.h>
@@ -356,17 +357,19 @@ private:
 // ---- all vertices --------------------------------------------------------------------------------------
 
 // The triangles at each vertex.
-std::vector<Indices> triangles_of_vertices(const Repaired_surface_3& surface)
+Buckets<std::size_t> triangles_of_vertices(const Repaired_surface_3& surface)
 {
-  std::vector<Indices> result(static_cast<std::size_t>(surface.points.rows()));
-  for(std::size_t t = 0; t < surface.triangles.size(); ++t)
-    for(const std::size_t v : surface.triangles[t])
-      result[v].push_back(t);
-  return result;
+  return Buckets<std::size_t>(static_cast<std::size_t>(surface.points.rows()),
+                              [&](const auto& put) {
+                                for(std::size_t t = 0; t < surface.triangles.size(); ++t)
+                                  for(const std::size_t v : surface.triangles[t])
+                                    put(v, t);
+                              });
 }
 
 // The point nearest to a position on the triangles around a row.
-Surface_match_3::Location location(const Matchable_data& b, const Indices& triangles,
+template <class Triangles>
+Surface_match_3::Location location(const Matchable_data& b, const Triangles& triangles,
                                    const Eigen::RowVector3d& position)
 {
   Surface_match_3::Location result = {};
@@ -413,7 +416,7 @@ void locate(const Matchable_data& a, const Matchable_data& b, const Coarse_match
   const Point_search search(b.pose);
   const Indices nearest
     = nearest_features(features, search.nearest(position, number_of_candidates), others);
-  const std::vector<Indices> triangles = triangles_of_vertices(b.surface);
+  const Buckets<std::size_t> triangles = triangles_of_vertices(b.surface);
 
   Function_matrix trips(a.coarse_pose.rows(), 1);
   for(std::size_t i = 0; i < match.forward().size(); ++i)

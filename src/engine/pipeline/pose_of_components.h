@@ -217,14 +217,17 @@ Result pose_of_components(const Prepared_surface_3& prepared, const Options& opt
   for_each_component(results.size(), results.size() == 1 || have_functions(options),
                      [&](const std::size_t c) {
                        const auto& [surface, own_options] = prepared.components[c];
-                       Component_options local_options = own_options;
+                       std::optional<Component_options> watched;
                        if(options.visitor)
-                         local_options.visitor = [&, c](Registration_progress progress) {
+                       {
+                         watched = own_options;
+                         watched->visitor = [&, c](Registration_progress progress) {
                            progress.component = c;
                            return options.visitor(progress);
                          };
+                       }
                        results[c] = pose_of_component(
-                         surface, local_options,
+                         surface, watched ? *watched : own_options,
                          [&, c](const Coarse_surface_3& coarse, const Landmark_fields_3& fields) {
                            return make_body(c, coarse, fields);
                          });

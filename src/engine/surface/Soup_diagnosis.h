@@ -32,6 +32,23 @@ namespace CGAL {
 namespace Canonical_pose_3 {
 namespace internal {
 
+// The elements with a defect: their number, and the first ones.
+struct Soup_finding
+{
+  static constexpr std::size_t MAXIMUM_NUMBER_OF_EXAMPLES = 5;
+
+  void add(const std::initializer_list<std::size_t> example)
+  {
+    if(count++ < MAXIMUM_NUMBER_OF_EXAMPLES)
+      examples.emplace_back(example);
+  }
+  std::string first(const std::size_t i = 0) const { return std::to_string(examples[0][i]); }
+  std::string first_edge() const { return first() + " to vertex " + first(1); }
+
+  std::size_t count = 0;
+  std::vector<std::vector<std::size_t>> examples;
+};
+
 // The checks of diagnose(), one function each, the worst defect first.
 class Soup_diagnosis
 {
@@ -76,23 +93,8 @@ public:
   }
 
 private:
-  static constexpr std::size_t MAXIMUM_NUMBER_OF_EXAMPLES = 5;
-
   using Vertex_pair = std::pair<std::size_t, std::size_t>;
-
-  struct Finding
-  {
-    std::size_t count = 0;
-    std::vector<std::vector<std::size_t>> examples;
-
-    void add(const std::initializer_list<std::size_t> example)
-    {
-      if(count++ < MAXIMUM_NUMBER_OF_EXAMPLES)
-        examples.emplace_back(example);
-    }
-    std::string first(const std::size_t i = 0) const { return std::to_string(examples[0][i]); }
-    std::string first_edge() const { return first() + " to vertex " + first(1); }
-  };
+  using Finding = Soup_finding;
 
   void add_defect(const char* kind, const char* element, const Finding& finding,
                   const std::string& message)

@@ -58,43 +58,38 @@ Diagnosis_3 examine_boundary(const Point_matrix& points,
 
 namespace {
 
-// Adds an element to a defect; the first one has a message.
-void add_example(Diagnosis_3::Defect& defect, const std::size_t element, const std::string& message)
-{
-  constexpr std::size_t most = 5;
-  if(defect.count++ == 0)
-    defect.message = message;
-  if(defect.examples.size() < most)
-    defect.examples.push_back({element});
-}
-
 // The defects of values that are neither positions nor indices. Where there are some, there are no shapes to examine.
 template <class Elements>
 Diagnosis_3 diagnosis_of_values(const Point_matrix& points, const Elements& elements,
                                 const std::string& kind_of_element)
 {
-  Diagnosis_3::Defect positions = {"not_finite", 0, "vertex", {}, {}},
-                      indices = {"wrong_indices", 0, kind_of_element, {}, {}};
-  for(Eigen::Index v = 0; v < points.rows(); ++v)
-    if(!points.row(v).allFinite())
-      add_example(positions, static_cast<std::size_t>(v),
-                  "vertex " + std::to_string(v) + " has a coordinate that is not finite");
-  const auto n = static_cast<std::size_t>(points.rows());
-  for(std::size_t i = 0; i < elements.size(); ++i)
-    for(const std::size_t v : elements[i])
-      if(v >= n)
-      {
-        add_example(indices, i,
-                    kind_of_element + ' ' + std::to_string(i) + " names vertex " + std::to_string(v)
-                      + ", but there are " + std::to_string(n));
-        break;
-      }
   Diagnosis_3 result;
-  result.vertices = n;
+  const std::size_t n = result.vertices = static_cast<std::size_t>(points.rows());
   result.faces = elements.size();
-  for(const Diagnosis_3::Defect& defect : {positions, indices})
-    if(defect.count > 0)
-      result.defects.push_back(defect);
+  Soup_finding positions, indices;
+  for(std::size_t v = 0; v < n; ++v)
+    if(!points.row(static_cast<Eigen::Index>(v)).allFinite())
+      positions.add({v});
+  std::size_t wrong_index = 0; // of the first element
+  for(std::size_t i = 0; i < elements.size(); ++i)
+  {
+    const auto wrong = std::find_if(elements[i].begin(), elements[i].end(),
+                                    [&](const std::size_t v) { return v >= n; });
+    if(wrong == elements[i].end())
+      continue;
+    if(indices.count == 0)
+      wrong_index = *wrong;
+    indices.add({i});
+  }
+  if(positions.count > 0)
+    result.defects.push_back(
+      {"not_finite", positions.count, "vertex", positions.examples,
+       "vertex " + positions.first() + " has a coordinate that is not finite"});
+  if(indices.count > 0)
+    result.defects.push_back({"wrong_indices", indices.count, kind_of_element, indices.examples,
+                              kind_of_element + ' ' + indices.first() + " names vertex "
+                                + std::to_string(wrong_index) + ", but there are "
+                                + std::to_string(n)});
   if(!result.defects.empty())
     result.first_defect = result.defects.front().message;
   return result;

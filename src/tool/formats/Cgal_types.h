@@ -47,7 +47,9 @@ inline Point_matrix matrix_of(const std::vector<Point_3>& points)
 
 inline Mesh_file with_points(Mesh_file file, const Point_matrix& points)
 {
-  const std::vector<std::array<double, 3>> before = file.points;
+  std::vector<std::array<double, 3>> before;
+  if(!file.appearance.normals.empty())
+    before = file.points;
   for(std::size_t v = 0; v < file.points.size(); ++v)
     for(std::size_t k = 0; k < 3; ++k)
       file.points[v][k] = points(static_cast<Eigen::Index>(v), static_cast<Eigen::Index>(k));

@@ -31,11 +31,11 @@ const std::vector<Color>& colors_of(const Shown_surface& surface)
                                        : surface.vertex_colors;
 }
 
-void write_header(std::ostream& out, const Shown_surface& surface)
+void write_header(std::ostream& out, const Shown_surface& surface, const bool has_normals)
 {
   out << "ply\nformat ascii 1.0\nelement vertex " << surface.mesh.points.size()
       << "\nproperty double x\nproperty double y\nproperty double z\n";
-  if(!normals_of_vertices(surface.mesh).empty())
+  if(has_normals)
     out << "property float nx\nproperty float ny\nproperty float nz\n";
   if(!colors_of(surface).empty())
     announce_color(out);
@@ -60,9 +60,9 @@ void write_ply(std::ostream& out, const Shown_surface& surface)
   const Mesh_file& mesh = surface.mesh;
   check_format_holds(Format::PLY, mesh);
   use_shortest_numbers(out);
-  write_header(out, surface);
   const std::vector<Color>& colors = colors_of(surface);
   const std::vector<std::array<float, 3>> normals = normals_of_vertices(mesh);
+  write_header(out, surface, !normals.empty());
   const auto& coordinates = mesh.appearance.texture_coordinates;
   for(std::size_t v = 0; v < mesh.points.size(); ++v)
   {
