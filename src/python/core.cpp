@@ -188,7 +188,7 @@ py::tuple match(const py::object& vertices, const py::object& faces, const py::o
                 const py::object& other_vertices, const py::object& other_faces,
                 const py::object& other_pose,
                 const std::vector<std::pair<std::size_t, std::size_t>>& landmarks,
-                const int number_of_threads)
+                const py::dict& keywords)
 {
   namespace CP = CGAL::Canonical_pose_3;
   const Mesh_file surface = surface_of(vertices, faces),
@@ -196,7 +196,7 @@ py::tuple match(const py::object& vertices, const py::object& faces, const py::o
   const Point_matrix poses[] = {*pose_of(pose, surface), *pose_of(other_pose, other)};
   CP::Match_options options;
   options.landmarks = landmarks;
-  options.number_of_threads = number_of_threads;
+  options.number_of_threads = options_of(keywords).number_of_threads;
   const CP::Surface_match_3 match = without_lock([&] {
     const auto prepared = [](const Mesh_file& mesh, const Point_matrix& given) {
       return CP::Matchable_surface_3(tool::matrix_of(tool::points_of(mesh)), mesh.faces, given);
@@ -270,10 +270,7 @@ std::vector<std::string> save(const std::string& path, const py::object& vertice
   return without_lock([&] {
     tool::forget_streams();
     if(like)
-    {
       mesh = tool::read_other_mesh_file(*like, tool::Source::KEPT);
-      tool::load_appearance(mesh);
-    }
     if(points.size() != mesh.points.size())
       throw std::invalid_argument("there are " + std::to_string(points.size()) + " vertices, but '"
                                   + *like + "' has " + std::to_string(mesh.points.size()));
@@ -287,6 +284,7 @@ std::vector<std::string> save(const std::string& path, const py::object& vertice
     files.write(path, [&](std::ostream& out) {
       if(tool::is_rewritable(mesh, format))
         return tool::rewrite_mesh(out, mesh, points, {});
+      tool::load_appearance(mesh);
       Mesh_file written = mesh;
       written.points = points;
       tool::turn_normals(written, mesh.points);

@@ -197,6 +197,19 @@ void write_report(std::ostream& out, const Segmentation_report& segmentation,
         stages, total_seconds);
 }
 
+void write_report(std::ostream& out, const CGAL::Canonical_pose_3::Surface_match_3& match,
+                  const std::vector<std::string>& warnings,
+                  const std::vector<Registration_summary::Stage>& stages,
+                  const double total_seconds)
+{
+  write(out,
+        {{"mean_distance", match.mean_distance},
+         {"mean_round_trip", match.round_trips.mean()},
+         {"is_rotation_certain", match.is_rotation_certain},
+         {"warnings", warnings}},
+        stages, total_seconds);
+}
+
 void write_outcome(std::ostream& out, const Registration_summary& summary)
 {
   out << summary << '\n';

@@ -6,6 +6,7 @@
 
 #include <CGAL/Canonical_pose_3/Registration_summary.h>
 #include <CGAL/Canonical_pose_3/Segmentation_tree_3.h>
+#include <CGAL/Canonical_pose_3/Surface_match_3.h>
 #include <CGAL/Canonical_pose_3/segmentation_parts.h>
 
 #include <Eigen/Core>
@@ -67,6 +68,12 @@ struct Segmentation_report
 // Writes the report (JSON) of a segmentation.
 void write_report(std::ostream& out, const Segmentation_report& segmentation,
                   double seconds_to_write, double total_seconds);
+
+// Writes the report (JSON) of a match.
+void write_report(std::ostream& out, const CGAL::Canonical_pose_3::Surface_match_3& match,
+                  const std::vector<std::string>& warnings,
+                  const std::vector<CGAL::Canonical_pose_3::Registration_summary::Stage>& stages,
+                  double total_seconds);
 
 // Writes the outcome in one line, and one line per warning.
 void write_outcome(std::ostream& out, const CGAL::Canonical_pose_3::Registration_summary& summary);

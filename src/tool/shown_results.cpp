@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <filesystem>
 #include <numeric>
 #include <stdexcept>
 #include <string>
@@ -52,6 +53,8 @@ bool is_shown(const std::string& path)
   const std::string extension = extension_of(path);
   return extension == ".ply" || (extension == ".glb" && format_of(path) == Format::GLB);
 }
+
+bool is_text(const std::string& path) { return path == "-" || extension_of(path) == ".txt"; }
 
 Format format_of_output(const std::string& path)
 try
@@ -148,6 +151,29 @@ Shown_surface shown_pose(const Mesh_file& input, const CP::Result& result)
   surface.figures.push_back({"inverted", static_cast<double>(result.summary.inverted)});
   color_by(surface, "strain", strain, LARGEST_SHOWN_STRAIN);
   return surface;
+}
+
+std::vector<std::string> loss_warnings(const Mesh_file& input, const std::string& path,
+                                       const std::string& name)
+{
+  const Format format = format_of(path);
+  const bool is_rewritten = is_rewritable(input, format);
+  std::vector<std::string> result;
+  std::string lost;
+  for(const std::string& attribute : losses(input, format, is_rewritten))
+    lost += (lost.empty() ? "" : ", ") + attribute;
+  if(!lost.empty())
+    result.push_back(name + " in "
+                     + (is_standard_stream(path) ? "the standard output" : '\'' + path + '\'')
+                     + " lacks " + lost + " of the input");
+  const auto folder = [](const std::string& file) {
+    return std::filesystem::absolute(file).parent_path().lexically_normal();
+  };
+  if(is_rewritten && !is_standard_stream(path) && !is_standard_stream(input.source->path)
+     && folder(path) != folder(input.source->path))
+    for(const std::string& file : files_beside(input))
+      result.push_back(name + " names '" + file + "', which is beside the input, but not copied");
+  return result;
 }
 
 void write_pose(std::ostream& out, const Format format, const Mesh_file& input,

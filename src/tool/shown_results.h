@@ -24,6 +24,9 @@ namespace Canonical_pose_tool {
 // Whether a file shows a surface, with values and colors (.ply, .glb).
 bool is_shown(const std::string& path);
 
+// Whether a path is that of a text: .txt, or the standard output.
+bool is_text(const std::string& path);
+
 // The format of an output. Throws Usage_error if its extension is unknown.
 Format format_of_output(const std::string& path);
 
@@ -44,6 +47,10 @@ Shown_surface shown_parts(const Mesh_file& input, const std::vector<std::size_t>
 
 // INPUT, or its boundary, with target and pose in the frame of the pose. Colors show the strain.
 Shown_surface shown_pose(const Mesh_file& input, const CGAL::Canonical_pose_3::Result& result);
+
+// Tells what INPUT has, and `name`, which write_pose() writes to a path, has not.
+std::vector<std::string> loss_warnings(const Mesh_file& input, const std::string& path,
+                                       const std::string& name);
 
 // Writes a pose; with the strain of its vertices if the format has values.
 void write_pose(std::ostream& out, Format format, const Mesh_file& input,

@@ -624,7 +624,7 @@ def match(vertices, faces, other_vertices, other_faces, *, pose=None, other_pose
              for given, surface, surface_faces in ((pose, vertices, faces),
                                                    (other_pose, other_vertices, other_faces))]
     return Match(*_core.match(vertices, faces, poses[0], other_vertices, other_faces, poses[1],
-                              list(landmarks), options.get("threads") or 0))
+                              list(landmarks), options))
 
 
 def shape_distance(vertices, faces, other_vertices, other_faces, *, descriptor=None, pose=None,

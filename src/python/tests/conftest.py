@@ -177,11 +177,12 @@ def figure():
 
 @pytest.fixture(scope="session")
 def tool():
-    """A function that runs the tool."""
+    """A function that runs the tool, and returns what it prints."""
     path = os.environ.get("CANONICAL_POSE_TOOL", "")
     if not os.path.exists(path):
         pytest.skip("the tool is not built")
 
     def run(*arguments):
-        subprocess.run([path, *map(str, arguments)], check=True, stdout=subprocess.DEVNULL)
+        return subprocess.run([path, *map(str, arguments)], check=True, capture_output=True,
+                              text=True).stdout
     return run

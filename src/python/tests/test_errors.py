@@ -233,7 +233,10 @@ def test_types_of_options(options, tube):
 def test_unknown_options(tube):
     for function in (canonical_pose.target, canonical_pose.segment, canonical_pose.describe,
                      canonical_pose.Registrar, lambda *shape, **options:
-                     canonical_pose.shape_distance(*shape, *shape, **options)):
+                     canonical_pose.shape_distance(*shape, *shape, **options),
+                     lambda *shape, **options:
+                     canonical_pose.match(*shape, *shape, pose=shape[0], other_pose=shape[0],
+                                          **options)):
         with pytest.raises(TypeError, match="there is no option colour"):
             function(*tube, colour="red")
 

@@ -39,7 +39,8 @@ int run_geodesics(Arguments& arguments)
 {
   check_format_of_values(arguments.output);
   Output_files files({arguments.output}, {arguments.input});
-  const Mesh_file input = read_shown_mesh_file(arguments.input);
+  const Mesh_file input = is_shown(arguments.output) ? read_shown_mesh_file(arguments.input)
+                                                     : read_mesh_file(arguments.input);
   check_is_surface(input);
   arguments.say("measuring distances");
   const bool is_exact = arguments.geodesics == "exact";

@@ -15,8 +15,6 @@
 
 #include <CGAL/Canonical_pose_3/match_surfaces.h>
 
-#include <nlohmann/json.hpp>
-
 #include <cstdlib>
 #include <iostream>
 #include <stdexcept>
@@ -37,8 +35,8 @@ void add_match_options(Command_options& o)
     o,
     "where the vertices of INPUT are on OTHER: a line each (.txt), or INPUT in the shape of OTHER",
     {"txt", "off", "obj", "ply", "stl", "glb"});
-  add_path(o, "--pose", o.arguments.pose, "take this pose of INPUT instead of computing one");
-  add_path(o, "--other-pose", o.arguments.other_pose, "the same of OTHER");
+  add_given_pose(o);
+  add_path(o, "--other-pose", o.arguments.other_pose, "the same for OTHER");
   o.app
     .add_option("--landmark", o.raw.landmarks,
                 "I,J: vertex I of INPUT matches vertex J of OTHER; may be repeated")
@@ -74,16 +72,20 @@ void write_locations(std::ostream& out, const CP::Surface_match_3& match)
 int run_match(Arguments& arguments)
 {
   Stage_clock clock;
-  const bool is_text = arguments.output == "-" || extension_of(arguments.output) == ".txt";
-  if(!is_text && format_of_output(arguments.output) == Format::MEDIT)
+  const std::string& output = arguments.output;
+  const bool is_map = is_text(output);
+  if(const Format format = is_map ? Format::OFF : format_of_output(output);
+     format == Format::MEDIT || format == Format::VTU)
     throw Usage_error("the output is a surface or a text file");
-  const std::vector<std::string> outputs = {arguments.output, arguments.report};
+  const std::vector<std::string> outputs = {output, arguments.report};
   Output_files files(outputs,
                      {arguments.input, arguments.other, arguments.pose, arguments.other_pose});
-  Mesh_file input = read_mesh_file(arguments.input, Source::KEPT);
-  load_appearance(input);
+  const Mesh_file input
+    = is_map ? read_mesh_file(arguments.input) : read_shown_mesh_file(arguments.input);
+  if(!is_map)
+    check_format_holds(format_of(output), input);
   const Mesh_file other = read_other_mesh_file(arguments.other);
-  std::vector<std::pair<std::string, double>> stages = {{"read", clock.lap()}};
+  std::vector<CP::Registration_summary::Stage> stages = {{"read", clock.lap()}};
   arguments.say("computing the poses");
   const CP::Matchable_surface_3 surface = prepared(input, arguments.pose, arguments),
                                 surface_of_other = prepared(other, arguments.other_pose, arguments);
@@ -92,23 +94,20 @@ int run_match(Arguments& arguments)
   arguments.match.number_of_threads = arguments.options.number_of_threads;
   const CP::Surface_match_3 match = CP::match_surfaces(surface, surface_of_other, arguments.match);
   stages.emplace_back("match", clock.lap());
-  files.write(arguments.output, [&](std::ostream& out) {
-    if(is_text)
+  std::vector<std::string> warnings;
+  if(!is_map)
+    warnings = loss_warnings(input, output, "the surface");
+  if(!match.is_rotation_certain)
+    warnings.push_back(
+      "another rotation of the pose matches nearly as well: front and back may be confused");
+  files.write(output, [&](std::ostream& out) {
+    if(is_map)
       return write_locations(out, match);
-    write_pose(out, format_of(arguments.output), input,
-               match.interpolated(matrix_of(points_of(other))));
+    write_pose(out, format_of(output), input, match.interpolated(matrix_of(points_of(other))));
   });
+  stages.emplace_back("write", clock.lap());
   files.write(arguments.report, [&](std::ostream& out) {
-    nlohmann::ordered_json seconds;
-    for(const auto& [stage, time] : stages)
-      seconds[stage] = time;
-    out << nlohmann::ordered_json({{"mean_distance", match.mean_distance},
-                                   {"is_rotation_certain", match.is_rotation_certain},
-                                   {"mean_round_trip", match.round_trips.mean()},
-                                   {"stages", seconds},
-                                   {"seconds", clock.total()}})
-             .dump(2)
-        << '\n';
+    write_report(out, match, warnings, stages, clock.total());
   });
   files.commit();
   arguments.say("");
@@ -117,9 +116,8 @@ int run_match(Arguments& arguments)
   std::ostream& out = messages_beside(outputs);
   out << "mean round trip " << match.round_trips.mean() << ", mean distance of the poses "
       << match.mean_distance << " (of their radius)\n";
-  if(!match.is_rotation_certain)
-    out << "warning: another rotation of the pose matches nearly as well: front and back may be "
-           "confused\n";
+  for(const std::string& warning : warnings)
+    out << "warning: " << warning << '\n';
   return EXIT_SUCCESS;
 }
 

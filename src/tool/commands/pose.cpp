@@ -15,10 +15,10 @@
 #include <Eigen/Core>
 
 #include <cstdlib>
-#include <filesystem>
 #include <iostream>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace Canonical_pose_tool {
@@ -68,28 +68,6 @@ CGAL::Canonical_pose_3::Landmark_fields_3 given_fields(const std::string& path,
   {
     throw std::invalid_argument("'" + path + "': " + error.what());
   }
-}
-
-// Names what INPUT has, and POSE has not.
-void warn_of_losses(const Mesh_file& input, const std::string& output,
-                    CGAL::Canonical_pose_3::Registration_summary& summary)
-{
-  std::string lost;
-  for(const std::string& name : losses(input, format_of(output)))
-    lost += (lost.empty() ? "" : ", ") + name;
-  if(!lost.empty())
-    summary.warnings.push_back(
-      "the pose in " + (is_standard_stream(output) ? "the standard output" : '\'' + output + '\'')
-      + " lacks " + lost + " of the input");
-  if(is_standard_stream(output) || is_standard_stream(input.source->path)
-     || !is_rewritable(input, format_of(output)))
-    return;
-  const auto folder
-    = [](const std::string& path) { return std::filesystem::absolute(path).parent_path(); };
-  if(folder(output).lexically_normal() != folder(input.source->path).lexically_normal())
-    for(const std::string& name : files_beside(input))
-      summary.warnings.push_back("the pose names '" + name
-                                 + "', which is beside the input, but not copied");
 }
 
 void add_pose_options(Command_options& o)
@@ -178,7 +156,8 @@ int run_pose(Arguments& arguments)
     const Mesh_file surface = input.is_tetrahedral ? boundary_of(input) : input;
     write_mesh(out, format_of(arguments.target), with_points(surface, *result.target));
   });
-  warn_of_losses(input, arguments.output, summary);
+  for(std::string& warning : loss_warnings(input, arguments.output, "the pose"))
+    summary.warnings.push_back(std::move(warning));
   files.write(arguments.scene,
               [&](std::ostream& out) { write_glb(out, shown_pose(input, result)); });
   summary.add_seconds("write", clock.lap());

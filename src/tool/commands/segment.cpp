@@ -98,7 +98,6 @@ private:
 };
 
 bool is_folder(const std::string& path) { return path.back() == '/'; }
-bool is_text(const std::string& path) { return path == "-" || extension_of(path) == ".txt"; }
 
 std::vector<std::string> inputs_of(const Arguments& arguments)
 {
@@ -175,7 +174,8 @@ int run_segment(Arguments& arguments)
   Output_folder folder(is_folder(arguments.output) ? arguments.output : std::string());
   Output_files({is_folder(arguments.output) ? std::string() : arguments.output, arguments.report},
                inputs_of(arguments));
-  const Mesh_file input = read_shown_mesh_file(arguments.input);
+  const Mesh_file input = is_text(arguments.output) ? read_mesh_file(arguments.input)
+                                                    : read_shown_mesh_file(arguments.input);
   check_is_surface(input);
   Segmentation_report report;
   report.stages.emplace_back("read", clock.lap());
