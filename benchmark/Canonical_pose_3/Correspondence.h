@@ -4,15 +4,12 @@
 #ifndef CGAL_CANONICAL_POSE_3_BENCHMARK_CORRESPONDENCE_H
 #define CGAL_CANONICAL_POSE_3_BENCHMARK_CORRESPONDENCE_H
 
+#include "Nearest_points.h"
+
 #include "formats/Cgal_types.h" // of the tool
 #include "formats/Mesh_file.h"
 
 #include <CGAL/Canonical_pose_3/point_matrix.h>
-
-#include <CGAL/Orthogonal_k_neighbor_search.h>
-#include <CGAL/Search_traits_3.h>
-#include <CGAL/Search_traits_adapter.h>
-#include <CGAL/Simple_cartesian.h>
 
 #include <cmath>
 #include <cstddef>
@@ -85,34 +82,12 @@ private:
   static std::vector<std::size_t> nearest(const Point_matrix& points,
                                           const Point_matrix& references)
   {
-    using Kernel = CGAL::Simple_cartesian<double>;
-    using Point_map = CGAL::Pointer_property_map<Kernel::Point_3>::type;
-    using Traits
-      = CGAL::Search_traits_adapter<std::size_t, Point_map, CGAL::Search_traits_3<Kernel>>;
-    using Search = CGAL::Orthogonal_k_neighbor_search<Traits>;
-
-    std::vector<Kernel::Point_3> positions;
-    for(Eigen::Index i = 0; i < points.rows(); ++i)
-      positions.emplace_back(points(i, 0), points(i, 1), points(i, 2));
-    std::vector<std::size_t> numbers(positions.size());
-    std::iota(numbers.begin(), numbers.end(), std::size_t(0));
-    const Point_map point_map = CGAL::make_property_map(positions);
-    Search::Tree tree(numbers.begin(), numbers.end(), Search::Splitter(), Traits(point_map));
-    const Search::Distance distance(point_map);
-
-    std::vector<std::size_t> result;
-    double squared = 0;
-    for(Eigen::Index i = 0; i < references.rows(); ++i)
-    {
-      const Search search(tree,
-                          Kernel::Point_3(references(i, 0), references(i, 1), references(i, 2)), 1,
-                          0, true, distance);
-      result.push_back(search.begin()->first);
-      squared += search.begin()->second;
-    }
+    const std::vector<std::size_t> result = Nearest_points(points).find(references);
+    const double squared
+      = (rows_of(points, result) - references).rowwise().squaredNorm().mean();
     const double extent
       = std::sqrt((points.rowwise() - points.colwise().mean()).rowwise().squaredNorm().mean());
-    if(!(std::sqrt(squared / static_cast<double>(references.rows())) < 0.05 * extent))
+    if(!(std::sqrt(squared) < 0.05 * extent))
       throw std::invalid_argument("the mesh does not lie where its reference lies");
     return result;
   }

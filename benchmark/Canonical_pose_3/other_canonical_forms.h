@@ -8,17 +8,16 @@
 #include <CGAL/Canonical_pose_3/Surface_component_3.h>
 
 #include "Cotangent_laplacian.h"
+#include "Laplacian_spectrum.h"
 #include "Sparse_system.h"
 
 #include <Eigen/Dense>
-#include <Spectra/SymEigsSolver.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <set>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -35,38 +34,10 @@ using CGAL::Canonical_pose_3::Surface_component_3;
 /// nor, for similar eigenvalues, the order are determined.
 inline Point_matrix global_point_signature(const Surface_component_3& surface)
 {
-  const Cotangent_laplacian laplacian(surface.points, surface.triangles);
-  const double shift = 0.1; // the smallest positive eigenvalue of a surface of area 1 is 1 to 30
-
-  // The inverse of the shifted Laplacian, symmetric by the roots of the mass.
-  struct Inverse
-  {
-    using Scalar = double;
-    Eigen::VectorXd roots;
-    Sparse_system system;
-    Eigen::Index rows() const { return roots.size(); }
-    Eigen::Index cols() const { return roots.size(); }
-    void perform_op(const double* in, double* out) const
-    {
-      const Eigen::Map<const Eigen::VectorXd> x(in, roots.size());
-      Eigen::Map<Eigen::VectorXd>(out, roots.size())
-        = roots.cwiseProduct(system.solve(roots.cwiseProduct(x)).col(0));
-    }
-  };
-  // Vertices whose triangles all have area 0 follow their neighbors.
-  const Eigen::VectorXd mass = laplacian.mass.cwiseMax(1e-3 * laplacian.mass.mean());
-  Eigen::SparseMatrix<double> matrix = laplacian.stiffness;
-  matrix += Eigen::SparseMatrix<double>((shift * mass).asDiagonal());
-  Inverse inverse{mass.cwiseSqrt(), Sparse_system(matrix)};
-  Spectra::SymEigsSolver<Inverse> solver(inverse, 4, 20);
-  solver.init();
-  solver.compute(Spectra::SortRule::LargestAlge);
-  if(solver.info() != Spectra::CompInfo::Successful)
-    throw std::runtime_error("the eigensolver has not converged");
+  const Laplacian_spectrum spectrum(surface.points, surface.triangles, 4);
   Point_matrix result(surface.points.rows(), 3);
   for(Eigen::Index k = 0; k < 3; ++k)
-    result.col(k) = solver.eigenvectors().col(k + 1).cwiseQuotient(inverse.roots)
-                    / std::sqrt(1 / solver.eigenvalues()[k + 1] - shift);
+    result.col(k) = spectrum.functions.col(k + 1) / std::sqrt(spectrum.values[k + 1]);
   return result;
 }
 

@@ -141,6 +141,23 @@ std::vector<std::size_t> face_of(const long long* const corners, const py::ssize
   return result;
 }
 
+std::vector<std::array<std::size_t, 4>> cells_of(const py::object& values, const Mesh_file& mesh)
+{
+  const Integers cells = integers_of(values, "cells");
+  if(cells.ndim() != 2)
+    throw std::invalid_argument("cells must have 2 dimensions, but is " + shape_of(cells));
+  check_number_of_columns(cells, 4, "cells");
+  std::vector<std::array<std::size_t, 4>> result(static_cast<std::size_t>(cells.shape(0)));
+  for(std::size_t t = 0; t < result.size(); ++t)
+    for(std::size_t k = 0; k < 4; ++k)
+      result[t][k] = Canonical_pose_tool::vertex_index(
+        mesh, cells.at(static_cast<py::ssize_t>(t), static_cast<py::ssize_t>(k)),
+        mesh.points.size(), Element{"cell", t});
+  return result;
+}
+
+} // namespace
+
 // Faces with the same number of corners each are a matrix, others a sequence of sequences.
 Face_list faces_of(const py::object& given, const Mesh_file& mesh)
 {
@@ -171,23 +188,6 @@ Face_list faces_of(const py::object& given, const Mesh_file& mesh)
   }
   return result;
 }
-
-std::vector<std::array<std::size_t, 4>> cells_of(const py::object& values, const Mesh_file& mesh)
-{
-  const Integers cells = integers_of(values, "cells");
-  if(cells.ndim() != 2)
-    throw std::invalid_argument("cells must have 2 dimensions, but is " + shape_of(cells));
-  check_number_of_columns(cells, 4, "cells");
-  std::vector<std::array<std::size_t, 4>> result(static_cast<std::size_t>(cells.shape(0)));
-  for(std::size_t t = 0; t < result.size(); ++t)
-    for(std::size_t k = 0; k < 4; ++k)
-      result[t][k] = Canonical_pose_tool::vertex_index(
-        mesh, cells.at(static_cast<py::ssize_t>(t), static_cast<py::ssize_t>(k)),
-        mesh.points.size(), Element{"cell", t});
-  return result;
-}
-
-} // namespace
 
 int& Uninterrupted::number_in_thread()
 {

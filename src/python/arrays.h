@@ -39,6 +39,9 @@ Mesh_file mesh_of(const py::object& vertices, const py::object& faces, const py:
 
 Mesh_file surface_of(const py::object& vertices, const py::object& faces);
 
+// Faces whose vertices are those of `mesh`.
+Canonical_pose_tool::Face_list faces_of(const py::object& given, const Mesh_file& mesh);
+
 // `name` is that of the argument, for messages.
 std::vector<std::array<double, 3>> points_of(const py::object& values, const std::string& name,
                                              const Mesh_file& mesh = Mesh_file());

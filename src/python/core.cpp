@@ -21,11 +21,13 @@
 #include "formats/Shown_surface.h"
 
 #include <CGAL/Canonical_pose_3/align_handedness.h>
-#include <CGAL/Canonical_pose_3/match_surfaces.h>
 #include <CGAL/Canonical_pose_3/call_with_threads.h>
 #include <CGAL/Canonical_pose_3/geodesic_distances.h>
 #include <CGAL/Canonical_pose_3/library_configuration.h>
+#include <CGAL/Canonical_pose_3/match_surfaces.h>
+#include <CGAL/Canonical_pose_3/mean_pose.h>
 #include <CGAL/Canonical_pose_3/pose_difference.h>
+#include <CGAL/Canonical_pose_3/transfer_attributes.h>
 
 #include <CGAL/assertions_behaviour.h>
 
@@ -129,6 +131,12 @@ std::vector<bool> align_handedness(const std::vector<py::object>& poses)
   return without_lock([&] { return CGAL::Canonical_pose_3::align_handedness(matrices); });
 }
 
+Point_matrix mean_pose(const std::vector<py::object>& poses)
+{
+  std::vector<Point_matrix> matrices = matrices_of(poses);
+  return without_lock([&] { return CGAL::Canonical_pose_3::mean_pose(std::move(matrices)); });
+}
+
 // The given pose, if there is one.
 std::optional<Point_matrix> pose_of(const py::object& values, const Mesh_file& surface)
 {
@@ -184,11 +192,29 @@ py::dict describe(const py::object& vertices, const py::object& faces,
   return result;
 }
 
+// Faces, vertices and weights.
+py::tuple
+arrays_of(const std::vector<CGAL::Canonical_pose_3::Surface_match_3::Location>& locations)
+{
+  std::vector<std::size_t> faces, corners;
+  Eigen::MatrixXd weights(static_cast<Eigen::Index>(locations.size()), 3);
+  for(const auto& location : locations)
+  {
+    for(std::size_t k = 0; k < 3; ++k)
+      weights(static_cast<Eigen::Index>(faces.size()), static_cast<Eigen::Index>(k))
+        = location.weights[k];
+    faces.push_back(location.face);
+    corners.insert(corners.end(), location.vertices.begin(), location.vertices.end());
+  }
+  return py::make_tuple(array_of(std::move(faces)),
+                        array_of(std::move(corners)).attr("reshape")(-1, 3), std::move(weights));
+}
+
 py::tuple match(const py::object& vertices, const py::object& faces, const py::object& pose,
                 const py::object& other_vertices, const py::object& other_faces,
                 const py::object& other_pose,
                 const std::vector<std::pair<std::size_t, std::size_t>>& landmarks,
-                const py::dict& keywords)
+                const bool is_mirrored, const py::dict& keywords)
 {
   namespace CP = CGAL::Canonical_pose_3;
   const Mesh_file surface = surface_of(vertices, faces),
@@ -196,6 +222,7 @@ py::tuple match(const py::object& vertices, const py::object& faces, const py::o
   const Point_matrix poses[] = {*pose_of(pose, surface), *pose_of(other_pose, other)};
   CP::Match_options options;
   options.landmarks = landmarks;
+  options.is_mirrored = is_mirrored;
   options.number_of_threads = options_of(keywords).number_of_threads;
   const CP::Surface_match_3 match = without_lock([&] {
     const auto prepared = [](const Mesh_file& mesh, const Point_matrix& given) {
@@ -203,19 +230,33 @@ py::tuple match(const py::object& vertices, const py::object& faces, const py::o
     };
     return CP::match_surfaces(prepared(surface, poses[0]), prepared(other, poses[1]), options);
   });
-  std::vector<std::size_t> found, corners;
-  Eigen::MatrixXd weights(static_cast<Eigen::Index>(match.locations.size()), 3);
-  for(const CP::Surface_match_3::Location& location : match.locations)
+  return arrays_of(match.locations) + arrays_of(match.locations_of_other)
+         + py::make_tuple(match.round_trips, match.scale, match.mean_distance,
+                          match.is_rotation_certain);
+}
+
+// `corners` and `weights`: of the vertices, on the other surface.
+py::array matched_faces(const py::array_t<std::size_t>& corners, const Eigen::MatrixXd& weights,
+                        const py::object& faces, const py::object& other_faces)
+{
+  CGAL::Canonical_pose_3::Surface_match_3 match;
+  Mesh_file surface, other;
+  surface.points.resize(static_cast<std::size_t>(weights.rows()));
+  const auto at = corners.unchecked<2>();
+  for(Eigen::Index v = 0; v < weights.rows(); ++v)
   {
-    for(std::size_t k = 0; k < 3; ++k)
-      weights(static_cast<Eigen::Index>(found.size()), static_cast<Eigen::Index>(k))
-        = location.weights[k];
-    found.push_back(location.face);
-    corners.insert(corners.end(), location.vertices.begin(), location.vertices.end());
+    match.locations.emplace_back();
+    for(Eigen::Index k = 0; k < 3; ++k)
+    {
+      const std::size_t corner = at(v, k);
+      match.locations.back().vertices[static_cast<std::size_t>(k)] = corner;
+      match.locations.back().weights[static_cast<std::size_t>(k)] = weights(v, k);
+      other.points.resize((std::max)(other.points.size(), corner + 1));
+    }
   }
-  return py::make_tuple(array_of(std::move(found)),
-                        array_of(std::move(corners)).attr("reshape")(-1, 3), std::move(weights),
-                        match.round_trips, match.mean_distance, match.is_rotation_certain);
+  const tool::Face_list of_other = faces_of(other_faces, other);
+  return array_of(
+    CGAL::Canonical_pose_3::matched_faces(match, faces_of(faces, surface), of_other));
 }
 
 // Faces with the same number of corners each are a matrix, others a list of lists.
@@ -331,7 +372,9 @@ PYBIND11_MODULE(_core, module)
   module.def("check", &check);
   module.def("compare", &compare);
   module.def("align_handedness", &align_handedness);
+  module.def("mean_pose", &mean_pose);
   module.def("match", &match);
+  module.def("matched_faces", &matched_faces);
   module.def("segment", &segment);
   module.def("describe", &describe);
   module.def("load", &load);

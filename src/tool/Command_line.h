@@ -29,7 +29,7 @@ struct Arguments
 {
   const Command* command = nullptr;
   std::string input;
-  std::string output; // POSE, DISTANCES, or OUT of SEGMENT and DESCRIBE, PAGE
+  std::string output; // POSE, DISTANCES, or OUT of SEGMENT and DESCRIBE, PAGE; mean of COMPARE
   std::string target; // this and the next six: empty if not requested
   std::string scene;
   std::string report;
@@ -42,7 +42,8 @@ struct Arguments
   std::vector<std::string> poses; // this and the next: of COMPARE
   bool has_pairs = false;
   std::string pose;              // of SEGMENT, DESCRIBE and MATCH
-  std::string other, other_pose; // this and the next: of MATCH
+  std::string other, other_pose; // this and the next two: of MATCH
+  std::string transfer;          // empty if not requested
   CGAL::Canonical_pose_3::Match_options match;
   std::vector<std::string> descriptors; // names, of DESCRIBE
   std::string method = "consensus";     // this and the next: of SEGMENT
@@ -51,6 +52,7 @@ struct Arguments
   // Of COLLECTION and its kin.
   std::string database;
   std::string pose_folder;
+  std::string match_template, match_folder; // empty if not requested
   std::vector<std::string> pose_words; // the options of `pose` that were given, as words
   std::string pose_options;            // the same as a text
   bool is_segmented = false;

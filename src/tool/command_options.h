@@ -9,7 +9,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -45,8 +44,7 @@ CLI::Validator integer(const Integer least)
     [=](std::string& text) {
       const std::optional<Integer> value = count_of<Integer>(text);
       if(!value || *value < least)
-        return "'" + text + "' is not an integer from " + std::to_string(least) + " to "
-               + std::to_string((std::numeric_limits<Integer>::max)());
+        return "'" + text + "' is not " + range_of_counts(least);
       text = std::to_string(*value); // leading zeros would mean octal numbers
       return std::string();
     },

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdio>
-#include <limits>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
@@ -74,8 +73,7 @@ Method_option integer(const char* const name, const Integer least, const Member 
           help,
           Type::INTEGER,
           {},
-          "an integer from " + std::to_string(least) + " to "
-            + std::to_string((std::numeric_limits<Integer>::max)()),
+          range_of_counts(least),
           [least, member](Options& options, const std::string& text) {
             const std::optional<Integer> value = count_of<Integer>(text);
             if(!value || *value < least)

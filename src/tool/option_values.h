@@ -8,11 +8,14 @@
 
 #include <charconv>
 #include <cmath>
+#include <cstddef>
 #include <cstdlib>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
 #include <system_error>
+#include <type_traits>
 
 // The numbers of the command line. The names of the values that options can have, on the command line and in Python.
 
@@ -61,6 +64,16 @@ std::optional<Integer> count_of(const std::string& text)
   const std::from_chars_result result = std::from_chars(text.data(), end, value);
   return result.ec == std::errc() && result.ptr == end && text[0] != '-' ? std::optional(value)
                                                                          : std::nullopt;
+}
+
+// What a count must be, for messages.
+template <class Integer>
+std::string range_of_counts(const Integer least)
+{
+  if(std::is_same<Integer, std::size_t>::value) // nobody reaches the largest one
+    return least == 1 ? "a positive integer" : "an integer from " + std::to_string(least);
+  return "an integer from " + std::to_string(least) + " to "
+         + std::to_string((std::numeric_limits<Integer>::max)());
 }
 
 // A finite number in the notation of std::from_chars(), which is not in all libraries of C++17: neither

@@ -76,10 +76,8 @@ void check_extension(const std::string& path, const std::string& extension)
 
 void check_format_of_values(const std::string& path)
 {
-  for(const char* const extension : {".off", ".obj", ".stl", ".mesh", ".gltf", ".vtu"})
-    if(extension_of(path) == extension)
-      throw Usage_error("'" + path + "' cannot show values; choose .ply, .glb, or a text file");
-  is_shown(path); // throws if there is no glTF
+  if(!is_shown(path) && !is_text(path) && !extension_of(path).empty())
+    throw Usage_error("'" + path + "' is neither a .txt nor a .ply nor a .glb file");
 }
 
 void write_shown(std::ostream& out, const Format format, const Shown_surface& surface)

@@ -33,7 +33,7 @@ Format format_of_output(const std::string& path);
 // Throws Usage_error unless the path has this extension.
 void check_extension(const std::string& path, const std::string& extension);
 
-// Throws Usage_error if this is the extension of a mesh that does not show values.
+// Throws Usage_error if the extension is neither that of a mesh that shows values nor that of a text. None is that of a text.
 void check_format_of_values(const std::string& path);
 
 // Writes PLY or glTF.

@@ -192,7 +192,7 @@ TEST(Appearance, defects_are_left_out)
   };
   const std::string triangle = "v 0 0 0 1 0 0\nv 1 0 0\nv 0 1 0\n";
   const Appearance obj = appearance("a.obj", "mtllib nothing.mtl\nusemtl none\n" + triangle
-                                               + "vt nan .5\nf 1/1 2/7 3/-9\nf 1 2 3\nusemtl\nf 1//4 2 3\n");
+                                               + "vt nan .5\nf 1/1 2/ 3\nf 1 2 3\nusemtl\nf 1// 2 3\n");
   EXPECT_EQ(obj.texture_coordinates, (std::vector<std::array<float, 2>>{{0, .5f}, {}, {}, {}, {}, {}, {}, {}, {}}));
   EXPECT_TRUE(obj.vertex_colors.empty()); // not of all vertices
   EXPECT_FALSE(obj.has_materials());
@@ -206,6 +206,69 @@ TEST(Appearance, defects_are_left_out)
              "1 0 0 1 1\n0 1 0 0 0\n3 0 1 2 2 .25 .75\n3 0 1 2 0\n");
   EXPECT_EQ(ply.texture_coordinates, (std::vector<std::array<float, 2>>{{.25f, .25f}, {0, 1}, {0, 1}, {0, 1}, {0, 1}, {0, 1}}));
   EXPECT_FALSE(ply.has_materials());
+}
+
+// Faces have one of several textures, as MeshLab writes them; one has none, and one a number of none.
+TEST(Appearance, textures_of_ply)
+{
+  const std::string other = IMAGE + " of another";
+  const auto read = [](const std::vector<std::string>& names) {
+    std::string text = "ply\nformat ascii 1.0\n";
+    for(const std::string& name : names)
+      text += "comment TextureFile " + name + "\n";
+    return read_shown_mesh_file(written_file(
+      "a.ply",
+      text
+        + "element vertex 4\nproperty float x\nproperty float y\nproperty float z\nelement face 4\n"
+          "property list uchar int vertex_indices\nproperty list uchar float texcoord\nproperty int texnumber\n"
+          "end_header\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1 6 0 0 1 0 0 1 1\n3 0 1 3 6 0 0 1 0 0 1 0\n"
+          "3 1 2 3 6 0 0 1 0 0 1 -1\n3 2 0 3 6 0 0 1 0 0 1 7\n"));
+  };
+  const std::string first = name_of(written_file("a.png", IMAGE)), second = name_of(written_file("b.png", other));
+  const Mesh_file mesh = read({first, second});
+  const auto image_of_face = [](const Mesh_file& m, const std::size_t f) {
+    return m.appearance.materials.at(m.appearance.material_of_face.at(f)).image;
+  };
+  EXPECT_EQ(image_of_face(mesh, 0), other);
+  EXPECT_EQ(image_of_face(mesh, 1), IMAGE);
+  EXPECT_EQ(image_of_face(mesh, 2), "");
+  EXPECT_EQ(image_of_face(mesh, 3), "");
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(losses(mesh, Format::PLY), Names());
+  EXPECT_EQ(losses(mesh, Format::GLB), Names());
+  EXPECT_EQ(losses(mesh, Format::OBJ), Names{"materials"});
+  const Mesh_file glb = written(mesh, ".glb");
+  std::multiset<std::string> images; // of the faces, which are in the order of materials there
+  for(std::size_t f = 0; f < 4; ++f)
+    images.insert(image_of_face(glb, f));
+  EXPECT_EQ(images, (std::multiset<std::string>{other, IMAGE, "", ""}));
+
+  const Mesh_file half = read({first, "no such.png"});
+  EXPECT_EQ(image_of_face(half, 0), "");
+  EXPECT_EQ(image_of_face(half, 1), IMAGE);
+  EXPECT_EQ(losses(half, Format::GLB), Names{"the texture 'no such.png'"});
+}
+
+// The opacity of vertices, where colors have it.
+TEST(Appearance, opacity_of_colors)
+{
+  const Mesh_file mesh = read_shown_mesh_file(written_file(
+    "a.ply", "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+             "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty uchar alpha\nelement face 1\n"
+             "property list uchar int vertex_indices\nend_header\n0 0 0 255 0 0 255\n1 0 0 0 255 0 51\n0 1 0 0 0 255 0\n"
+             "3 0 1 2\n"));
+  const std::vector<unsigned char> opacities = {255, 51, 0};
+  EXPECT_EQ(mesh.appearance.vertex_opacities, opacities);
+  for(const char* const extension : {".ply", ".off", ".glb"})
+    EXPECT_EQ(written(mesh, extension).appearance.vertex_opacities, opacities) << extension;
+  EXPECT_EQ(losses(mesh, Format::GLB), std::vector<std::string>());
+  EXPECT_EQ(losses(mesh, Format::OBJ), std::vector<std::string>{"the opacity of colors"});
+  std::ostringstream glb;
+  write_mesh(glb, Format::GLB, mesh);
+  EXPECT_NE(glb.str().find("\"alphaMode\":\"BLEND\""), std::string::npos); // otherwise, it would not be seen
+  const Mesh_file opaque
+    = read_shown_mesh_file(written_file("a.off", "COFF\n3 1 0\n0 0 0 9 9 9 255\n1 0 0 8 8 8 255\n0 1 0 7 7 7 255\n3 0 1 2\n"));
+  EXPECT_TRUE(opaque.appearance.vertex_opacities.empty());
 }
 
 // What other programs write.

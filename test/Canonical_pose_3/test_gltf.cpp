@@ -4,6 +4,7 @@
 // glTF as the tool writes and reads it. What is written is also examined without our reader: by its
 // JSON, and by the bytes to which its accessors lead.
 
+#include "formats/Cgal_types.h"
 #include "formats/Shown_surface.h"
 #include "formats/readers.h"
 
@@ -595,6 +596,101 @@ TEST(Gltf, several_meshes_and_primitives)
     EXPECT_EQ(std::vector<std::size_t>(mirrored.begin(), mirrored.end()),
               (std::vector<std::size_t>{face[0] + n, face[2] + n, face[1] + n}));
   }
+}
+
+// Sides, cutoff, wrapping and filters of materials, and the opacity of colors, are those of the file, wherever a surface with
+// its appearance is written.
+TEST(Gltf, materials_of_scenes)
+{
+  const Mesh_file plain = ball();
+  const std::size_t n = plain.points.size();
+  std::string bytes = written(plain);
+  json model = json_of(bytes);
+  json& attributes = model["meshes"][0]["primitives"][0]["attributes"];
+  attributes["TEXCOORD_0"] = add_accessor(bytes, model, "VEC2", 5126, std::vector<float>(2 * n, .5f), n);
+  std::vector<std::uint8_t> colors(4 * n, 255);
+  colors[3] = 51;
+  attributes["COLOR_0"] = add_accessor(bytes, model, "VEC4", 5121, colors, n);
+  model["accessors"].back()["normalized"] = true;
+  add_accessor(bytes, model, "SCALAR", 5121, std::vector<std::uint8_t>{0x89, 'P', 'N', 'G'}, 4);
+  const std::size_t view = model["bufferViews"].size() - 1;
+  model["accessors"].erase(model["accessors"].size() - 1);
+  model["images"] = {{{"bufferView", view}, {"mimeType", "image/png"}}};
+  model["samplers"] = {{{"wrapS", 33071}, {"wrapT", 33648}, {"magFilter", 9728}, {"minFilter", 9987}}, {{"wrapS", 7}, {"minFilter", 8}}};
+  model["textures"] = {{{"source", 0}, {"sampler", 0}}, {{"source", 0}}, {{"source", 0}, {"sampler", 1}}};
+  const auto material = [](const int texture) {
+    return json{{"alphaMode", "MASK"}, {"alphaCutoff", .25}, {"pbrMetallicRoughness", {{"baseColorTexture", {{"index", texture}}}}}};
+  };
+  model["materials"] = {material(0), material(1), material(2)};
+  model["materials"][1]["doubleSided"] = true;
+  model["materials"][1]["alphaMode"] = "BLEND";
+  const json primitive = model["meshes"][0]["primitives"][0];
+  for(int p = 0; p < 3; ++p)
+  {
+    model["meshes"][0]["primitives"][p] = primitive;
+    model["meshes"][0]["primitives"][p]["material"] = p;
+  }
+  const Mesh_file mesh = read_shown_mesh_file(written_file("materials.glb", with_json(bytes, model)));
+  EXPECT_EQ(mesh.appearance.vertex_opacities.at(0), 51);
+  for(const bool is_scene : {false, true})
+  {
+    Shown_surface scene = scene_of(mesh);
+    scene.vertex_colors.assign(n, Color{1, 2, 3});
+    const std::string file = is_scene ? written(scene) : written(mesh);
+    const json shown = json_of(file);
+    const std::size_t first = is_scene ? 1 : 0; // that of the results comes first
+    const json& materials = shown["materials"];
+    ASSERT_EQ(materials.size(), first + 3);
+    EXPECT_EQ(materials[first].value("doubleSided", false), false);
+    EXPECT_EQ(materials[first]["alphaCutoff"], .25);
+    EXPECT_EQ(materials[first + 1]["doubleSided"], true);
+    EXPECT_FALSE(materials[first + 1].contains("alphaCutoff"));
+    const auto sampler = [&](const std::size_t m) {
+      const json& texture = shown["textures"][materials[first + m]["pbrMetallicRoughness"]["baseColorTexture"]["index"].get<std::size_t>()];
+      EXPECT_EQ(texture["source"], 0);
+      return texture.contains("sampler") ? shown["samplers"][texture["sampler"].get<std::size_t>()] : json();
+    };
+    EXPECT_EQ(sampler(0), model["samplers"][0]);
+    EXPECT_EQ(sampler(1), json());
+    EXPECT_EQ(sampler(2), json()); // numbers that glTF does not have
+    EXPECT_EQ(shown["images"].size(), 1u);
+    const auto written_colors = numbers<std::uint16_t>(file, is_scene ? "COLOR_1" : "COLOR_0");
+    EXPECT_EQ(written_colors[3], 13107);
+    EXPECT_EQ(written_colors[7], 65535);
+  }
+}
+
+// Indices that no vertex of the primitive has are refused, but for the list of all defects, where they are not vertices of
+// other primitives.
+TEST(Gltf, wrong_indices)
+{
+  const Mesh_file mesh = ball();
+  std::string bytes = written(mesh);
+  json model = json_of(bytes);
+  const std::size_t n = mesh.points.size();
+  model["accessors"].push_back(model["accessors"][0]);
+  model["accessors"].back()["count"] = n - 1;
+  json primitive = model["meshes"][0]["primitives"][0];
+  primitive["attributes"] = {{"POSITION", model["accessors"].size() - 1}};
+  model["meshes"][0]["primitives"].push_back(primitive);
+  model["meshes"][0]["primitives"].push_back(model["meshes"][0]["primitives"][0]);
+  std::size_t count = 0, first = mesh.faces.size();
+  for(std::size_t f = mesh.faces.size(); f-- > 0;)
+    for(const std::size_t v : mesh.faces[f])
+      if(v == n - 1)
+      {
+        ++count;
+        first = f;
+      }
+  const std::string path = written_file("wrong.glb", with_json(bytes, model));
+  const auto diagnosis = diagnosis_of(read_mesh_file(path, Source::UNCHECKED));
+  ASSERT_EQ(diagnosis.defects.size(), 1u);
+  EXPECT_EQ(diagnosis.defects[0].kind, "wrong_indices");
+  EXPECT_EQ(diagnosis.defects[0].count, count);
+  EXPECT_EQ(diagnosis.defects[0].examples[0][0], mesh.faces.size() + first);
+  EXPECT_THROW_WITH(read_mesh_file(path), std::invalid_argument,
+                    "face " + std::to_string(mesh.faces.size() + first) + " names vertex " + std::to_string(n - 1)
+                      + ", but there are " + std::to_string(n - 1));
 }
 
 // A pose of a file is the same scene with other positions: nodes, materials, and all that is not named here stay.

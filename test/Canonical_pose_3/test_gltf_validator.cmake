@@ -40,6 +40,15 @@ file(WRITE ${WORK}/textured.obj "mtllib a.mtl\nv 0 0 0 1 0 0\nv 2 0 0 0 1 0\nv 0
 run(${TOOL} pose textured.obj -o textured.glb --scene textured_scene.glb)
 run(${TOOL} segment textured.obj --parts 1 --method sweep -o textured_parts.glb)
 run(${TOOL} geodesics textured.obj --source 0 -o textured_distances.glb)
+# Two textures of faces, and colors with opacity.
+configure_file(${WORK}/a.png ${WORK}/b.png COPYONLY)
+file(WRITE ${WORK}/textures.ply "ply\nformat ascii 1.0\ncomment TextureFile a.png\ncomment TextureFile b.png\n"
+  "element vertex 4\nproperty float x\nproperty float y\nproperty float z\nproperty uchar red\nproperty uchar green\n"
+  "property uchar blue\nproperty uchar alpha\nelement face 4\nproperty list uchar int vertex_indices\n"
+  "property list uchar float texcoord\nproperty int texnumber\nend_header\n0 0 0 255 0 0 51\n2 0 0 0 255 0 255\n"
+  "0 2 0 0 0 255 255\n0 0 2 9 9 9 255\n3 0 2 1 6 0 0 1 0 0 1 0\n3 0 1 3 6 0 0 1 0 0 1 1\n3 1 2 3 6 0 0 1 0 0 1 1\n"
+  "3 2 0 3 6 0 0 1 0 0 1 -1\n")
+run(${TOOL} pose textures.ply -o textures.glb --scene textures_scene.glb)
 file(GLOB files ${WORK}/*.glb)
 execute_process(COMMAND ${NODE} validate_gltf.js ${files} WORKING_DIRECTORY ${WORK} RESULT_VARIABLE result OUTPUT_VARIABLE report)
 list(LENGTH files number)

@@ -9,6 +9,7 @@
 
 #include <CGAL/Canonical_pose_3/make_triangle_mesh.h>
 #include <CGAL/Canonical_pose_3/match_surfaces.h>
+#include <CGAL/Canonical_pose_3/transfer_attributes.h>
 #include <CGAL/canonical_pose_3.h>
 
 #include <CGAL/Polyhedron_3.h>
@@ -21,6 +22,7 @@
 #include "shapes.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -66,7 +68,7 @@ struct Posed
 
 // The mean distance between the places on the rest shape, relative to the root of its area.
 template <class Shape>
-double mean_error(const Surface_match_3& match, const Posed<Shape>& a, const Posed<Shape>& b)
+double root_of_area(const Posed<Shape>& a)
 {
   double area = 0;
   for(const auto& t : a.shape.triangles())
@@ -76,7 +78,13 @@ double mean_error(const Surface_match_3& match, const Posed<Shape>& a, const Pos
     };
     area += (corner(1) - corner(0)).cross(corner(2) - corner(0)).norm() / 2;
   }
-  return (match.interpolated(b.rest) - a.rest).rowwise().norm().mean() / std::sqrt(area);
+  return std::sqrt(area);
+}
+
+template <class Shape>
+double mean_error(const Surface_match_3& match, const Posed<Shape>& a, const Posed<Shape>& b)
+{
+  return (match.interpolated(b.rest) - a.rest).rowwise().norm().mean() / root_of_area(a);
 }
 
 const Posed<Articulated_figure>& running()
@@ -97,6 +105,9 @@ TEST(Match_surfaces, figures_in_two_postures)
   EXPECT_LT(mean_error(match, running(), other()), .02);
   EXPECT_TRUE(match.is_rotation_certain);
   EXPECT_LT(match.round_trips.mean(), .05);
+  EXPECT_LT((match.interpolated_at_other(running().rest) - other().rest).rowwise().norm().mean(),
+            .02 * root_of_area(other()));
+  EXPECT_NEAR(match.scale, 1, .05);
   ASSERT_EQ(match.locations.size(), running().surface.number_of_vertices());
   for(const auto& [face, vertices, weights] : match.locations)
   {
@@ -145,6 +156,86 @@ TEST(Match_surfaces, landmarks_are_met)
   options.landmarks = {{hand, vertex}};
   const Surface_match_3 match = CP::match_surfaces(running().surface, other().surface, options);
   EXPECT_LT(mean_error(match, running(), other()), .02);
+  EXPECT_EQ(match.interpolated(other().points).row(static_cast<Eigen::Index>(hand)),
+            other().points.row(static_cast<Eigen::Index>(vertex)));
+}
+
+// The rest shape has the plane of symmetry x = 0. (That of the figure nearly has two of them.)
+TEST(Match_surfaces, mirror_symmetry)
+{
+  const Posed<Articulated_animal> animal(2500, 2);
+  Match_options options;
+  options.is_mirrored = true;
+  const Surface_match_3 match = CP::match_surfaces(animal.surface, animal.surface, options);
+  Point_matrix mirrored = animal.rest;
+  mirrored.col(0) *= -1;
+  EXPECT_LT((match.interpolated(animal.rest) - mirrored).rowwise().norm().mean(), .03 * root_of_area(animal));
+}
+
+// A surface that is matched with itself has its own faces.
+TEST(Match_surfaces, faces_of_itself)
+{
+  const CP::Face_list faces = running().shape.triangles();
+  Surface_match_3 match;
+  match.locations.resize(running().surface.number_of_vertices());
+  for(std::size_t f = 0; f < faces.size(); ++f) // whichever face a vertex names
+    for(std::size_t k = 0; k < 3; ++k)
+      match.locations[faces[f][k]]
+        = {f, {faces[f][0], faces[f][1], faces[f][2]}, {k == 0 ? 1. : 0., k == 1 ? 1. : 0., k == 2 ? 1. : 0.}};
+  const std::vector<std::size_t> matched = CP::matched_faces(match, faces, faces);
+  for(std::size_t f = 0; f < faces.size(); ++f)
+    EXPECT_EQ(matched[f], f);
+}
+
+// Texture coordinates are x and y, and x is larger by 10 beyond a seam. So those of each face that is transferred are its x and y,
+// up to one number, 0 or 10.
+TEST(Match_surfaces, texture_across_a_seam)
+{
+  const auto grid = [](const std::size_t n, Point_matrix& points) {
+    CP::Face_list faces;
+    points.resize(static_cast<Eigen::Index>((n + 1) * (n + 1)), 3);
+    for(std::size_t i = 0; i <= n; ++i)
+      for(std::size_t j = 0; j <= n; ++j)
+      {
+        points.row(static_cast<Eigen::Index>(i * (n + 1) + j))
+          << static_cast<double>(j) / static_cast<double>(n), static_cast<double>(i) / static_cast<double>(n), 0;
+        const std::size_t v = i * (n + 1) + j;
+        if(i < n && j < n)
+          faces.push_back({v, v + 1, v + n + 2, v + n + 1});
+      }
+    return faces;
+  };
+  constexpr std::size_t n = 8, m = 6;
+  Point_matrix points, of_other;
+  const CP::Face_list faces = grid(n, points), faces_of_other = grid(m, of_other);
+  std::vector<std::array<float, 2>> coordinates;
+  for(std::size_t f = 0; f < faces_of_other.size(); ++f)
+    for(const std::size_t v : faces_of_other[f])
+      coordinates.push_back({static_cast<float>(of_other(static_cast<Eigen::Index>(v), 0)) + (f % m < m / 2 ? 0 : 10),
+                             static_cast<float>(of_other(static_cast<Eigen::Index>(v), 1))});
+  Surface_match_3 match;
+  for(Eigen::Index v = 0; v < points.rows(); ++v)
+  {
+    const auto cell = [&](const Eigen::Index k) { return (std::min)(m - 1, static_cast<std::size_t>(m * points(v, k))); };
+    const std::size_t face = cell(1) * m + cell(0);
+    const double x = m * points(v, 0) - static_cast<double>(cell(0)), y = m * points(v, 1) - static_cast<double>(cell(1));
+    const auto corners = faces_of_other[face];
+    if(x > y)
+      match.locations.push_back({face, {corners[0], corners[1], corners[2]}, {1 - x, x - y, y}});
+    else
+      match.locations.push_back({face, {corners[0], corners[2], corners[3]}, {1 - y, x, y - x}});
+  }
+  const std::vector<std::array<float, 2>> result
+    = CP::transferred_texture_coordinates(match, faces, of_other, faces_of_other, coordinates);
+  const std::vector<std::size_t> matched = CP::matched_faces(match, faces, faces_of_other);
+  std::size_t corner = 0;
+  for(std::size_t f = 0; f < faces.size(); ++f)
+    for(const std::size_t v : faces[f])
+    {
+      EXPECT_NEAR(result[corner][0], points(static_cast<Eigen::Index>(v), 0) + (matched[f] % m < m / 2 ? 0 : 10), 1e-5);
+      EXPECT_NEAR(result[corner++][1], points(static_cast<Eigen::Index>(v), 1), 1e-5);
+    }
+  EXPECT_EQ(corner, result.size());
 }
 
 // Meshes are matched as their points and faces are.

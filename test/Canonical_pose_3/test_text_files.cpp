@@ -5,7 +5,9 @@
 #include "written_file.h"
 
 #include "collection/read_classes.h"
+#include "formats/Cgal_types.h"
 #include "formats/Mesh_file.h"
+#include "formats/Shown_surface.h"
 #include "formats/gzip.h"
 
 #include <gtest/gtest.h>
@@ -89,19 +91,25 @@ TEST(Text_files, byte_order_marks_and_line_ends)
   }
 }
 
-// Lines of messages are those that an editor shows.
-// Of texture coordinates and normals, only the syntax matters. What is not a face is not one without a word.
+// What is not a face is not one without a word, nor is a texture coordinate or normal that does not exist.
 TEST(Text_files, corners_of_obj)
 {
   const std::string vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
   const Mesh_file expected = read_mesh_file(written_file("corners.obj", vertices + "f 1 2 3\n"));
-  for(const std::string& face :
-      {"fo 1 2 3", "f 1/0/0 2//-9 3/7", "f 1// 2/ 3"}) // fo: an old spelling
+  for(const std::string& face : {"fo 1 2 3", "f 1// 2/ 3", "vt 0 0\nvn 0 0 1\nf 1/-1/-1 2/1 3//1",
+                                 "f 1/1/1 2/1 3//1\nvt 0 0\nvn 0 0 1"}) // fo: an old spelling
     expect_equal(read_mesh_file(written_file("corners.obj", vertices + face + "\n")), expected);
   const std::vector<std::pair<std::string, std::string>> cases
     = {{"f 1/abc/1 2 3", "face 1: 'abc' is not an integer"},
        {"f 1//$ 2 3", "face 1: '$' is not an integer"},
        {"f 1/1/1/1 2 3", "face 1: a corner has more than three indices"},
+       {"f 1/0/1 2 3\nvn 0 0 1", "face 1 names texture coordinate 0 (counted from 1), but there are 0 (line 5)"},
+       {"vt 0 0\nf 1/1 2/2 3/1", "face 1 names texture coordinate 2 (counted from 1), but there are 1 (line 6)"},
+       {"f 1/1 2/3 3/1\nvt 0 0", "face 1 names texture coordinate 3 (counted from 1), but there are 1 (line 5)"},
+       {"vn 0 0 1\nf 1//1 2//9223372036854775807 3//1", "face 1 names normal 9223372036854775807 (counted from 1), but there are 1"},
+       {"vt 0 0\nf 1/-2 2 3\nvt 0 0", "face 1 names texture coordinate -2, but there are 1 before it (line 6)"},
+       {"f 1//-1 2 3\nvn 0 0 1", "face 1 names normal -1, but there are 0 before it (line 5)"},
+       {"f 1/-9223372036854775808 2 3", "face 1 names texture coordinate -9223372036854775808, but there are 0 before it"},
        {"f\xC2\xA0"
         "1\xC2\xA0"
         "2\xC2\xA0"
@@ -116,12 +124,46 @@ TEST(Text_files, corners_of_obj)
     std::invalid_argument, "the number of edges: 'x' is not an integer");
 }
 
+// Lines of messages are those that an editor shows.
 TEST(Text_files, lines_of_messages)
 {
   for(const std::string& end : {"\n", "\r\n", "\r"})
     EXPECT_THROW_WITH(
       read_mesh_file(written_file("wrong.obj", with_line_ends("v 0 0 0\n\nv 0 one 0\n", end))),
       std::invalid_argument, "vertex 1: 'one' is not a number (line 3)");
+}
+
+// Indices that no vertex has are listed, not only the first one, and a position that is not finite once.
+TEST(Text_files, defects_of_numbers)
+{
+  const std::string points = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n",
+                    ply = "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+                          "element face 4\nproperty list uchar int vertex_indices\nend_header\n";
+  const std::vector<std::pair<std::string, std::string>> cases
+    = {{"wrong.off", "OFF\n4 4 0\n" + points + "3 0 1 2\n3 0 1 -1\n3 0 1 4\n3 0 -2 99\n"},
+       {"wrong.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 0\nf 1 2 5\nf -1 -5 2\n"},
+       {"wrong.ply", ply + points + "3 0 1 2\n3 0 1 -1\n3 0 1 4\n3 0 -2 99\n"},
+       {"wrong.mesh", "MeshVersionFormatted 2\nDimension 3\nVertices\n4\n0 0 0 0\n1 0 0 0\n0 1 0 0\n0 0 1 0\n"
+                      "Tetrahedra\n4\n1 2 3 4 0\n0 2 3 4 0\n1 2 3 5 0\n1 2 -3 99 0\nEnd\n"}};
+  for(const auto& [name, text] : cases)
+  {
+    const auto diagnosis = diagnosis_of(read_mesh_file(written_file(name, text), Source::UNCHECKED));
+    ASSERT_EQ(diagnosis.defects.size(), 1u) << name;
+    EXPECT_EQ(diagnosis.defects[0].kind, "wrong_indices");
+    EXPECT_EQ(diagnosis.defects[0].count, 3u) << name;
+    EXPECT_EQ(diagnosis.first_defect, diagnosis.defects[0].element + " 1 names a vertex that does not exist");
+    EXPECT_THROW(read_mesh_file(written_file(name, text)), std::invalid_argument);
+  }
+  std::string stl = "solid\n";
+  for(const char* const corner : {"nan 0 0", "nan 0 1", "inf 0 0"})
+    for(int face = 0; face < 2; ++face)
+      stl += std::string("facet normal 0 0 1\nouter loop\nvertex 1 0 0\nvertex 0 1 ") + std::to_string(face) + "\nvertex "
+             + corner + "\nendloop\nendfacet\n";
+  const auto diagnosis = diagnosis_of(read_mesh_file(written_file("wrong.stl", stl + "endsolid\n"), Source::UNCHECKED));
+  EXPECT_EQ(diagnosis.vertices, 6u);
+  ASSERT_EQ(diagnosis.defects.size(), 1u);
+  EXPECT_EQ(diagnosis.defects[0].kind, "not_finite");
+  EXPECT_EQ(diagnosis.defects[0].count, 3u);
 }
 
 // An extension that lies is named.
@@ -231,18 +273,46 @@ TEST(Text_files, content_of_another_format)
                     std::invalid_argument, "there is no vertex; its content looks like OFF");
 }
 
-// The header of a binary file is any text, and may begin like a mark.
+// The header of a binary file is any text, and may begin like a mark or a text; less than a face may follow the last one.
 TEST(Text_files, binary_stl)
 {
-  for(const std::string& beginning : {"\xEF\xBB\xBF", "\xFF\xFE", "solid"})
-  {
-    std::string bytes = beginning + std::string(80 - beginning.size(), ' ');
-    bytes += std::string("\x01\x00\x00\x00", 4);
-    const std::array<float, 12> facet = {0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0};
-    bytes.append(reinterpret_cast<const char*>(facet.data()), sizeof(facet));
-    bytes += std::string(2, '\0');
-    EXPECT_EQ(read_mesh_file(written_file("binary.stl", bytes)).points.size(), 3u);
-  }
+  for(const std::string& beginning : {"\xEF\xBB\xBF", "\xFF\xFE", "solid", "solid a cube", "solid\nfacets\n", "", "\n"})
+    for(const char filling : {' ', '\0'})
+      for(const std::size_t more : {0, 1, 16, 49, 50})
+      {
+        std::string bytes = beginning + std::string(80 - beginning.size(), filling);
+        bytes += std::string("\x01\x00\x00\x00", 4);
+        const std::array<float, 12> facet = {0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0};
+        bytes.append(reinterpret_cast<const char*>(facet.data()), sizeof(facet));
+        bytes += std::string(2 + more, more == 16 ? 'f' : '\0');
+        const std::string path = written_file("binary.stl", bytes);
+        SCOPED_TRACE(beginning + ", " + std::to_string(more));
+        if(more < 50)
+        {
+          EXPECT_EQ(read_mesh_file(path).points.size(), 3u);
+          EXPECT_EQ(format_of(written_file("content", bytes)), Format::STL);
+        }
+        else if(beginning.empty() || beginning[0] == 's')
+          EXPECT_THROW_WITH(read_mesh_file(path), std::invalid_argument,
+                            "the file goes on for 50 bytes after the 1 faces announced");
+      }
+}
+
+// All on one line, or with the first vertex on that of the numbers.
+TEST(Text_files, off_on_one_line)
+{
+  const Mesh_file expected = read_mesh_file(written_file("lines.off", TEXTS.at("tetrahedron.off")));
+  const std::string numbers = "4 4 6 0 0 0 1 0 0 0 1 0 0 0 1 3 0 2 1 3 0 1 3 3 0 3 2 3 1 2 3";
+  for(const std::string& text : {"OFF " + numbers, "OFF" + numbers, "OFF\n" + numbers + "\n"})
+    expect_equal(read_mesh_file(written_file("line.off", text)), expected);
+  const std::string text = "OFF 3 1 0 0 0 0 1 0 0\n0 1 0 3 0 1 2 # one\n";
+  const Mesh_file mesh = read_mesh_file(written_file("two.off", text), Source::KEPT);
+  EXPECT_EQ(attributes_of_file(mesh), std::vector<std::string>());
+  std::ostringstream out;
+  rewrite_mesh(out, mesh, {{0, 0, 1}, {2, 0, 0}, {0, 3, 0}}, {});
+  EXPECT_EQ(out.str(), "OFF 3 1 0 0 0 1 2 0 0\n0 3 0 3 0 1 2 # one\n");
+  EXPECT_THROW_WITH(read_mesh_file(written_file("line.off", "COFF 3 1 0 0 0 0 9 9 9 1 0 0 9 9 9 0 1 0 9 9 9 3 0 1 2")),
+                    std::invalid_argument, "line 1: the variant 'COFF' is not read on one line");
 }
 
 TEST(Text_files, numbers_lines_and_classes)

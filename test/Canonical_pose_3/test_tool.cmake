@@ -122,7 +122,7 @@ foreach(input IN ITEMS ball.mesh ${strange_inputs})
 endforeach()
 expect_exit(1 check truncated.off)
 # All wrong numbers are listed, not only the first one.
-foreach(case IN ITEMS "off|OFF\n4 3 0\n0 0 nan\n1 0 0\n0 inf 0\n0 0 1\n3 0 1 2\n3 0 1 7\n3 9 8 7\n"
+foreach(case IN ITEMS "off|OFF\n4 3 0\n0 0 nan\n1 0 0\n0 inf 0\n0 0 1\n3 0 1 2\n3 0 1 7\n3 -1 8 7\n"
     "obj|v 0 0 nan\nv 1 0 0\nv 0 inf 0\nv 0 0 1\nf 1 2 3\nf 1 2 8\nf 9 8 7\n")
   string(REGEX MATCH "^[^|]*" extension "${case}")
   string(REGEX REPLACE "^[^|]*[|]" "" text "${case}")

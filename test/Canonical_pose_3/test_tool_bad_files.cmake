@@ -80,8 +80,10 @@ bad_edit(fewer.off "the file goes on after face 18, the last one announced (line
 bad_edit(minus.off "the number of faces: '-20' is negative (line 2)" "12 20 0" "12 -20 0")
 bad_edit(huge.off "face 3: '99999999999999999999' is out of range" "3 0 5 9" "3 0 99999999999999999999 9")
 bad_edit(fraction.off "face 3: '5.5' is not an integer" "3 0 5 9" "3 0 5.5 9")
-bad_edit(before.obj "face 3 names vertex -13, but there are 12 before it" "f 1//1 6//6 10//10" "f 1 -13 10")
-bad_edit(huge.obj "face 3: '-9999999999999999999' is out of range" "f 1//1 6//6 10//10" "f 1 -9999999999999999999 10")
+bad_edit(before.obj "face 3 names vertex -13, but there are 12 before it" "f 1// 6// 10//" "f 1 -13 10")
+bad_edit(huge.obj "face 3: '-9999999999999999999' is out of range" "f 1// 6// 10//" "f 1 -9999999999999999999 10")
+
+bad_edit(texture.obj "face 3 names texture coordinate 2 (counted from 1), but there are 1 (line 17)" "f 1// 6// 10//" "f 1/1 6/2 10/1\nvt 0 0")
 
 bad_edit(minus_vertices.mesh "the number of vertices: '-3' is negative (line 4)" "Vertices\n13" "Vertices\n-3")
 bad_edit(minus_cells.mesh "the number of cells: '-20' is negative (line 19)" "Tetrahedra\n20" "Tetrahedra\n-20")

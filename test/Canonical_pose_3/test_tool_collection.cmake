@@ -174,7 +174,7 @@ if(SQLITE)
 CREATE TABLE shape(id INTEGER PRIMARY KEY, path TEXT NOT NULL UNIQUE, checksum TEXT NOT NULL, options TEXT NOT NULL, \
 version TEXT NOT NULL, outcome TEXT NOT NULL, message TEXT NOT NULL, report TEXT NOT NULL, has_pose INTEGER NOT NULL, \
 parts BLOB NOT NULL, seconds REAL NOT NULL, time_limit REAL NOT NULL, memory_limit REAL NOT NULL); \
-INSERT INTO shape SELECT * FROM old; DROP TABLE old; PRAGMA user_version = 1;" COMMAND_ERROR_IS_FATAL ANY)
+ALTER TABLE old DROP COLUMN \"match\"; INSERT INTO shape SELECT * FROM old; DROP TABLE old; PRAGMA user_version = 1;" COMMAND_ERROR_IS_FATAL ANY)
   expect_exit(0 collection --list --database merged.db)
   set(before "${stdout}")
   run_tool(collection moved --database merged.db ${quick})
@@ -272,3 +272,5 @@ if(MAKE_FIGURE)
     message(STATUS "Collections by MPI are not tested: there is no mpirun, or the tool was built without Boost.MPI")
   endif()
 endif()
+
+include(${CMAKE_CURRENT_LIST_DIR}/test_tool_matches.cmake)

@@ -218,5 +218,5 @@ endif()
 
 if(EXISTS /dev/full)
   run_sh("exec \"$TOOL\" check ball.off > /dev/full")
-  expect_match("${exit_code}<${stderr}>" "^1<canonical-pose: ball.off: the standard output cannot be written\n>$")
+  expect_match("${exit_code}<${stderr}>" "^1<canonical-pose: 'ball.off': the standard output cannot be written\n>$")
 endif()

@@ -32,8 +32,8 @@ endif()
 
 expect_wrong_usage("a tetrahedral mesh (.mesh, .vtu)" pose ball.off -o out/a.vtu)
 expect_refusal("written, but not read" check out/pose.vtu)
-foreach(format IN ITEMS off obj stl mesh vtu)
-  expect_wrong_usage("cannot show values" geodesics ball.off --source 0 -o out/a.${format})
+foreach(format IN ITEMS off obj stl mesh vtu json csv)
+  expect_wrong_usage("'out/a.${format}' is neither a .txt nor a .ply nor a .glb file" geodesics ball.off --source 0 -o out/a.${format})
 endforeach()
 
 # The target of unfolding, on surfaces and tetrahedral meshes; contacts, of which there are none here.

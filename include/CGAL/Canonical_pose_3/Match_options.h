@@ -33,6 +33,10 @@ struct Match_options
   /// pairs of a vertex of the first surface and one of the second one that match.
   std::vector<std::pair<std::size_t, std::size_t>> landmarks;
 
+  /// whether the first surface is matched with the mirror image of the second one. The match of a surface with its
+  /// own mirror image is its intrinsic symmetry.
+  bool is_mirrored = false;
+
   /// the maximum number of threads; 0: all processors. Results do not depend on it.
   int number_of_threads = 0;
 };

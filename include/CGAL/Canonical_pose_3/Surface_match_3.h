@@ -33,12 +33,18 @@ struct Surface_match_3
   /// where each vertex of the first surface is on the second one.
   std::vector<Location> locations;
 
+  /// where each vertex of the second surface is on the first one.
+  std::vector<Location> locations_of_other;
+
   /// for each vertex of the first surface, the distance between it and the point to which it returns, in the
   /// pose of unit radius: small where the matches in both directions agree.
   Eigen::VectorXd round_trips;
 
   /// the functional map: the coefficients of the eigenfunctions of the second surface in those of the first one.
   Eigen::MatrixXd functional_map;
+
+  /// the size of the first surface, relative to that of the second one: the root of the ratio of their areas.
+  double scale = 1;
 
   /// the mean distance between nearest points of the two poses, of unit radius, after their rotation toward each
   /// other.
@@ -51,6 +57,21 @@ struct Surface_match_3
   /// \pre there is a row for each vertex of the second surface.
   template <class Matrix>
   Matrix interpolated(const Matrix& values) const
+  {
+    return interpolated(locations, values);
+  }
+
+  /// interpolates values of the first surface, one row per vertex, at the vertices of the second one.
+  /// \pre there is a row for each vertex of the first surface.
+  template <class Matrix>
+  Matrix interpolated_at_other(const Matrix& values) const
+  {
+    return interpolated(locations_of_other, values);
+  }
+
+private:
+  template <class Matrix>
+  static Matrix interpolated(const std::vector<Location>& locations, const Matrix& values)
   {
     Matrix result(static_cast<Eigen::Index>(locations.size()), values.cols());
     for(std::size_t v = 0; v < locations.size(); ++v)

@@ -30,8 +30,8 @@ namespace internal {
 class Deformable_pose
 {
 public:
-  Deformable_pose(const Point_matrix& points, const Face_list& faces, const double detail_length)
-    : m_prepared(prepare_surface(points, faces, options(detail_length))),
+  Deformable_pose(const Point_matrix& points, const Face_list& faces)
+    : m_prepared(prepare_surface(points, faces, options())),
       m_component(m_prepared.components.front()),
       m_coarse(coarse_surface(m_component.surface, m_component.options)),
       m_body(body_of_surface(m_component.surface, m_coarse,
@@ -45,6 +45,12 @@ public:
   {}
   Deformable_pose(const Deformable_pose&) = delete;
   Deformable_pose& operator=(const Deformable_pose&) = delete;
+
+  // Features smaller than this share of the size keep their shape.
+  void set_detail_length(const double detail_length)
+  {
+    m_registrar.set_detail_length(detail_length);
+  }
 
   // The pose for a target with a row per point; starts at the previous one. Nothing changes if it fails.
   Point_matrix registered_to(const Point_matrix& target, const Point_matrix& otherwise)
@@ -71,11 +77,10 @@ public:
   }
 
 private:
-  static Options options(const double detail_length)
+  static Options options()
   {
     Options result;
     result.components = Options::Components::LARGEST;
-    result.registration.detail_length = detail_length;
     result.registration.injective = false;
     return result;
   }

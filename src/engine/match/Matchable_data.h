@@ -4,6 +4,8 @@
 #ifndef CANONICAL_POSE_3_ENGINE_MATCH_MATCHABLE_DATA_H
 #define CANONICAL_POSE_3_ENGINE_MATCH_MATCHABLE_DATA_H
 
+#include "Point_search.h"
+
 #include <CGAL/Canonical_pose_3/Coarse_surface_3.h>
 #include <CGAL/Canonical_pose_3/Face_list.h>
 #include <CGAL/Canonical_pose_3/Repaired_surface_3.h>
@@ -12,6 +14,7 @@
 #include <Eigen/Core>
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -31,10 +34,12 @@ struct Matchable_data
   Coarse_surface_3 coarse;
   // In the frame of the principal axes of the pose; the mean square of the distances from the origin is 1.
   Point_matrix pose_of_vertices, pose, coarse_pose;
-  Point_matrix normals;            // of the pose
-  Eigen::Vector3d lengths_of_axes; // the roots of the variances
-  Function_matrix functions;       // of the coarse surface; the first one is constant
-  double root_of_area;             // of the surface
+  Point_matrix normals;                         // of the pose
+  Eigen::Vector3d lengths_of_axes;              // the roots of the variances
+  Function_matrix functions;                    // of the coarse surface; the first one is constant
+  double root_of_area;                          // of the surface
+  std::optional<Point_search> search;           // of the coarse pose
+  std::vector<std::vector<std::size_t>> nearby; // the nearest points of each one of the coarse pose
 };
 
 } // namespace internal

@@ -26,7 +26,7 @@ namespace internal {
 namespace matching {
 namespace {
 
-constexpr std::size_t COARSE_VERTICES = 4000;
+constexpr std::size_t COARSE_VERTICES = 4000, NUMBER_OF_NEARBY = 64;
 
 Function_matrix functions_of(const Surface_component_3& surface)
 {
@@ -58,6 +58,8 @@ Matchable_data::Matchable_data(const Point_matrix& points, const Face_list& poly
     *positions /= radius;
   lengths_of_axes /= radius;
   coarse_pose = rows_at(pose, coarse.vertices);
+  search.emplace(coarse_pose);
+  nearby = search->nearest(coarse_pose, matching::NUMBER_OF_NEARBY);
   normals = vertex_normals(pose, surface.triangles);
   root_of_area = std::sqrt(area(surface.points, surface.triangles));
 }

@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -86,10 +87,12 @@ Diagnosis_3 diagnosis_of_values(const Point_matrix& points, const Elements& elem
       {"not_finite", positions.count, "vertex", positions.examples,
        "vertex " + positions.first() + " has a coordinate that is not finite"});
   if(indices.count > 0)
-    result.defects.push_back({"wrong_indices", indices.count, kind_of_element, indices.examples,
-                              kind_of_element + ' ' + indices.first() + " names vertex "
-                                + std::to_string(wrong_index) + ", but there are "
-                                + std::to_string(n)});
+    result.defects.push_back(
+      {"wrong_indices", indices.count, kind_of_element, indices.examples,
+       kind_of_element + ' ' + indices.first() + " names "
+         + (wrong_index >= (std::numeric_limits<Face_list::Index>::max)()
+              ? "a vertex that does not exist"
+              : "vertex " + std::to_string(wrong_index) + ", but there are " + std::to_string(n))});
   if(!result.defects.empty())
     result.first_defect = result.defects.front().message;
   return result;

@@ -43,7 +43,7 @@ __version__ = _core.version
 __all__ = [
     "DescriptorIndex", "HeatSolver", "Match", "Mesh", "Progress", "Registrar",
     "align_handedness", "check", "collection", "compare", "describe", "evaluate", "geodesics", "load",
-    "match", "pose", "save", "search", "segment", "shape_distance", "target",
+    "match", "mean_pose", "pose", "save", "search", "segment", "shape_distance", "target",
 ]
 
 
@@ -451,6 +451,32 @@ def align_handedness(pose, other, *more):
     return _numpy.array(_core.align_handedness([pose, other, *more]))
 
 
+def mean_pose(poses):
+    """Return the mean of poses, or of other shapes, with corresponding vertices.
+
+    All are moved rigidly onto the mean and averaged, until the mean does not change. They are neither
+    scaled nor reflected; see `align_handedness`.
+
+    Parameters
+    ----------
+    poses : sequence of arrays, n x 3
+        Positions of corresponding vertices, in the same unit, at any positions.
+
+    Returns
+    -------
+    mean : array, n x 3
+        The mean, in the same unit, and in the position nearest to that of the first pose.
+
+    Examples
+    --------
+    >>> pose = canonical_pose.mean_pose([[[0, 0, 0], [2, 0, 0], [0, 1, 0]],
+    ...                                  [[5, 0, 0], [5, 2, 0], [4, 0, 0]]])
+    >>> (pose.round(6) + 0.).tolist()
+    [[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [0.0, 1.0, 0.0]]
+    """
+    return _core.mean_pose(list(poses))
+
+
 def segment(vertices, faces, *, parts="auto", method="consensus", pose=None, progress=None,
             **options):
     """Divide a surface into parts, such as limbs, head and trunk.
@@ -548,7 +574,7 @@ def describe(vertices, faces, *, descriptor=None, pose=None, progress=None, **op
 
 
 class Match(_typing.NamedTuple):
-    """Where the vertices of a surface are on another one: what `match` returns.
+    """Where the vertices of a surface are on another one, and the other way: what `match` returns.
 
     Attributes
     ----------
@@ -558,9 +584,13 @@ class Match(_typing.NamedTuple):
         Three vertices of this face.
     weights : array, n x 3
         Their weights, which are not negative and sum to 1.
+    faces_at_other, vertices_at_other, weights_at_other : arrays, N, N x 3 and N x 3
+        The same the other way: for each vertex of the other surface, a face of this one.
     round_trips : array, n
         The distance between a vertex and the point to which it returns from the other surface, in
         radii of the pose: small where both directions agree.
+    scale : float
+        The size of the surface, relative to that of the other one: the root of the ratio of areas.
     mean_distance : float
         The mean distance between nearest points of the poses, in their radii.
     is_rotation_certain : bool
@@ -569,15 +599,22 @@ class Match(_typing.NamedTuple):
 
     Examples
     --------
-    >>> match = canonical_pose.Match([0], [[0, 1, 2]], [[.5, .5, 0]], [0], 0., True)
-    >>> match.interpolated([[0, 0], [2, 4], [9, 9]])
-    array([[1., 2.]])
+    >>> vertices = [[0, 0, 0], [3, 0, 0], [0, 2, 0], [0, 0, 1]]
+    >>> faces = [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]]
+    >>> match = canonical_pose.match(vertices, faces, vertices, faces, pose=vertices,
+    ...                              other_pose=vertices)
+    >>> match.interpolated([10., 20., 30., 40.])
+    array([10., 20., 30., 40.])
     """
 
     faces: _numpy.ndarray
     vertices: _numpy.ndarray
     weights: _numpy.ndarray
+    faces_at_other: _numpy.ndarray
+    vertices_at_other: _numpy.ndarray
+    weights_at_other: _numpy.ndarray
     round_trips: _numpy.ndarray
+    scale: float
     mean_distance: float
     is_rotation_certain: bool
 
@@ -585,9 +622,33 @@ class Match(_typing.NamedTuple):
         """Return values at the vertices of the surface, given those at the vertices of the other one."""
         return _numpy.einsum("nk,nk...->n...", self.weights, _numpy.asarray(values)[self.vertices])
 
+    def interpolated_at_other(self, values):
+        """Return values at the vertices of the other surface, given those at the vertices of this one."""
+        return _numpy.einsum("nk,nk...->n...", self.weights_at_other,
+                             _numpy.asarray(values)[self.vertices_at_other])
+
+    def transferred_labels(self, faces, other_faces, labels):
+        """Return a label for each face of the surface, given one for each face of the other surface.
+
+        It is that of the face of the other surface near whose vertices the corners are.
+
+        Parameters
+        ----------
+        faces, other_faces : arrays of integers, m x k and M x K, or sequences of sequences
+            The faces.
+        labels : array, M
+            A label, or any other value, for each face of the other surface.
+
+        Returns
+        -------
+        labels : array, m
+        """
+        return _numpy.asarray(labels)[_core.matched_faces(self.vertices, self.weights, faces,
+                                                           other_faces)]
+
 
 def match(vertices, faces, other_vertices, other_faces, *, pose=None, other_pose=None,
-          landmarks=(), progress=None, **options):
+          landmarks=(), mirrored=False, progress=None, **options):
     """Find which point of a surface is which point of another one of the same kind.
 
     Parameters
@@ -600,6 +661,9 @@ def match(vertices, faces, other_vertices, other_faces, *, pose=None, other_pose
         The poses to be used, in any units; otherwise they are computed.
     landmarks : sequence of pairs of integers
         A vertex and one of the other surface that match.
+    mirrored : bool
+        Whether the surface is matched with the mirror image of the other one. If both are the same,
+        the match is its mirror symmetry.
     progress : function
         As for `pose`, while they are computed.
     **options
@@ -608,7 +672,7 @@ def match(vertices, faces, other_vertices, other_faces, *, pose=None, other_pose
     Returns
     -------
     match : Match
-        For each vertex, a point of a face of the other surface.
+        For each vertex, a point of a face of the other surface, and the other way.
 
     Examples
     --------
@@ -618,13 +682,20 @@ def match(vertices, faces, other_vertices, other_faces, *, pose=None, other_pose
     ...                              other_pose=vertices)
     >>> match.interpolated(vertices).shape
     (8, 3)
+
+    The surface in the posture of the other one, with its own size and details:
+
+    >>> posture, report = canonical_pose.pose(
+    ...     vertices, faces, given_target=match.scale * match.interpolated(vertices))
+    >>> posture.shape
+    (8, 3)
     """
     options = {"components": "each", "progress": progress, **options}
     poses = [given if given is not None else _pose_of(surface, surface_faces, **options)[0]
              for given, surface, surface_faces in ((pose, vertices, faces),
                                                    (other_pose, other_vertices, other_faces))]
     return Match(*_core.match(vertices, faces, poses[0], other_vertices, other_faces, poses[1],
-                              list(landmarks), options))
+                              list(landmarks), mirrored, options))
 
 
 def shape_distance(vertices, faces, other_vertices, other_faces, *, descriptor=None, pose=None,

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Mapping, Sequence
 from os import PathLike
-from typing import Literal, NamedTuple, TypedDict, overload
+from typing import Any, Literal, NamedTuple, TypedDict, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -174,6 +174,18 @@ class _Descriptor(TypedDict):
     version: int
     values: _Floats
 
+class _ShapeMatch(TypedDict):
+    mean_distance: float
+    mean_round_trip: float
+    is_rotation_certain: bool
+    seconds: float
+    template: str
+    template_checksum: str
+    checksum: str
+
+class _MatchedReport(_PoseReport):
+    match: _ShapeMatch
+
 class _Shape(TypedDict):
     path: str
     checksum: str
@@ -185,7 +197,7 @@ class _Shape(TypedDict):
     has_pose: bool
     is_segmented: bool
     descriptors: dict[str, int]
-    report: _PoseReport | _CheckReport | None
+    report: _PoseReport | _MatchedReport | _CheckReport | None
 
 class _Answer(TypedDict):
     path: str
@@ -255,6 +267,7 @@ def check(vertices: ArrayLike, faces: _Faces | None = ..., *, cells: ArrayLike |
           ) -> _CheckReport: ...
 def compare(pose: ArrayLike, other: ArrayLike, *more: ArrayLike) -> tuple[float, float]: ...
 def align_handedness(pose: ArrayLike, other: ArrayLike, *more: ArrayLike) -> NDArray[np.bool_]: ...
+def mean_pose(poses: Sequence[ArrayLike]) -> _Floats: ...
 def segment(vertices: ArrayLike, faces: _Faces, *, parts: int | Literal["auto"] = ...,
             method: Literal["consensus", "sweep", "kmeans"] = ..., pose: ArrayLike | None = ...,
             progress: _Progress = ..., **options: Unpack[_Options]
@@ -266,22 +279,30 @@ class Match(NamedTuple):
     faces: _Integers
     vertices: _Integers
     weights: _Floats
+    faces_at_other: _Integers
+    vertices_at_other: _Integers
+    weights_at_other: _Floats
     round_trips: _Floats
+    scale: float
     mean_distance: float
     is_rotation_certain: bool
     def interpolated(self, values: ArrayLike) -> _Floats: ...
+    def interpolated_at_other(self, values: ArrayLike) -> _Floats: ...
+    def transferred_labels(self, faces: _Faces, other_faces: _Faces,
+                           labels: ArrayLike) -> NDArray[Any]: ...
 def match(vertices: ArrayLike, faces: _Faces, other_vertices: ArrayLike, other_faces: _Faces, *,
           pose: ArrayLike | None = ..., other_pose: ArrayLike | None = ...,
-          landmarks: Sequence[tuple[int, int]] = ..., progress: _Progress = ...,
-          **options: Unpack[_Options]) -> Match: ...
+          landmarks: Sequence[tuple[int, int]] = ..., mirrored: bool = ...,
+          progress: _Progress = ..., **options: Unpack[_Options]) -> Match: ...
 def shape_distance(vertices: ArrayLike, faces: _Faces, other_vertices: ArrayLike,
                    other_faces: _Faces, *, descriptor: _Descriptors = ...,
                    pose: ArrayLike | None = ..., other_pose: ArrayLike | None = ...,
                    progress: _Progress = ..., **options: Unpack[_Options]) -> dict[str, float]: ...
 def collection(database: _Path, shapes: _Path | Sequence[_Path] | None = ..., *,
-               descriptor: _Descriptors = ..., poses: _Path | None = ..., segment: bool = ...,
-               workers: int = ..., time_limit: float = ..., memory_limit: float = ...,
-               failed: bool = ..., **options: Unpack[_RecordedOptions]) -> list[_Shape]: ...
+               descriptor: _Descriptors = ..., poses: _Path | None = ..., match: _Path | None = ...,
+               matches: _Path | None = ..., segment: bool = ..., workers: int = ...,
+               time_limit: float = ..., memory_limit: float = ..., failed: bool = ...,
+               **options: Unpack[_RecordedOptions]) -> list[_Shape]: ...
 def search(database: _Path, query: _Path, *, number: int = ...,
            descriptor: _WeightedDescriptors = ..., pose: _Path | None = ...,
            **options: Unpack[_RecordedOptions]) -> list[_Answer]: ...

@@ -22,8 +22,8 @@ OPTIONS = ("detail_length", "landmarks", "rounds", "body", "spacing", "geodesics
            "solver", "seed", "threads")
 
 
-def collection(database, shapes=None, *, descriptor=None, poses=None, segment=False, workers=0,
-               time_limit=3600, memory_limit=0, failed=False, **options):
+def collection(database, shapes=None, *, descriptor=None, poses=None, match=None, matches=None,
+               segment=False, workers=0, time_limit=3600, memory_limit=0, failed=False, **options):
     """Describe many surfaces, and store the results in a database, for `search` and `evaluate`.
 
     It runs the program ``canonical-pose``, which must be installed, and starts a process for each
@@ -41,6 +41,13 @@ def collection(database, shapes=None, *, descriptor=None, poses=None, segment=Fa
         As for `describe`.
     poses : string or path
         A folder for the poses, which have the names and formats of the shapes.
+    match : string or path
+        The file of a surface, the template, that is also matched with each shape. Then the report of a
+        shape has ``"match"``, with ``"mean_distance"``, ``"mean_round_trip"``, the mean of
+        ``round_trips``, and ``"is_rotation_certain"``, as of the function `match`.
+    matches : string or path
+        The folder for the template in the shape of each one, needed with `match`: vertex i of each
+        file is vertex i of the template. Files have the names of the shapes and its format.
     segment : bool
         Whether shapes are also divided into parts.
     workers : int
@@ -78,6 +85,10 @@ def collection(database, shapes=None, *, descriptor=None, poses=None, segment=Fa
                  f"--memory-limit={memory_limit}", *_descriptor_words(descriptor)]
         if poses is not None:
             words.append(f"--poses={_path(poses)}")
+        if match is not None:
+            words.append(f"--match={_path(match)}")
+        if matches is not None:
+            words.append(f"--matches={_path(matches)}")
         if segment:
             words.append("--segment")
         inputs = [shape if isinstance(shape, str) and shape[:1] == "@" else _path(shape)

@@ -96,6 +96,21 @@ def test_options(folder, monkeypatch):
     assert "--no-injective" in {shape["options"] for shape in shapes}
 
 
+def test_match(program, folder, stub, tmp_path):
+    template = folder / "shapes" / "long.off"
+    shapes = canonical_pose.collection(tmp_path / "a.db", folder / "shapes" / "tube.off", match=template,
+                                       matches=tmp_path / "matches", rounds=0,
+                                       descriptor="shape-distribution-d2")
+    stub.check("collection", shapes)
+    assert shapes[0]["report"]["match"]["mean_round_trip"] >= 0
+    program("match", template, folder / "shapes" / "tube.off", "-o", tmp_path / "expected.off",
+            "--pose", tmp_path / "matches" / "poses" / "long.off",
+            "--other-pose", tmp_path / "matches" / "poses" / "tube.off")
+    assert (tmp_path / "matches" / "tube.off").read_bytes() == (tmp_path / "expected.off").read_bytes()
+    with pytest.raises(ValueError, match="--matches"):
+        canonical_pose.collection(tmp_path / "a.db", folder / "shapes", match=template)
+
+
 def test_search(program, folder, stub):
     query = folder / "shapes" / "tube.off"
     for words, options in [((), {}), (("--descriptor", "views"), {"descriptor": "views"}),

@@ -387,7 +387,68 @@ def test_match(tube):
     assert match.interpolated(np.arange(len(vertices))).shape == (len(vertices),)
     again = canonical_pose.match(vertices, faces, vertices, faces, other_pose=vertices, threads=1)
     assert again.round_trips.shape == (len(vertices),)
+    assert again.faces_at_other.shape == (len(vertices),) and again.scale == 1
     with pytest.raises(ValueError, match="the landmark 0, 240 is out of range"):
         canonical_pose.match(*tube, *tube, pose=vertices, other_pose=vertices, landmarks=[(0, 240)])
     with pytest.raises(ValueError, match="the pose has 3 vertices"):
         canonical_pose.match(*tube, *tube, pose=vertices[:3], other_pose=vertices)
+
+
+@pytest.fixture(scope="module")
+def bent_cone(tube):
+    """A shape whose only symmetry is a mirror symmetry, and the same half as large, turned and moved."""
+    vertices, faces = tube
+    t = np.arctan2(vertices[:, 1], vertices[:, 0]) / (np.pi / 2)
+    center = 4 * vertices / np.hypot(vertices[:, 0], vertices[:, 1])[:, None] * [1, 1, 0]
+    shape = center + (vertices - center) * (1 + t[:, None])
+    return shape, faces, shape[:, [1, 2, 0]] / 2 + 7
+
+
+def test_match_of_the_same_shape(bent_cone):
+    """It returns each vertex."""
+    vertices, faces, other = bent_cone
+    match = canonical_pose.match(vertices, faces, other, faces[::-1], pose=vertices, other_pose=other)
+    np.testing.assert_allclose(match.interpolated(other), other, atol=1e-6)
+    np.testing.assert_allclose(match.interpolated_at_other(vertices), vertices, atol=1e-6)
+    np.testing.assert_allclose(match.weights_at_other.sum(axis=1), 1)
+    assert all(set(corners) == set(faces[face])
+               for corners, face in zip(match.vertices_at_other, match.faces_at_other))
+    assert match.scale == pytest.approx(2) and match.is_rotation_certain
+    posture, _ = canonical_pose.pose(vertices, faces,
+                                     given_target=match.scale * match.interpolated(other))
+    assert canonical_pose.compare(posture, vertices)[0] < 1e-3
+    labels = np.where(vertices[faces].mean(axis=1)[:, 0] > 3, "near", "far")
+    assert (match.transferred_labels(faces, faces[::-1], labels[::-1]) == labels).all()
+
+
+def test_transferred_labels():
+    """Two triangles on a square, cut along the other diagonal, with a vertex in the middle of one of them."""
+    match = canonical_pose.Match(*[None] * len(canonical_pose.Match._fields))
+    match = match._replace(vertices=np.array([[0, 1, 2], [0, 1, 2], [0, 1, 2], [2, 1, 3]]),
+                           weights=np.array([[1, 0, 0], [0, 1, 0], [.2, .4, .4], [0, 0, 1]]))
+    faces, other_faces = [[0, 1, 2], [1, 3, 2]], [[0, 1, 2], [2, 1, 3]]
+    assert match.transferred_labels(faces, other_faces, ["a", "b"]).tolist() == ["a", "b"]
+    assert match.transferred_labels(faces, other_faces, np.eye(2)).tolist() == [[1, 0], [0, 1]]
+    with pytest.raises(ValueError, match="face 0 names vertex 4, but there are 4"):
+        match.transferred_labels([[0, 1, 4]], other_faces, [1, 2])
+
+
+def test_mirrored_match(bent_cone):
+    """The mirror symmetry of a shape."""
+    vertices, faces, _ = bent_cone
+    match = canonical_pose.match(vertices, faces, vertices, faces, pose=vertices, other_pose=vertices,
+                                 mirrored=True)
+    np.testing.assert_allclose(match.interpolated(vertices), vertices * [1, 1, -1], atol=1e-6)
+
+
+def test_mean_pose(bent_cone):
+    """That of rigid copies is the first one, and of two sizes the middle."""
+    vertices, _, other = bent_cone
+    copies = [vertices, 2 * other + 9, vertices[:, [2, 0, 1]] * [1, -1, -1]]
+    np.testing.assert_allclose(canonical_pose.mean_pose(copies), vertices, atol=1e-5)
+    np.testing.assert_allclose(canonical_pose.mean_pose(np.array([vertices, 3 * vertices])),
+                               2 * vertices - vertices.mean(axis=0), atol=1e-5)
+    for poses, message in [([], "there is no pose"), (vertices, "pose 0 must have 2 dimensions"),
+                           ([vertices, other[1:]], "poses of .* points cannot be compared")]:
+        with pytest.raises(ValueError, match=message):
+            canonical_pose.mean_pose(poses)

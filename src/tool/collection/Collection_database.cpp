@@ -23,14 +23,14 @@ namespace Canonical_pose_tool {
 namespace {
 
 // The identification of the files of this tool, and of their tables.
-constexpr int APPLICATION = 0x43506f33, TABLES = 2;
+constexpr int APPLICATION = 0x43506f33, TABLES = 3;
 
 const char* const create_shapes = R"(
 CREATE TABLE shape(
   id INTEGER PRIMARY KEY, path TEXT NOT NULL, checksum TEXT NOT NULL, options TEXT NOT NULL,
   version TEXT NOT NULL, outcome TEXT NOT NULL, message TEXT NOT NULL, report TEXT NOT NULL,
   pose TEXT NOT NULL, parts BLOB NOT NULL, seconds REAL NOT NULL, time_limit REAL NOT NULL,
-  memory_limit REAL NOT NULL, UNIQUE(path, options));
+  memory_limit REAL NOT NULL, "match" TEXT NOT NULL DEFAULT '', UNIQUE(path, options));
 CREATE INDEX content ON shape(checksum);
 )";
 const char* const create_descriptors = R"(
@@ -42,9 +42,11 @@ CREATE TABLE descriptor(
 const char* const begin_upgrade = "ALTER TABLE shape RENAME TO shape_1;";
 const char* const end_upgrade = R"(
 INSERT INTO shape SELECT id, path, checksum, options, version, outcome, message, report, '', parts, seconds,
-  time_limit, memory_limit FROM shape_1;
+  time_limit, memory_limit, '' FROM shape_1;
 DROP TABLE shape_1;
 )";
+// In version 2, there were no matches.
+const char* const add_matches = R"(ALTER TABLE shape ADD COLUMN "match" TEXT NOT NULL DEFAULT '')";
 
 constexpr std::array<Outcome, 6> all_outcomes
   = {Outcome::DONE,      Outcome::REFUSED,       Outcome::CRASHED,
@@ -235,21 +237,26 @@ Collection_database::Collection_database(const std::string& path, const bool is_
   const bool is_new = number_of_pages == 0 && is_writable;
   if(!is_new && application != APPLICATION)
     throw std::runtime_error("'" + path + "' is not a collection of this program");
-  if(!is_new && tables != TABLES && tables != 1)
+  if(!is_new && (tables < 1 || tables > TABLES))
     throw std::runtime_error("'" + path + "' was written by another version of this program");
-  if(is_writable && (is_new || tables == 1))
+  if(is_writable && (is_new || tables < TABLES))
   {
     execute("PRAGMA legacy_alter_table = ON"); // descriptors go on referring to `shape`
     in_transaction([&] {
-      if(!is_new)
-        execute(begin_upgrade);
-      execute(create_shapes);
-      execute(is_new ? create_descriptors : end_upgrade);
+      if(tables == 2)
+        execute(add_matches);
+      else
+      {
+        if(!is_new)
+          execute(begin_upgrade);
+        execute(create_shapes);
+        execute(is_new ? create_descriptors : end_upgrade);
+      }
       execute(("PRAGMA application_id = " + std::to_string(APPLICATION)).c_str());
       execute(("PRAGMA user_version = " + std::to_string(TABLES)).c_str());
     });
   }
-  m_has_checksums_of_poses = is_writable || tables == TABLES;
+  m_tables = is_writable ? TABLES : static_cast<int>(tables);
   execute("PRAGMA foreign_keys = ON");
 }
 
@@ -282,10 +289,10 @@ std::optional<Shape_row> Collection_database::row_of(const std::string& path,
 {
   Statement statement(m_database.get(), m_path,
                       "SELECT checksum, options, version, outcome, message, "
-                        + std::string(m_has_checksums_of_poses ? "pose" : "''")
-                        + ", "
-                          "length(parts), time_limit, memory_limit, id FROM shape "
-                          "WHERE path = ? AND options = ?");
+                        + std::string(m_tables >= 2 ? "pose" : "''")
+                        + ", length(parts), time_limit, memory_limit, id, "
+                        + (m_tables >= 3 ? "\"match\"" : "''")
+                        + " FROM shape WHERE path = ? AND options = ?");
   if(!statement.bind(path).bind(options).step())
     return std::nullopt;
   Shape_row row;
@@ -296,6 +303,7 @@ std::optional<Shape_row> Collection_database::row_of(const std::string& path,
   row.parts.resize(static_cast<std::size_t>(statement.integer(6)) / sizeof(int));
   row.time_limit = statement.number(7);
   row.memory_limit = statement.number(8);
+  row.match = statement.text(10);
   Statement descriptors(m_database.get(), m_path,
                         "SELECT name, version FROM descriptor WHERE shape = ? ORDER BY name");
   descriptors.bind(statement.integer(9));
@@ -352,13 +360,16 @@ void Collection_database::write_row(const Shape_row& row)
       .step();
   Statement(m_database.get(), m_path,
             "INSERT INTO shape(path, checksum, options, version, outcome, message, report, "
-            "pose, parts, seconds, time_limit, memory_limit) "
-            "VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?) ON CONFLICT(path, options) DO UPDATE SET "
-            "outcome = excluded.outcome, message = excluded.message, report = excluded.report, "
+            "pose, parts, seconds, time_limit, memory_limit, \"match\") "
+            "VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?) "
+            "ON CONFLICT(path, options) DO UPDATE SET "
+            "outcome = excluded.outcome, message = excluded.message, "
+            "report = iif(excluded.report <> '', excluded.report, report), "
             "pose = iif(excluded.pose <> '', excluded.pose, pose), "
             "parts = iif(length(excluded.parts) > 0, excluded.parts, parts), "
-            "seconds = excluded.seconds, time_limit = excluded.time_limit, "
-            "memory_limit = excluded.memory_limit")
+            "seconds = iif(excluded.report <> '', excluded.seconds, seconds), "
+            "time_limit = excluded.time_limit, memory_limit = excluded.memory_limit, "
+            "\"match\" = iif(excluded.\"match\" <> '', excluded.\"match\", \"match\")")
     .bind(row.key.path)
     .bind(row.key.checksum)
     .bind(row.key.options)
@@ -371,6 +382,7 @@ void Collection_database::write_row(const Shape_row& row)
     .bind(row.seconds)
     .bind(row.time_limit)
     .bind(row.memory_limit)
+    .bind(row.match)
     .step();
   for(const Descriptor_values& descriptor : row.descriptors)
     Statement(m_database.get(), m_path,

@@ -52,6 +52,7 @@ struct Shape_row
   std::string message; // of a refusal
   std::string report;  // JSON; empty unless DONE
   std::string pose;    // checksum of its file; empty if not requested
+  std::string match;   // JSON; empty if not requested
   std::vector<int> parts; // of the faces; empty if not requested
   double seconds = 0;
   double time_limit = 0, memory_limit = 0; // at that time; 0: none
@@ -86,7 +87,7 @@ public:
   // Adds report, parts and values of the descriptors.
   void complete(Shape_row& row);
 
-  // Replaces the row of a shape. Descriptors that are there already are kept if the key is the same.
+  // Replaces the row of a shape. If the key is the same, results are kept that the new row has not.
   void write(const Shape_row& row);
 
   // If there is a row with this checksum, options and version whose file is gone, the rows of that file
@@ -136,7 +137,7 @@ private:
   std::vector<std::string> texts(const char* sql);
 
   std::string m_path;
-  bool m_has_checksums_of_poses = true;
+  int m_tables;                       // their version
   std::unique_ptr<Write_lock> m_lock; // released after the file is closed
   std::unique_ptr<sqlite3, Close> m_database;
 };

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "Shape_job.h"
+#include "formats/Mesh_file.h"
 
 #include <nlohmann/json.hpp>
 
@@ -18,7 +19,7 @@ using Json = nlohmann::ordered_json;
 std::string message_in(const std::string& errors, const std::string& path)
 {
   std::string line = errors.substr(0, errors.find('\n'));
-  for(const std::string& prefix : {std::string("canonical-pose: "), path + ": "})
+  for(const std::string& prefix : {std::string("canonical-pose: "), name_of_input(path) + ": "})
     if(line.rfind(prefix, 0) == 0)
       line.erase(0, prefix.size());
   return line;
@@ -36,6 +37,16 @@ void take_results(const std::string& output, Shape_row& row)
        Eigen::VectorXd::Map(values.data(), static_cast<Eigen::Index>(values.size()))});
   }
   row.parts = json.at("parts").get<std::vector<int>>();
+}
+
+void take_match(const std::string& report, Shape_row& row)
+{
+  const Json json = Json::parse(report);
+  Json match;
+  for(const char* const key : {"mean_distance", "mean_round_trip", "is_rotation_certain"})
+    match[key] = json.at(key);
+  match["seconds"] = row.seconds;
+  row.match = match.dump();
 }
 
 } // namespace
@@ -77,7 +88,10 @@ Shape_row Shape_job::row_of(const Child_process::Ending& ending) const
   else
     try
     {
-      take_results(ending.output, row);
+      if(match.empty())
+        take_results(ending.output, row);
+      else
+        take_match(ending.output, row);
       row.message.clear();
     }
     catch(const Json::exception& error)

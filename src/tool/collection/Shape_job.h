@@ -19,7 +19,8 @@ struct Shape_job
   std::vector<std::string> descriptors;
   std::string pose; // file to be written; empty if not requested
   bool is_segmented = false;
-  // As words of the command line, for `canonical-pose shape`.
+  std::string match; // file to be written, of a job that does only this; otherwise empty
+  // As words of the command line, for `canonical-pose shape` or `match`.
   std::vector<std::string> arguments;
   Child_process::Limits limits;
 

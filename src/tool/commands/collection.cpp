@@ -9,6 +9,7 @@
 #include "descriptors.h"
 #include "collection/Collection_database.h"
 #include "collection/Shape_job.h"
+#include "collection/pose_of_template.h"
 #include "collection/run_jobs.h"
 #include "formats/Mesh_file.h"
 #include "formats/readers.h"
@@ -151,31 +152,55 @@ std::string checksum_of(const std::string& path)
   return text.data();
 }
 
-// In the format of the shape, so that nothing of it is lost.
-std::string pose_file(const Arguments& arguments, const std::string& path)
+// Named after a shape, in the format of a file that is a surface.
+std::string output_file(const std::string& folder, const std::string& shape,
+                        const std::string& file)
 {
-  if(arguments.pose_folder.empty())
-    return {};
-  const std::string extension = extension_of(path);
-  return (fs::absolute(arguments.pose_folder) / stem_of(path)).string()
+  const std::string extension = extension_of(file);
+  return (fs::absolute(folder) / stem_of(shape)).string()
          + (extension == ".gltf"        ? ".glb"
             : is_of_surfaces(extension) ? extension
                                         : ".off");
 }
 
-// Poses are named after the shapes.
-void check_pose_files(const Arguments& arguments, const std::vector<std::string>& paths)
+// In the format of the shape, so that nothing of it is lost.
+std::string pose_file(const Arguments& arguments, const std::string& path)
+{
+  return arguments.pose_folder.empty() ? "" : output_file(arguments.pose_folder, path, path);
+}
+
+// The template in the shape of `path`.
+std::string match_file(const Arguments& arguments, const std::string& path)
+{
+  return output_file(arguments.match_folder, path, arguments.match_template);
+}
+
+// Poses and matches are named after the shapes.
+void check_output_files(const Arguments& arguments, const std::vector<std::string>& paths)
 {
   std::map<std::string, std::string> path_of;
+  const auto check = [&](const std::string& file, const std::string& path,
+                         const std::string& singular, const std::string& plural) {
+    const std::string other = path_of.emplace(file, path).first->second;
+    if(other != path)
+      throw std::invalid_argument("the " + plural + " of '" + other + "' and '" + path
+                                  + "' would have the same name");
+    for(const std::string& input : {path, arguments.match_template})
+      if(!input.empty() && is_same_file(file, input))
+        throw std::invalid_argument("the " + singular + " of '" + path + "' would replace "
+                                    + (input == path ? "it" : "'" + input + "'"));
+  };
+  const bool has_matches = !arguments.match_template.empty();
   for(const std::string& path : paths)
   {
-    const std::string file = pose_file(arguments, path);
-    if(const auto [other, is_new] = path_of.emplace(file, path); !is_new)
-      throw std::invalid_argument("the poses of '" + other->second + "' and '" + path
-                                  + "' would have the same name");
-    if(is_same_file(file, path))
-      throw std::invalid_argument("the pose of '" + path + "' would replace it");
+    if(!arguments.pose_folder.empty())
+      check(pose_file(arguments, path), path, "pose", "poses");
+    if(has_matches)
+      check(match_file(arguments, path), path, "match", "matches");
   }
+  if(has_matches)
+    check(pose_file(arguments, arguments.match_template), arguments.match_template, "pose",
+          "poses");
 }
 
 // A larger limit is reason to try again.
@@ -184,9 +209,16 @@ bool is_within(const double limit, const double limit_before)
   return limit_before == 0 || (limit > 0 && limit <= limit_before);
 }
 
-// What is still to be done for a shape, if anything.
+// Whether a match is, or has failed, with this template.
+bool has_template(const Json& match, const std::string& checksum)
+{
+  return match.is_object() && match.value("template_checksum", "") == checksum;
+}
+
+// What is still to be done for a shape, if anything, but for its match.
 std::optional<Shape_job> job_of(const std::string& path, const Arguments& arguments,
                                 const std::vector<Descriptor>& requested,
+                                const std::string& checksum_of_template,
                                 Collection_database& database)
 {
   Shape_job job;
@@ -197,7 +229,9 @@ std::optional<Shape_job> job_of(const std::string& path, const Arguments& argume
     row = database.row_of(path, job.key.options);
   const bool is_current = row && row->key == job.key;
   const bool is_tried_again
-    = is_current && (row->outcome == Outcome::CRASHED || row->outcome == Outcome::NOT_WRITTEN);
+    = is_current
+      && (row->outcome == Outcome::CRASHED || row->outcome == Outcome::NOT_WRITTEN
+          || (!row->match.empty() && !has_template(Json::parse(row->match), checksum_of_template)));
   if(is_current && row->outcome != Outcome::DONE && !is_tried_again
      && (row->outcome != Outcome::TIMED_OUT || is_within(arguments.time_limit, row->time_limit))
      && (row->outcome != Outcome::OUT_OF_MEMORY
@@ -234,6 +268,39 @@ std::optional<Shape_job> job_of(const std::string& path, const Arguments& argume
   return job;
 }
 
+// The match of a shape that has a pose, unless it is up to date.
+std::optional<Shape_job> match_job_of(const std::string& path, const Arguments& arguments,
+                                      const std::string& checksum_of_template,
+                                      Collection_database& database)
+{
+  const std::optional<Shape_row> row = database.row_of(path, arguments.pose_options);
+  if(!row || row->outcome != Outcome::DONE)
+    return std::nullopt;
+  Shape_job job;
+  job.key = row->key;
+  job.limits = {arguments.time_limit, arguments.memory_limit};
+  job.match = match_file(arguments, path);
+  if(const Json match = Json::parse(row->match, nullptr, false);
+     has_template(match, checksum_of_template)
+     && match.value("checksum", "none") == checksum_of(job.match))
+    return std::nullopt;
+  job.arguments = {"match",
+                   arguments.match_template,
+                   path,
+                   "-o",
+                   job.match,
+                   "--pose",
+                   pose_file(arguments, arguments.match_template),
+                   "--other-pose",
+                   pose_file(arguments, path),
+                   "--report",
+                   "-",
+                   "--quiet",
+                   "--threads",
+                   std::to_string(arguments.options.number_of_threads)};
+  return job;
+}
+
 // The shapes that take the longest come first, so that no worker is left with one at the end.
 void sort_by_size(std::vector<Shape_job>& jobs)
 {
@@ -247,8 +314,8 @@ void sort_by_size(std::vector<Shape_job>& jobs)
 class Progress
 {
 public:
-  Progress(const std::size_t number_of_jobs, const Arguments& arguments)
-    : m_number_of_jobs(number_of_jobs), m_arguments(arguments)
+  Progress(const std::size_t number_of_jobs, std::string name, const Arguments& arguments)
+    : m_number_of_jobs(number_of_jobs), m_name(std::move(name)), m_arguments(arguments)
   {}
   ~Progress() { m_arguments.say(""); }
 
@@ -259,14 +326,15 @@ public:
       = std::chrono::duration<double>(std::chrono::steady_clock::now() - m_start).count();
     const double rate = static_cast<double>(m_number_done) / (std::max)(seconds, 1e-9);
     std::array<char, 80> text;
-    std::snprintf(text.data(), text.size(), "%zu of %zu shapes, %.3g per second, %.0f s left",
-                  m_number_done, m_number_of_jobs, rate,
+    std::snprintf(text.data(), text.size(), "%zu of %zu %s, %.3g per second, %.0f s left",
+                  m_number_done, m_number_of_jobs, m_name.c_str(), rate,
                   static_cast<double>(m_number_of_jobs - m_number_done) / rate);
     m_arguments.say(text.data());
   }
 
 private:
   std::size_t m_number_of_jobs, m_number_done = 0;
+  std::string m_name;
   const Arguments& m_arguments;
   std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();
 };
@@ -281,7 +349,7 @@ std::string line_of(const Shape_row& row, const std::string& before_message = ""
 }
 
 void write_summary(std::ostream& out, const std::vector<std::string>& paths,
-                   const std::size_t number_of_jobs, const std::string& options,
+                   const std::size_t number_computed, const std::string& options,
                    Collection_database& database)
 {
   std::map<Outcome, std::size_t> numbers;
@@ -293,7 +361,7 @@ void write_summary(std::ostream& out, const std::vector<std::string>& paths,
       if(row->outcome != Outcome::DONE)
         failures += line_of(*row);
     }
-  out << paths.size() << (paths.size() == 1 ? " shape, " : " shapes, ") << number_of_jobs
+  out << paths.size() << (paths.size() == 1 ? " shape, " : " shapes, ") << number_computed
       << " computed now\n";
   for(const auto& [outcome, number] : numbers)
     out << std::left << std::setw(14) << name_of(outcome) << number << '\n';
@@ -305,6 +373,9 @@ Json json_of(const Shape_row& row)
   Json descriptors = Json::object();
   for(const Descriptor_values& descriptor : row.descriptors)
     descriptors[descriptor.name] = descriptor.version;
+  Json report = row.report.empty() ? Json() : Json::parse(row.report);
+  if(report.is_object() && !row.match.empty())
+    report["match"] = Json::parse(row.match);
   return {{"path", row.key.path},
           {"checksum", row.key.checksum},
           {"options", row.key.options},
@@ -315,7 +386,7 @@ Json json_of(const Shape_row& row)
           {"has_pose", !row.pose.empty()},
           {"is_segmented", !row.parts.empty()},
           {"descriptors", descriptors},
-          {"report", row.report.empty() ? Json() : Json::parse(row.report)}};
+          {"report", report}};
 }
 
 // All shapes of the database, or those without a result.
@@ -372,48 +443,106 @@ void keep_share(std::vector<std::string>& paths, const Arguments& arguments)
   paths = std::move(kept);
 }
 
+void create_folder(const std::string& folder)
+{
+  std::error_code error;
+  if(!folder.empty())
+    fs::create_directory(folder, error);
+  if(error)
+    throw std::invalid_argument("'" + folder + "' cannot be created: " + error.message());
+}
+
+// Computes shapes and writes their rows.
+class Computation
+{
+public:
+  Computation(const Arguments& arguments, const Run_jobs& run_by_mpi, Collection_database& database)
+    : m_arguments(arguments), m_database(database), m_run(run_by_mpi)
+  {
+    if(!m_run)
+      m_run = [&arguments](const std::vector<Shape_job>& jobs, const Job_ended& ended) {
+        run_jobs(jobs,
+                 arguments.number_of_workers > 0
+                   ? arguments.number_of_workers
+                   : (std::max<std::size_t>)(std::thread::hardware_concurrency(), 1),
+                 ended);
+      };
+  }
+
+  void run(std::vector<Shape_job>& jobs, const std::string& name,
+           const std::string& checksum_of_template)
+  {
+    sort_by_size(jobs);
+    Progress progress(jobs.size(), name, m_arguments);
+    m_run(jobs, [&](const Shape_job& job, const Child_process::Ending& ending) {
+      Shape_row row = job.row_of(ending);
+      if(row.outcome == Outcome::DONE && !job.pose.empty())
+        row.pose = checksum_of(job.pose);
+      if(!job.match.empty())
+        add_template(job, checksum_of_template, row);
+      m_database.write(row);
+      m_computed.insert(job.key.path);
+      progress.advance();
+    });
+  }
+
+  std::size_t number_computed() const { return m_computed.size(); }
+
+private:
+  // What the match depends on, also if it has failed.
+  void add_template(const Shape_job& job, const std::string& checksum, Shape_row& row) const
+  {
+    Json match = row.match.empty() ? Json::object() : Json::parse(row.match);
+    match["template"] = m_arguments.match_template;
+    match["template_checksum"] = checksum;
+    if(row.outcome == Outcome::DONE)
+      match["checksum"] = checksum_of(job.match);
+    row.match = match.dump(-1, ' ', false, Json::error_handler_t::replace);
+  }
+
+  const Arguments& m_arguments;
+  Collection_database& m_database;
+  Run_jobs m_run;
+  std::set<std::string> m_computed;
+};
+
 void compute_collection(const Arguments& arguments, const Run_jobs& run_by_mpi)
 {
   const std::vector<Descriptor> requested = descriptors(arguments.descriptors);
+  const bool has_matches = !arguments.match_template.empty();
   std::vector<std::string> paths = shapes_of(arguments.inputs);
-  if(!arguments.pose_folder.empty())
-    check_pose_files(arguments, paths);
+  check_output_files(arguments, paths);
+  const std::string checksum_of_template = has_matches ? checksum_of(arguments.match_template) : "";
+  if(has_matches && checksum_of_template.empty())
+    throw std::invalid_argument("the template '" + arguments.match_template + "' cannot be read");
   keep_share(paths, arguments);
-  if(!arguments.pose_folder.empty())
-  {
-    std::error_code error;
-    fs::create_directory(arguments.pose_folder, error);
-    if(error)
-      throw std::invalid_argument("'" + arguments.pose_folder
-                                  + "' cannot be created: " + error.message());
-  }
+  create_folder(arguments.match_folder);
+  create_folder(arguments.pose_folder);
   Collection_database database(arguments.database, true);
   arguments.say("comparing the files with the database");
   std::vector<Shape_job> jobs;
   for(const std::string& path : paths)
-    if(auto job = job_of(path, arguments, requested, database))
+    if(auto job = job_of(path, arguments, requested, checksum_of_template, database))
       jobs.push_back(std::move(*job));
-  sort_by_size(jobs);
-  {
-    Progress progress(jobs.size(), arguments);
-    const auto ended = [&](const Shape_job& job, const Child_process::Ending& ending) {
-      Shape_row row = job.row_of(ending);
-      if(row.outcome == Outcome::DONE && !job.pose.empty())
-        row.pose = checksum_of(job.pose);
-      database.write(row);
-      progress.advance();
-    };
-    if(run_by_mpi)
-      run_by_mpi(jobs, ended);
-    else
-      run_jobs(jobs,
-               arguments.number_of_workers > 0
-                 ? arguments.number_of_workers
-                 : (std::max<std::size_t>)(std::thread::hardware_concurrency(), 1),
-               ended);
-  }
+  std::vector<Shape_job> match_jobs;
+  const auto add_match_jobs = [&] {
+    for(const std::string& path : paths)
+      if(auto job = match_job_of(path, arguments, checksum_of_template, database))
+        match_jobs.push_back(std::move(*job));
+  };
+  if(has_matches && jobs.empty())
+    add_match_jobs();
+  // First, so that a template which cannot be used is noticed at once.
+  if(has_matches && !(jobs.empty() && match_jobs.empty()))
+    write_pose_of_template(arguments, pose_file(arguments, arguments.match_template));
+  Computation computation(arguments, run_by_mpi, database);
+  computation.run(jobs, "shapes", checksum_of_template);
+  if(has_matches && !jobs.empty())
+    add_match_jobs();
+  computation.run(match_jobs, "matches", checksum_of_template);
   if(!arguments.quiet)
-    write_summary(std::cout, paths, jobs.size(), arguments.pose_options, database);
+    write_summary(std::cout, paths, computation.number_computed(), arguments.pose_options,
+                  database);
 }
 
 void add_collection_options(Command_options& o)
@@ -437,6 +566,13 @@ void add_collection_options(Command_options& o)
     ->allow_extra_args(false);
   add_path(o, "--poses", o.arguments.pose_folder,
            "folder for the poses, in the formats of the shapes");
+  CLI::Option* const match = add_path(o, "--match", o.arguments.match_template,
+                                      "a surface that is matched with each shape");
+  CLI::Option* const matches
+    = add_path(o, "--matches", o.arguments.match_folder,
+               "folder for this surface in the shape of each one; its poses are in 'poses' there");
+  match->needs(matches);
+  matches->needs(match);
   o.app.add_flag("--segment", o.arguments.is_segmented, "also divide the shapes into parts");
   o.app
     .add_option("--workers", o.arguments.number_of_workers,
@@ -479,8 +615,23 @@ void add_collection_options(Command_options& o)
     });
 }
 
+// Matches take poses.
+void set_folders(Arguments& arguments)
+{
+  if(arguments.match_template.empty())
+    return;
+  arguments.match_template = normal_path(arguments.match_template);
+  if(arguments.pose_folder.empty())
+    arguments.pose_folder = (fs::path(arguments.match_folder) / "poses").string();
+  const auto place
+    = [](const std::string& folder) { return fs::weakly_canonical(fs::absolute(folder) / ""); };
+  if(place(arguments.pose_folder) == place(arguments.match_folder))
+    throw Usage_error("--poses and --matches must be different folders");
+}
+
 int run_collection(Arguments& arguments)
 {
+  set_folders(arguments);
   if(arguments.is_merged)
     merge_collections(arguments);
   else if(arguments.is_listed)
@@ -499,6 +650,7 @@ const Command COLLECTION_COMMAND
      "describes many surfaces and stores the results in a database",
      {"collection meshes/ --database meshes.db",
       "collection @paths.txt --database meshes.db --poses poses/ --time-limit 600",
+      "collection scans/ --database scans.db --match template.obj --matches matched/",
       "collection --list --failed --database meshes.db",
       "collection meshes/ --database part_3.db --shard 3/10",
       "collection merge part_1.db part_2.db -o meshes.db"},

@@ -6,9 +6,11 @@
 #include "Output_files.h"
 #include "command_options.h"
 #include "commands.h"
+#include "shown_results.h"
 #include "formats/Cgal_types.h"
 #include "formats/Mesh_file.h"
 
+#include <CGAL/Canonical_pose_3/mean_pose.h>
 #include <CGAL/Canonical_pose_3/pose_difference.h>
 
 #include <Eigen/Core>
@@ -21,6 +23,7 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace Canonical_pose_tool {
@@ -127,28 +130,64 @@ void add_compare_options(Command_options& o)
     ->required()
     ->expected(2, -1);
   o.app.add_flag("--pairs", o.arguments.has_pairs, "print each pair, also of more than two poses");
+  add_path(o, "--mean", o.arguments.output,
+           "also write the mean of the poses, moved onto each other, with the faces of the first");
   add_report(o);
   add_quiet(o);
 }
 
+// The first mesh, of which all but the positions is written with the mean.
+Mesh_file read_first(const Arguments& arguments)
+{
+  const std::string &path = arguments.poses.front(), &mean = arguments.output;
+  arguments.say("reading " + path);
+  if(mean.empty())
+    return read_other_mesh_file(path);
+  const Format format = format_of_output(mean);
+  Mesh_file mesh = read_other_mesh_file(path, Source::KEPT);
+  if(mesh.is_tetrahedral != (format == Format::MEDIT || format == Format::VTU))
+    throw std::invalid_argument(
+      "the mean in '" + mean + "' must be a "
+      + (mesh.is_tetrahedral ? "tetrahedral mesh (.mesh, .vtu)" : "surface") + ", as '" + path
+      + "' is");
+  if(!is_rewritable(mesh, format))
+    load_appearance(mesh);
+  check_format_holds(format, mesh);
+  return mesh;
+}
+
 int run_compare(Arguments& arguments)
 {
-  Output_files files({arguments.report}, arguments.poses);
-  std::vector<Point_matrix> poses;
-  for(const std::string& path : arguments.poses)
+  const std::string& mean = arguments.output;
+  if(mean == "-")
+    arguments.output += extension_of_format(written_format(format_of(arguments.poses.front())));
+  const std::vector<std::string> outputs = {mean, arguments.report};
+  Output_files files(outputs, arguments.poses);
+  const Mesh_file first = read_first(arguments);
+  std::vector<Point_matrix> poses = {matrix_of(points_of(first))};
+  for(std::size_t i = 1; i < arguments.poses.size(); ++i)
   {
-    arguments.say("reading " + path);
-    poses.push_back(matrix_of(points_of(read_other_mesh_file(path))));
+    arguments.say("reading " + arguments.poses[i]);
+    poses.push_back(matrix_of(points_of(read_other_mesh_file(arguments.poses[i]))));
   }
   arguments.say("comparing the poses");
   const std::vector<Pair> pairs = differences_of_pairs(arguments.poses, poses);
+  std::vector<std::string> warnings;
+  if(!mean.empty())
+    warnings = loss_warnings(first, mean, "the mean");
+  files.write(mean, [&](std::ostream& out) {
+    write_pose(out, format_of(mean), first, CGAL::Canonical_pose_3::mean_pose(std::move(poses)));
+  });
   files.write(arguments.report,
               [&](std::ostream& out) { write_pairs(out, arguments.poses, pairs); });
   files.commit();
   arguments.say("");
-  if(!arguments.quiet)
-    write_differences(messages_beside({arguments.report}), arguments.poses, pairs,
-                      arguments.has_pairs);
+  if(arguments.quiet)
+    return EXIT_SUCCESS;
+  std::ostream& out = messages_beside(outputs);
+  write_differences(out, arguments.poses, pairs, arguments.has_pairs);
+  for(const std::string& warning : warnings)
+    out << "warning: " << warning << '\n';
   return EXIT_SUCCESS;
 }
 
@@ -157,7 +196,8 @@ int run_compare(Arguments& arguments)
 const Command COMPARE_COMMAND
   = {"compare",
      "measures how much poses differ, independent of position and scale",
-     {"compare sitting.off standing.off", "compare poses/*.off"},
+     {"compare sitting.off standing.off", "compare poses/*.off",
+      "compare matched/*.off --mean mean.off"},
      add_compare_options,
      run_compare};
 

@@ -14,7 +14,10 @@
 #include "formats/Shortest_numbers.h"
 
 #include <CGAL/Canonical_pose_3/match_surfaces.h>
+#include <CGAL/Canonical_pose_3/transfer_attributes.h>
 
+#include <cmath>
+#include <cstddef>
 #include <cstdlib>
 #include <iostream>
 #include <stdexcept>
@@ -27,6 +30,19 @@ namespace {
 
 namespace CP = CGAL::Canonical_pose_3;
 
+// What of OTHER is transferred to INPUT, instead of the positions.
+enum class Transfer { NONE, POSE, COLORS, TEXTURE, LABELS };
+
+Transfer transfer_of(const Arguments& arguments)
+{
+  const std::string& name = arguments.transfer;
+  return name.empty()        ? Transfer::NONE
+         : name == "pose"    ? Transfer::POSE
+         : name == "colors"  ? Transfer::COLORS
+         : name == "texture" ? Transfer::TEXTURE
+                             : Transfer::LABELS;
+}
+
 void add_match_options(Command_options& o)
 {
   add_input(o, Shapes::SURFACES);
@@ -35,6 +51,11 @@ void add_match_options(Command_options& o)
     o,
     "where the vertices of INPUT are on OTHER: a line each (.txt), or INPUT in the shape of OTHER",
     {"txt", "off", "obj", "ply", "stl", "glb"});
+  add_path(o, "--transfer", o.arguments.transfer,
+           "instead, write INPUT in the posture of OTHER (pose), or with its colors or texture, or "
+           "with the labels of its faces, a line each in FILE")
+    ->type_name("pose|colors|texture|FILE");
+  o.app.add_flag("--mirror", o.arguments.match.is_mirrored, "match with the mirror image of OTHER");
   add_given_pose(o);
   add_path(o, "--other-pose", o.arguments.other_pose, "the same for OTHER");
   o.app
@@ -69,22 +90,147 @@ void write_locations(std::ostream& out, const CP::Surface_match_3& match)
   }
 }
 
+// INPUT in the posture of OTHER: registered, with its own size and details, to where its vertices are.
+Point_matrix in_posture(const Mesh_file& input, const Mesh_file& other,
+                        const CP::Surface_match_3& match, const Arguments& arguments)
+{
+  Options options = watched_options(arguments);
+  options.target_mode = Options::Target_mode::MDS;
+  options.frame = Options::Frame::INPUT;
+  options.given.target = match.scale * match.interpolated(matrix_of(points_of(other)));
+  return compute_pose(input, options).pose;
+}
+
+Mesh_file colored(Mesh_file mesh, const Mesh_file& other, const CP::Surface_match_3& match)
+{
+  const Appearance& of_other = other.appearance;
+  const bool has_opacities = !of_other.vertex_opacities.empty();
+  Eigen::MatrixXd values(static_cast<Eigen::Index>(other.points.size()), has_opacities ? 4 : 3);
+  for(std::size_t v = 0; v < other.points.size(); ++v)
+    for(Eigen::Index k = 0; k < values.cols(); ++k)
+      values(static_cast<Eigen::Index>(v), k)
+        = k < 3 ? of_other.vertex_colors[v][static_cast<std::size_t>(k)]
+                : of_other.vertex_opacities[v];
+  values = match.interpolated(values);
+  const auto byte = [&](const Eigen::Index v, const Eigen::Index k) {
+    return static_cast<unsigned char>(std::lround(values(v, k)));
+  };
+  mesh.appearance = {};
+  for(Eigen::Index v = 0; v < values.rows(); ++v)
+  {
+    mesh.appearance.vertex_colors.push_back({byte(v, 0), byte(v, 1), byte(v, 2)});
+    if(has_opacities)
+      mesh.appearance.vertex_opacities.push_back(byte(v, 3));
+  }
+  return mesh;
+}
+
+Mesh_file textured(Mesh_file mesh, const Mesh_file& other, const CP::Surface_match_3& match)
+{
+  const Appearance& of_other = other.appearance;
+  mesh.appearance = {};
+  mesh.appearance.texture_coordinates = CP::transferred_texture_coordinates(
+    match, mesh.faces, matrix_of(points_of(other)), other.faces, of_other.texture_coordinates);
+  mesh.appearance.materials = of_other.materials;
+  if(of_other.has_materials())
+    for(const std::size_t face : CP::matched_faces(match, mesh.faces, other.faces))
+      mesh.appearance.material_of_face.push_back(of_other.material_of_face[face]);
+  return mesh;
+}
+
+std::vector<std::size_t> labels_of(const std::string& path, const Mesh_file& other)
+{
+  const std::vector<double> numbers = read_numbers(path);
+  if(numbers.size() != other.faces.size())
+    throw std::invalid_argument("'" + path + "' has " + std::to_string(numbers.size())
+                                + " labels, but OTHER has " + std::to_string(other.faces.size())
+                                + " faces");
+  std::vector<std::size_t> result;
+  for(std::size_t f = 0; f < numbers.size(); ++f)
+  {
+    constexpr double limit = 1e9;
+    if(!(numbers[f] >= 0 && numbers[f] <= limit && numbers[f] == std::floor(numbers[f])))
+      throw std::invalid_argument("'" + path + "': the label of face " + std::to_string(f)
+                                  + " is not an integer from 0 to 1000000000");
+    result.push_back(static_cast<std::size_t>(numbers[f]));
+  }
+  return result;
+}
+
+std::vector<std::size_t> transferred(const std::vector<std::size_t>& labels, const Mesh_file& mesh,
+                                     const Mesh_file& other, const CP::Surface_match_3& match)
+{
+  std::vector<std::size_t> result;
+  for(const std::size_t face : CP::matched_faces(match, mesh.faces, other.faces))
+    result.push_back(labels[face]);
+  return result;
+}
+
+// Throws Usage_error if the output cannot hold what is written.
+void check_output(const std::string& output, const Transfer transfer)
+{
+  if(transfer == Transfer::LABELS)
+    return is_text(output) || is_shown(output)
+             ? void()
+             : throw Usage_error("labels are written to .txt, .ply and .glb files");
+  if(is_text(output))
+    return transfer == Transfer::NONE
+             ? void()
+             : throw Usage_error("'" + output + "' is a text, but --transfer writes a surface");
+  const Format format = format_of_output(output);
+  if(format == Format::MEDIT || format == Format::VTU)
+    throw Usage_error("the output is a surface or a text file");
+  if((transfer == Transfer::COLORS || transfer == Transfer::TEXTURE)
+     && (format == Format::STL || (transfer == Transfer::TEXTURE && format == Format::OFF)))
+    throw Usage_error("'" + output
+                      + "' does not hold what is transferred; .obj, .ply and .glb files do");
+}
+
+// Whether what is written is the file of INPUT with other positions.
+bool is_input_rewritten(const Arguments& arguments)
+{
+  const Transfer transfer = transfer_of(arguments);
+  return !is_text(arguments.output) && (transfer == Transfer::NONE || transfer == Transfer::POSE);
+}
+
+// What is transferred has to be there.
+void check_other(const Mesh_file& other, const Arguments& arguments)
+{
+  const Transfer transfer = transfer_of(arguments);
+  if(transfer == Transfer::COLORS && other.appearance.vertex_colors.empty())
+    throw std::invalid_argument("'" + arguments.other + "' has no colors of vertices");
+  if(transfer == Transfer::TEXTURE && other.appearance.texture_coordinates.empty())
+    throw std::invalid_argument("'" + arguments.other + "' has no texture coordinates");
+}
+
+// Without its file, so that it is written anew.
+Mesh_file without_source(Mesh_file mesh)
+{
+  mesh.source.reset();
+  return mesh;
+}
+
 int run_match(Arguments& arguments)
 {
   Stage_clock clock;
   const std::string& output = arguments.output;
-  const bool is_map = is_text(output);
-  if(const Format format = is_map ? Format::OFF : format_of_output(output);
-     format == Format::MEDIT || format == Format::VTU)
-    throw Usage_error("the output is a surface or a text file");
+  const Transfer transfer = transfer_of(arguments);
+  check_output(output, transfer);
   const std::vector<std::string> outputs = {output, arguments.report};
   Output_files files(outputs,
-                     {arguments.input, arguments.other, arguments.pose, arguments.other_pose});
-  const Mesh_file input
-    = is_map ? read_mesh_file(arguments.input) : read_shown_mesh_file(arguments.input);
-  if(!is_map)
+                     {arguments.input, arguments.other, arguments.pose, arguments.other_pose,
+                      transfer == Transfer::LABELS ? arguments.transfer : std::string()});
+  const Mesh_file input = is_input_rewritten(arguments) ? read_shown_mesh_file(arguments.input)
+                                                        : read_mesh_file(arguments.input);
+  if(!is_text(output))
     check_format_holds(format_of(output), input);
-  const Mesh_file other = read_other_mesh_file(arguments.other);
+  Mesh_file other = read_other_mesh_file(arguments.other, Source::KEPT);
+  if(transfer == Transfer::COLORS || transfer == Transfer::TEXTURE)
+    load_appearance(other);
+  check_other(other, arguments);
+  const std::vector<std::size_t> labels = transfer == Transfer::LABELS
+                                            ? labels_of(arguments.transfer, other)
+                                            : std::vector<std::size_t>();
   std::vector<CP::Registration_summary::Stage> stages = {{"read", clock.lap()}};
   arguments.say("computing the poses");
   const CP::Matchable_surface_3 surface = prepared(input, arguments.pose, arguments),
@@ -95,15 +241,31 @@ int run_match(Arguments& arguments)
   const CP::Surface_match_3 match = CP::match_surfaces(surface, surface_of_other, arguments.match);
   stages.emplace_back("match", clock.lap());
   std::vector<std::string> warnings;
-  if(!is_map)
+  if(is_input_rewritten(arguments))
     warnings = loss_warnings(input, output, "the surface");
   if(!match.is_rotation_certain)
     warnings.push_back(
       "another rotation of the pose matches nearly as well: front and back may be confused");
+  Point_matrix positions;
+  if(is_input_rewritten(arguments))
+    positions = transfer == Transfer::POSE ? in_posture(input, other, match, arguments)
+                                           : match.interpolated(matrix_of(points_of(other)));
+  if(transfer == Transfer::POSE)
+    stages.emplace_back("transfer", clock.lap());
   files.write(output, [&](std::ostream& out) {
-    if(is_map)
+    if(is_input_rewritten(arguments))
+      return write_pose(out, format_of(output), input, positions);
+    if(transfer == Transfer::NONE)
       return write_locations(out, match);
-    write_pose(out, format_of(output), input, match.interpolated(matrix_of(points_of(other))));
+    if(transfer == Transfer::COLORS)
+      return write_mesh(out, format_of(output), colored(without_source(input), other, match));
+    if(transfer == Transfer::TEXTURE)
+      return write_mesh(out, format_of(output), textured(without_source(input), other, match));
+    const std::vector<std::size_t> labels_of_input = transferred(labels, input, other, match);
+    if(is_shown(output))
+      return write_shown(out, format_of(output), shown_parts(input, labels_of_input));
+    for(const std::size_t label : labels_of_input)
+      out << label << '\n';
   });
   stages.emplace_back("write", clock.lap());
   files.write(arguments.report, [&](std::ostream& out) {
@@ -123,11 +285,11 @@ int run_match(Arguments& arguments)
 
 } // namespace
 
-const Command MATCH_COMMAND
-  = {"match",
-     "finds where the vertices of a surface are on another one",
-     {"match man.obj woman.ply -o map.txt", "match man.obj woman.ply -o man_as_woman.obj"},
-     add_match_options,
-     run_match};
+const Command MATCH_COMMAND = {
+  "match",
+  "finds where the vertices of a surface are on another one",
+  {"match man.obj woman.ply -o map.txt", "match man.obj woman.ply -o man.glb --transfer texture"},
+  add_match_options,
+  run_match};
 
 } // namespace Canonical_pose_tool

@@ -11,15 +11,28 @@
 #include <map>
 #include <set>
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace Canonical_pose_tool {
 
+// How an image is shown between and beside its pixels, by the numbers of glTF; -1: not stated.
+struct Sampler
+{
+  int mag_filter = -1, min_filter = -1, wrap_s = -1, wrap_t = -1;
+
+  auto values() const { return std::tie(mag_filter, min_filter, wrap_s, wrap_t); }
+  bool operator<(const Sampler& other) const { return values() < other.values(); }
+};
+
 struct Material
 {
   std::array<double, 4> color = {1, 1, 1, 1}; // linear, with opacity; a factor if there is an image
-  std::string alpha_mode = "OPAQUE";          // of glTF
-  std::string image;                          // the content of its file
+  std::string alpha_mode = "OPAQUE";          // this and the next: of glTF
+  double alpha_cutoff = 0.5;
+  bool is_double_sided = true; // surfaces may be open
+  std::string image;           // the content of its file
+  Sampler sampler;
   std::array<double, 2> scale = {1, 1},
                         offset = {0, 0}; // of texture coordinates while they are read
 };
@@ -28,6 +41,7 @@ struct Material
 struct Appearance
 {
   std::vector<Color> vertex_colors;
+  std::vector<unsigned char> vertex_opacities;           // if not all are opaque
   std::vector<std::array<float, 2>> texture_coordinates; // of the corners of all faces; (0, 0) is the upper left
   std::vector<std::array<float, 3>> normals;             // of the corners of all faces; 0: none
   std::vector<Material> materials;

@@ -4,6 +4,8 @@
 #ifndef CGAL_CANONICAL_POSE_3_TOOL_GLTF_BUILDER_H
 #define CGAL_CANONICAL_POSE_3_TOOL_GLTF_BUILDER_H
 
+#include "Appearance.h"
+
 #include <Eigen/Core>
 
 #include <tiny_gltf.h>
@@ -56,8 +58,8 @@ public:
     return static_cast<int>(m_model.accessors.size()) - 1;
   }
 
-  // Appends the content of an image, and returns the index of a texture that shows it.
-  int append_texture(const std::string& content, const std::string& type)
+  // Appends the content of an image, and returns its index.
+  int append_image(const std::string& content, const std::string& type)
   {
     Rows<std::uint8_t> bytes(static_cast<Eigen::Index>(content.size()), 1);
     std::copy(content.begin(), content.end(), bytes.data());
@@ -65,8 +67,26 @@ public:
     image.bufferView = append_view(bytes, Use::IMAGE);
     image.mimeType = type;
     m_model.images.push_back(std::move(image));
+    return static_cast<int>(m_model.images.size()) - 1;
+  }
+
+  // Appends a texture that shows an image, and returns its index.
+  int append_texture(const int image, const Sampler& given)
+  {
     tinygltf::Texture texture;
-    texture.source = static_cast<int>(m_model.images.size()) - 1;
+    texture.source = image;
+    if(Sampler() < given) // something is stated
+    {
+      tinygltf::Sampler sampler;
+      sampler.magFilter = given.mag_filter;
+      sampler.minFilter = given.min_filter;
+      for(const auto& [wrap, result] : {std::make_pair(given.wrap_s, &sampler.wrapS),
+                                        std::make_pair(given.wrap_t, &sampler.wrapT)})
+        if(wrap != -1)
+          *result = wrap;
+      texture.sampler = static_cast<int>(m_model.samplers.size());
+      m_model.samplers.push_back(std::move(sampler));
+    }
     m_model.textures.push_back(std::move(texture));
     return static_cast<int>(m_model.textures.size()) - 1;
   }

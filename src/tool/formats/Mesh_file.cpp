@@ -18,7 +18,6 @@
 #include <fstream>
 #include <ios>
 #include <iostream>
-#include <limits>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -201,6 +200,7 @@ std::optional<Format> format_by_content(const std::string& path)
     size = bytes.size();
     bytes.resize((std::min)(bytes.size(), most));
   }
+  const bool has_size_of_stl = is_binary_stl(bytes, size);
   if(bytes.compare(0, 3, BYTE_ORDER_MARK) == 0)
     bytes.erase(0, 3);
   Text_cursor text(bytes);
@@ -210,7 +210,7 @@ std::optional<Format> format_by_content(const std::string& path)
   if(word.size() > 3 && word.find_first_not_of("STCN") == word.size() - 3
      && word.substr(word.size() - 3) == "OFF")
     return Format::OFF;
-  if(is_binary_stl(bytes, size))
+  if(has_size_of_stl)
     return Format::STL;
   for(; !word.empty(); text.skip_line(), word = text.word())
     if(word == "v")
@@ -351,12 +351,14 @@ catch(const std::invalid_argument& error)
 std::size_t vertex_index(const Mesh_file& mesh, const long long index, const std::size_t n,
                          const Element& element, const int base)
 {
-  const std::size_t end = mesh.is_checked ? n : (std::numeric_limits<Face_list::Index>::max)();
-  if(index < base || static_cast<unsigned long long>(index - base) >= end)
-    throw std::invalid_argument(element.name() + " names vertex " + std::to_string(index)
-                                + (base == 0 ? "" : " (counted from 1)") + ", but there are "
-                                + std::to_string(n));
-  return static_cast<std::size_t>(index - base);
+  const std::size_t end = mesh.is_checked ? n : NO_VERTEX;
+  if(index >= base && static_cast<unsigned long long>(index - base) < end)
+    return static_cast<std::size_t>(index - base);
+  if(!mesh.is_checked)
+    return NO_VERTEX;
+  throw std::invalid_argument(element.name() + " names vertex " + std::to_string(index)
+                              + (base == 0 ? "" : " (counted from 1)") + ", but there are "
+                              + std::to_string(n));
 }
 
 void add_faces(const std::vector<long long>& corners, const std::vector<std::size_t>& ends,

@@ -67,7 +67,7 @@ void forget_streams();
 // How messages name an input.
 inline std::string name_of_input(const std::string& path)
 {
-  return is_standard_stream(path) ? "standard input" : path;
+  return is_standard_stream(path) ? "standard input" : '\'' + path + '\'';
 }
 
 // The extension of a path, with its dot, in small letters; that of a compressed file is the one before ".gz".

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "Ply_header.h"
+#include "Appearance.h"
 
 #include <algorithm>
 #include <array>
@@ -225,7 +226,7 @@ std::size_t normal_coordinate_of(const Ply_property& property)
 
 std::size_t channel_of(const Ply_property& property)
 {
-  const std::array<const char*, 3> names = {"red", "green", "blue"};
+  const std::array<const char*, 4> names = {"red", "green", "blue", "alpha"};
   const auto found
     = property.is_list ? names.end() : std::find(names.begin(), names.end(), property.name);
   return static_cast<std::size_t>(found - names.begin());
@@ -234,6 +235,22 @@ std::size_t channel_of(const Ply_property& property)
 bool is_list_of_coordinates(const Ply_property& property)
 {
   return property.is_list && property.name == "texcoord";
+}
+
+bool is_number_of_texture(const Ply_element& element, const Ply_property& property)
+{
+  return element.is_face() && !property.is_list && property.name == "texnumber";
+}
+
+std::vector<std::string> names_of_textures(const std::string& bytes)
+{
+  std::vector<std::string> names;
+  Text_cursor text(bytes);
+  for(std::string_view word = text.word(); !word.empty() && word != "end_header";
+      text.skip_line(), word = text.word())
+    if(word == "comment" && text.word_on_line() == "TextureFile")
+      names.push_back(rest_of_line(text));
+  return names;
 }
 
 } // namespace Canonical_pose_tool

@@ -59,11 +59,17 @@ std::size_t texture_coordinate_of(const Ply_property& property);
 // Which coordinate of a normal a property is; 3 if it is none.
 std::size_t normal_coordinate_of(const Ply_property& property);
 
-// Which of red, green and blue a property of a vertex is; 3 if it is none.
+// Which of red, green, blue and opacity a property of a vertex is; 4 if it is none.
 std::size_t channel_of(const Ply_property& property);
 
 // Whether a property of a face is the list of the texture coordinates of its corners, as MeshLab writes it.
 bool is_list_of_coordinates(const Ply_property& property);
+
+// Whether a property of a face is the number of its texture, as MeshLab writes it.
+bool is_number_of_texture(const Ply_element& element, const Ply_property& property);
+
+// The images that the comments of a header name.
+std::vector<std::string> names_of_textures(const std::string& bytes);
 
 struct Ply_header
 {

@@ -5,7 +5,7 @@
 #define CGAL_CANONICAL_POSE_3_TOOL_SKINNED_VERTICES_H
 
 #include "Gltf_numbers.h"
-#include "load_gltf.h"
+#include "Mesh_instance.h"
 
 #include <Eigen/Geometry>
 

@@ -38,6 +38,12 @@ Color viridis(const double fraction)
 
 } // namespace
 
+unsigned char byte_of(const double value, const double largest)
+{
+  const double share = std::isfinite(value) ? value / largest : 0;
+  return static_cast<unsigned char>(std::lround(255 * (std::min)((std::max)(share, 0.), 1.)));
+}
+
 // Hues by the golden ratio; brighter and darker by turns.
 Color color_of_part(const std::size_t part)
 {

@@ -15,6 +15,9 @@ namespace Canonical_pose_tool {
 // Red, green and blue from 0 to 255, sRGB.
 using Color = std::array<unsigned char, 3>;
 
+// A share of the largest value, from 0 to 255; 0 if it is not finite.
+unsigned char byte_of(double value, double largest);
+
 // Colors of successive parts differ clearly.
 Color color_of_part(std::size_t part);
 

@@ -19,18 +19,11 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 namespace Canonical_pose_tool {
 
 namespace {
-
-unsigned char byte_of(const double value, const double largest)
-{
-  const double share = std::isfinite(value) ? value / largest : 0;
-  return static_cast<unsigned char>(std::lround(255 * (std::min)((std::max)(share, 0.), 1.)));
-}
 
 // What vertices have, for the corners of faces.
 template <class Value>
@@ -47,14 +40,12 @@ std::vector<Value> at_corners(const std::vector<Value>& values, const Face_list&
 void load_off(const std::string& bytes, const Mesh_file& mesh, Appearance& appearance)
 {
   Text_cursor text(bytes);
-  const std::string_view keyword = text.word();
-  const std::string_view variant = keyword.substr(0, keyword.find("OFF"));
-  const bool has_colors = variant.find('C') != std::string_view::npos,
-             has_normals = variant.find('N') != std::string_view::npos;
+  const std::string_view letters = Off_header(text).letters;
+  const auto has
+    = [&](const char* const some) { return letters.find_first_of(some) != std::string_view::npos; };
+  const bool has_colors = has("C"), has_normals = has("N"), has_coordinates = has("ST");
   if(!has_colors && !has_normals)
     return;
-  text.word();
-  text.skip_line();
   std::vector<std::array<float, 3>> normals;
   for(std::size_t v = 0; v < mesh.points.size(); ++v)
   {
@@ -64,18 +55,23 @@ void load_off(const std::string& bytes, const Mesh_file& mesh, Appearance& appea
     if(has_normals)
       for(float& x : normals.emplace_back())
         x = static_cast<float>(text.number_or(text.word_on_line(), 0));
-    std::array<double, 3> color;
+    std::array<double, 4> color;
     bool is_fraction = false;
+    std::string_view word;
     for(double& x : color)
     {
-      const std::string_view word = text.word_on_line();
+      word = text.word_on_line();
       is_fraction = is_fraction || word.find('.') != std::string_view::npos;
       x = text.number_or(word, 0);
     }
     const double largest = is_fraction ? 1 : 255;
     if(has_colors)
+    {
       appearance.vertex_colors.push_back(
         {byte_of(color[0], largest), byte_of(color[1], largest), byte_of(color[2], largest)});
+      appearance.vertex_opacities.push_back(
+        word.empty() || has_coordinates ? 255 : byte_of(color[3], largest));
+    }
     text.skip_line();
   }
   if(has_normals)
@@ -207,19 +203,24 @@ void load_obj(const std::string& bytes, const std::string& path, const Face_list
     transform_coordinates(faces, appearance);
 }
 
-// The image that comments name; with several, it is not known which faces have which.
-std::string texture_of_ply(const std::string& bytes, const std::string& path,
-                           Appearance& appearance)
+// Materials with the images that comments name, and a plain one for other numbers.
+void load_textures_of_ply(const std::string& bytes, const std::string& path,
+                          const std::vector<double>& texture_of_face, Appearance& appearance)
 {
-  std::vector<std::string> names;
-  Text_cursor text(bytes);
-  for(std::string_view word = text.word(); !word.empty() && word != "end_header";
-      text.skip_line(), word = text.word())
-    if(word == "comment" && text.word_on_line() == "TextureFile")
-      names.push_back(rest_of_line(text));
-  if(names.size() > 1)
-    appearance.missing.insert("the textures");
-  return names.size() == 1 ? image_beside(path, names[0], appearance) : std::string();
+  const std::vector<std::string> names = names_of_textures(bytes);
+  for(const std::string& name : names)
+    appearance.materials.emplace_back().image = image_beside(path, name, appearance);
+  appearance.materials.emplace_back();
+  for(const double number : texture_of_face)
+    appearance.material_of_face.push_back(number >= 0 && number < static_cast<double>(names.size())
+                                            ? static_cast<std::size_t>(number)
+                                            : names.size());
+  const auto has_image = [](const Material& material) { return !material.image.empty(); };
+  if(std::none_of(appearance.materials.begin(), appearance.materials.end(), has_image))
+  {
+    appearance.materials.clear();
+    appearance.material_of_face.clear();
+  }
 }
 
 double largest_color(const Ply_number_type type)
@@ -256,14 +257,16 @@ void load_ply(const std::string& bytes, const std::string& path, const Face_list
   };
   std::vector<std::array<float, 2>> of_vertices;
   std::vector<std::array<float, 3>> normals;
+  std::vector<double> texture_of_face;
   std::size_t f = 0;
   for(const Ply_element& element : header.elements)
     for(std::size_t i = 0; i < element.number && !element.properties.empty(); ++i)
     {
       std::array<double, 3> coordinates = {};
-      std::array<unsigned char, 4> color = {};
+      std::array<unsigned char, 5> color = {0, 0, 0, 255, 0};
       std::array<double, 4> normal = {};
       std::vector<double> of_corners;
+      double texture = 0;
       for(const Ply_property& property : element.properties)
         if(property.is_list)
           for(auto n = static_cast<std::size_t>(next(property.count)); n > 0; --n)
@@ -278,9 +281,16 @@ void load_ply(const std::string& bytes, const std::string& path, const Face_list
           coordinates[texture_coordinate_of(property)] = value;
           normal[normal_coordinate_of(property)] = value;
           color[channel_of(property)] = byte_of(value, largest_color(property.value));
+          if(is_number_of_texture(element, property))
+            texture = value;
         }
+      if(element.is_face())
+        texture_of_face.push_back(texture);
       if(element.is_vertex() && has_colors)
+      {
         appearance.vertex_colors.push_back({color[0], color[1], color[2]});
+        appearance.vertex_opacities.push_back(color[3]);
+      }
       if(element.is_vertex() && has_normals)
         normals.push_back({static_cast<float>(normal[0]), static_cast<float>(normal[1]),
                            static_cast<float>(normal[2])});
@@ -300,12 +310,8 @@ void load_ply(const std::string& bytes, const std::string& path, const Face_list
     appearance.texture_coordinates = at_corners(of_vertices, faces);
   if(has_normals)
     appearance.normals = at_corners(normals, faces);
-  if(std::string image = texture_of_ply(bytes, path, appearance);
-     !image.empty() && !appearance.texture_coordinates.empty())
-  {
-    appearance.materials.emplace_back().image = std::move(image);
-    appearance.material_of_face.assign(faces.size(), 0);
-  }
+  if(!appearance.texture_coordinates.empty())
+    load_textures_of_ply(bytes, path, texture_of_face, appearance);
 }
 
 } // namespace
@@ -374,6 +380,11 @@ try
     break;
   default:;
   }
+  // Opaque, or all invisible, which nobody means.
+  std::vector<unsigned char>& opacities = mesh.appearance.vertex_opacities;
+  if(const auto [least, most] = std::minmax_element(opacities.begin(), opacities.end());
+     least != opacities.end() && (*least == 255 || *most <= 1))
+    opacities.clear();
   for(std::array<float, 2>& coordinates : mesh.appearance.texture_coordinates)
     for(float& x : coordinates)
       x = std::isfinite(x) ? x : 0;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "Gltf_numbers.h"
+#include "Mesh_instance.h"
 #include "Skinned_vertices.h"
 #include "load_gltf.h"
 #include "readers.h"
@@ -12,6 +13,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <initializer_list>
 #include <limits>
 #include <map>
 #include <numeric>
@@ -75,10 +77,10 @@ struct Vertices
   bool is_mirrored;
 };
 
-// The vertices of the triangles of a primitive, counted from 0. `face`: the index of the first triangle.
+// The vertices of the triangles of a primitive, counted from 0. `face`: the index in `mesh` of the first triangle.
 std::vector<std::size_t> corners_of(const Model& model, const Primitive& primitive,
                                     const std::size_t count, const bool is_mirrored,
-                                    const std::size_t face)
+                                    const Mesh_file& mesh, const std::size_t face)
 {
   std::vector<std::size_t> corners(count);
   std::iota(corners.begin(), corners.end(), std::size_t(0));
@@ -89,7 +91,7 @@ std::vector<std::size_t> corners_of(const Model& model, const Primitive& primiti
       throw std::invalid_argument("the indices are not unsigned integers");
     corners.resize(numbers.count());
     for(std::size_t i = 0; i < corners.size(); ++i)
-      corners[i] = vertex_index(Mesh_file(), static_cast<long long>(numbers(i, 0)), count,
+      corners[i] = vertex_index(mesh, static_cast<long long>(numbers(i, 0)), count,
                                 Element{"face", face + i / 3});
   }
   if(corners.size() % 3 != 0)
@@ -103,11 +105,14 @@ std::vector<std::size_t> corners_of(const Model& model, const Primitive& primiti
 void read_triangles(const Model& model, const Primitive& primitive, const Vertices& vertices,
                     Mesh_file& mesh)
 {
-  const auto [first, count, is_mirrored] = vertices;
   const std::vector<std::size_t> corners
-    = corners_of(model, primitive, count, is_mirrored, mesh.faces.size());
+    = corners_of(model, primitive, vertices.count, vertices.is_mirrored, mesh, mesh.faces.size());
+  // Vertices that the primitive does not have may be those of another one.
+  const auto vertex = [&](const std::size_t corner) {
+    return corner < vertices.count ? vertices.first + corner : NO_VERTEX;
+  };
   for(std::size_t i = 0; i < corners.size(); i += 3)
-    mesh.faces.push_back({first + corners[i], first + corners[i + 1], first + corners[i + 2]});
+    mesh.faces.push_back({vertex(corners[i]), vertex(corners[i + 1]), vertex(corners[i + 2])});
 }
 
 // Primitives often share their vertices, and differ in material.
@@ -169,9 +174,11 @@ void merge_copies(const Model& model, const Primitive& primitive, Mesh_file& mes
     merged[order[i]] = points.size() - 1;
   }
   mesh.points.swap(points);
+  const auto vertex
+    = [&](const std::size_t v) { return v < merged.size() ? merged[v] : NO_VERTEX; };
   Face_list faces;
   for(const Face_list::Face face : mesh.faces)
-    faces.push_back({merged[face[0]], merged[face[1]], merged[face[2]]});
+    faces.push_back({vertex(face[0]), vertex(face[1]), vertex(face[2])});
   mesh.faces = std::move(faces);
 }
 
@@ -208,7 +215,7 @@ public:
       = Gltf_numbers(m_model, primitive.attributes.at("POSITION"), 3, "POSITION").count();
     const bool is_mirrored = Skinned_vertices(m_model, instance, primitive, count).is_mirrored();
     const std::vector<std::size_t> corners
-      = corners_of(m_model, primitive, count, is_mirrored, m_face);
+      = corners_of(m_model, primitive, count, is_mirrored, m_mesh, m_face);
     const auto material = static_cast<std::size_t>(primitive.material);
     const bool has_material = primitive.material >= 0 && material < m_model.materials.size();
     m_has_materials = m_has_materials || has_material;
@@ -245,12 +252,32 @@ private:
       result.color[k] = (std::min)((std::max)(base.baseColorFactor[k], 0.), 1.);
     if(material.alphaMode == "BLEND" || material.alphaMode == "MASK")
       result.alpha_mode = material.alphaMode;
+    result.alpha_cutoff = (std::max)(material.alphaCutoff, 0.);
+    result.is_double_sided = material.doubleSided;
     const auto entry = [](const auto& list, const int i) {
       return i >= 0 && static_cast<std::size_t>(i) < list.size()
                ? &list[static_cast<std::size_t>(i)]
                : nullptr;
     };
     const auto* const texture = entry(m_model.textures, base.baseColorTexture.index);
+    if(const auto* const sampler = texture ? entry(m_model.samplers, texture->sampler) : nullptr)
+    {
+      // Others are the default, or not numbers of glTF.
+      const auto known = [](const int value, const std::initializer_list<int>& values) {
+        return std::find(values.begin(), values.end(), value) == values.end() ? -1 : value;
+      };
+      const auto mag_filters = {TINYGLTF_TEXTURE_FILTER_NEAREST, TINYGLTF_TEXTURE_FILTER_LINEAR};
+      const auto mipmap_filters = {TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_NEAREST,
+                                   TINYGLTF_TEXTURE_FILTER_LINEAR_MIPMAP_NEAREST,
+                                   TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_LINEAR,
+                                   TINYGLTF_TEXTURE_FILTER_LINEAR_MIPMAP_LINEAR};
+      const auto wraps
+        = {TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE, TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT};
+      result.sampler = {known(sampler->magFilter, mag_filters),
+                        (std::max)(known(sampler->minFilter, mag_filters),
+                                   known(sampler->minFilter, mipmap_filters)),
+                        known(sampler->wrapS, wraps), known(sampler->wrapT, wraps)};
+    }
     const auto* const image = texture ? entry(m_model.images, texture->source) : nullptr;
     const auto* const view = image ? entry(m_model.bufferViews, image->bufferView) : nullptr;
     const auto* const buffer = view ? entry(m_model.buffers, view->buffer) : nullptr;
@@ -286,16 +313,24 @@ private:
   void read_colors(const Primitive& primitive, const std::vector<std::size_t>& corners)
   {
     std::optional<Gltf_numbers> colors = numbers(primitive, "COLOR_0", 4, corners);
+    const bool has_opacity = colors.has_value();
     if(!colors)
       colors = numbers(primitive, "COLOR_0", 3, corners);
     if(!colors)
       return;
     if(m_appearance.vertex_colors.empty())
+    {
       m_appearance.vertex_colors.assign(m_mesh.points.size(), Color{255, 255, 255});
+      m_appearance.vertex_opacities.assign(m_mesh.points.size(), 255);
+    }
     for(std::size_t i = 0; i < corners.size(); ++i)
+    {
+      const std::size_t v = m_mesh.faces[m_face + i / 3][i % 3];
       for(std::size_t k = 0; k < 3; ++k)
-        m_appearance.vertex_colors[m_mesh.faces[m_face + i / 3][i % 3]][k]
-          = srgb((*colors)(corners[i], k));
+        m_appearance.vertex_colors[v][k] = srgb((*colors)(corners[i], k));
+      if(has_opacity)
+        m_appearance.vertex_opacities[v] = byte_of((*colors)(corners[i], 3), 1);
+    }
   }
 
   void read_normals(const Mesh_instance& instance, const Primitive& primitive,

@@ -20,6 +20,17 @@ namespace Canonical_pose_tool {
 
 namespace {
 
+// Lexicographic; what is not a number comes last.
+struct Order_of_points
+{
+  bool operator()(const std::array<double, 3>& p, const std::array<double, 3>& q) const
+  {
+    return std::lexicographical_compare(
+      p.begin(), p.end(), q.begin(), q.end(),
+      [](const double x, const double y) { return x < y || (std::isnan(y) && !std::isnan(x)); });
+  }
+};
+
 // Collects faces by the coordinates of their corners; equal corners become one vertex. Vertices are
 // in the order of appearance.
 class Welder
@@ -32,13 +43,10 @@ public:
   void add_corner(const std::array<double, 3>& point)
   {
     check_is_finite(m_mesh, point, next_face());
-    const std::size_t n = m_mesh.points.size();
-    const bool is_finite
-      = std::all_of(point.begin(), point.end(), [](const double x) { return std::isfinite(x); });
-    const std::size_t vertex = is_finite ? m_vertices.emplace(point, n).first->second : n;
-    if(vertex == n)
+    const auto [vertex, is_new] = m_vertices.emplace(point, m_mesh.points.size());
+    if(is_new)
       m_mesh.points.push_back(point);
-    m_face.push_back(vertex);
+    m_face.push_back(vertex->second);
   }
 
   void check_is_between_faces() const
@@ -58,7 +66,7 @@ public:
 
 private:
   Mesh_file& m_mesh;
-  std::map<std::array<double, 3>, std::size_t> m_vertices;
+  std::map<std::array<double, 3>, std::size_t, Order_of_points> m_vertices;
   std::vector<std::size_t> m_face;
 };
 
@@ -160,8 +168,10 @@ bool is_ascii(const std::string& bytes)
 
 bool is_binary_stl(const std::string& beginning, const std::uintmax_t size)
 {
-  return beginning.size() >= STL_HEADER_SIZE
-         && size == STL_HEADER_SIZE + STL_FACE_SIZE * number_of_binary_faces(beginning);
+  const std::uintmax_t announced
+    = STL_HEADER_SIZE + STL_FACE_SIZE * std::uintmax_t(number_of_binary_faces(beginning));
+  return beginning.size() >= STL_HEADER_SIZE && size >= announced
+         && size - announced < STL_FACE_SIZE;
 }
 
 bool is_binary_stl(const std::string& bytes) { return is_binary_stl(bytes, bytes.size()); }

@@ -12,12 +12,32 @@
 #include <cstddef>
 #include <cstdint>
 #include <iosfwd>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace Canonical_pose_tool {
+
+// The first words of an OFF file.
+struct Off_header
+{
+  // Advances to the first vertex. Throws std::invalid_argument.
+  explicit Off_header(Text_cursor& text);
+
+  // Goes to the end of a row.
+  void end_row(Text_cursor& text) const
+  {
+    if(!is_on_one_line)
+      text.skip_line();
+  }
+
+  std::string_view letters; // which state what follows the coordinates of a vertex
+  std::size_t vertices, faces;
+  bool
+    is_on_one_line; // vertices begin on the line of the numbers: rows do not end with their lines
+};
 
 // Each reads one format from the bytes of a file into an empty mesh.
 void read_off(const std::string& bytes, Mesh_file& mesh);
@@ -26,7 +46,7 @@ void read_ply(const std::string& bytes, Mesh_file& mesh);
 void read_stl(const std::string& bytes, Mesh_file& mesh);
 // Bytes of a binary file.
 constexpr std::size_t STL_HEADER_SIZE = 84, STL_FACE_SIZE = 50;
-// Whether a file has the size that its header announces; and whether it is read as binary.
+// Whether a file has the size that its header announces, or less than a face more; and whether it is read as binary.
 bool is_binary_stl(const std::string& beginning, std::uintmax_t size);
 bool is_binary_stl(const std::string& bytes);
 bool is_binary_stl_content(const std::string& bytes);
@@ -73,13 +93,16 @@ void load_appearance_of_gltf(Mesh_file& mesh);
 // Whether this program was built with glTF.
 bool is_gltf_available();
 
-// Converts `index`, one of `n` vertices counted from `base`, to a count from 0. Throws if there is
-// no such vertex in `mesh`; if that is not checked, only if there can be none.
+// What names no vertex in any mesh.
+inline constexpr std::size_t NO_VERTEX = (std::numeric_limits<Face_list::Index>::max)();
+
+// Converts `index`, one of `n` vertices counted from `base`, to a count from 0. If there is no such vertex, throws, or
+// returns it, or NO_VERTEX, if `mesh` is not checked.
 std::size_t vertex_index(const Mesh_file& mesh, long long index, std::size_t n,
                          const Element& element, int base = 0);
 
-// Appends faces with these corners, vertices counted from `base`. `ends`: of the faces, among the corners. Throws if
-// there is no such vertex.
+// Appends faces with these corners, vertices counted from `base`. `ends`: of the faces, among the corners. Throws as
+// vertex_index().
 void add_faces(const std::vector<long long>& corners, const std::vector<std::size_t>& ends,
                int base, Mesh_file& mesh);
 

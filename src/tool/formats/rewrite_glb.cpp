@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "Gltf_numbers.h"
+#include "Mesh_instance.h"
 #include "Skinned_vertices.h"
 #include "Vertex_rotations.h"
 #include "load_gltf.h"

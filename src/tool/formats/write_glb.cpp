@@ -338,26 +338,36 @@ private:
   void add_colors()
   {
     const std::vector<Color>& own = m_surface.mesh.appearance.vertex_colors;
-    const auto add = [&](const std::string& name, const auto& color) {
+    const std::vector<unsigned char>& opacities = m_surface.mesh.appearance.vertex_opacities;
+    const auto opaque = [](const Copy&) { return 1.; };
+    const auto add = [&](const std::string& name, const auto& color, const auto& opacity) {
       constexpr double most = (std::numeric_limits<std::uint16_t>::max)();
       m_primitive.attributes[name] = m_builder.append(
         rows<std::uint16_t>(4,
                             [&](const Copy& c, const int k) {
                               const double share
-                                = k == 3 ? 1 : linear(color(c)[static_cast<std::size_t>(k)]);
+                                = k == 3 ? opacity(c)
+                                         : linear(color(c)[static_cast<std::size_t>(k)]);
                               return static_cast<std::uint16_t>(std::lround(most * share));
                             }),
         Use::VERTICES);
     };
     if(!m_surface.part_of_face.empty())
-      add("COLOR_0", [](const Copy& c) {
-        return c.part < 0 ? Color{128, 128, 128} : color_of_part(static_cast<std::size_t>(c.part));
-      });
+      add(
+        "COLOR_0",
+        [](const Copy& c) {
+          return c.part < 0 ? Color{128, 128, 128}
+                            : color_of_part(static_cast<std::size_t>(c.part));
+        },
+        opaque);
     else if(!m_surface.vertex_colors.empty())
-      add("COLOR_0", [&](const Copy& c) { return m_surface.vertex_colors[c.vertex]; });
+      add(
+        "COLOR_0", [&](const Copy& c) { return m_surface.vertex_colors[c.vertex]; }, opaque);
     if(!own.empty())
-      add(has_colors_of_results() ? "COLOR_1" : "COLOR_0",
-          [&](const Copy& c) { return own[c.vertex]; });
+      add(
+        has_colors_of_results() ? "COLOR_1" : "COLOR_0",
+        [&](const Copy& c) { return own[c.vertex]; },
+        [&](const Copy& c) { return opacities.empty() ? 1 : opacities[c.vertex] / 255.; });
   }
 
   template <class Number>
@@ -374,17 +384,23 @@ private:
   int add_material(const Material& given)
   {
     tinygltf::Material material;
-    material.doubleSided = true; // surfaces may be open
+    material.doubleSided = given.is_double_sided;
     tinygltf::PbrMetallicRoughness& base = material.pbrMetallicRoughness;
     base.metallicFactor = 0;
     base.roughnessFactor = 0.8;
     base.baseColorFactor.assign(given.color.begin(), given.color.end());
     material.alphaMode = given.alpha_mode;
+    if(given.alpha_mode == "MASK")
+      material.alphaCutoff = given.alpha_cutoff;
     if(!given.image.empty() && m_primitive.attributes.count("TEXCOORD_0") > 0)
     {
-      const auto [texture, is_new] = m_textures.emplace(given.image, 0);
+      const auto [image, is_new_image] = m_images.emplace(given.image, 0);
+      if(is_new_image)
+        image->second = m_builder.append_image(given.image, type_of_image(given.image));
+      const auto [texture, is_new]
+        = m_textures.emplace(std::make_pair(image->second, given.sampler), 0);
       if(is_new)
-        texture->second = m_builder.append_texture(given.image, type_of_image(given.image));
+        texture->second = m_builder.append_texture(image->second, given.sampler);
       base.baseColorTexture.index = texture->second;
     }
     m_builder.model().materials.push_back(material);
@@ -403,7 +419,10 @@ private:
         .push_back(t);
     m_primitive.mode = TINYGLTF_MODE_TRIANGLES;
     const bool has_variant = appearance.has_materials() && has_colors_of_results();
-    const int plain = has_variant || !appearance.has_materials() ? add_material(Material()) : -1;
+    Material without;
+    if(!has_colors_of_results() && !appearance.vertex_opacities.empty())
+      without.alpha_mode = "BLEND"; // otherwise, opacities would not be seen
+    const int plain = has_variant || !appearance.has_materials() ? add_material(without) : -1;
     const bool is_small = m_split.copies.size() <= std::numeric_limits<std::uint16_t>::max();
     for(const auto& [material, of_material] : triangles)
     {
@@ -523,7 +542,8 @@ private:
   Gltf_builder m_builder;
   tinygltf::Primitive m_primitive; // what those of all materials have in common
   std::vector<tinygltf::Primitive> m_primitives;
-  std::map<std::string, int> m_textures; // by the contents of their images
+  std::map<std::string, int> m_images;               // by their contents
+  std::map<std::pair<int, Sampler>, int> m_textures; // by images
 };
 
 } // namespace

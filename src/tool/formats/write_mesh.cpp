@@ -51,6 +51,7 @@ void write_numbers(std::ostream& out, const Numbers& numbers)
 void write_off(std::ostream& out, const Mesh_file& mesh)
 {
   const std::vector<Color>& colors = mesh.appearance.vertex_colors;
+  const std::vector<unsigned char>& opacities = mesh.appearance.vertex_opacities;
   const std::vector<std::array<float, 3>> normals = normals_of_vertices(mesh);
   out << (colors.empty() ? "" : "C") << (normals.empty() ? "" : "N") << "OFF\n"
       << mesh.points.size() << ' ' << mesh.faces.size() << " 0\n";
@@ -61,7 +62,8 @@ void write_off(std::ostream& out, const Mesh_file& mesh)
     if(!normals.empty())
       write_numbers(out, normals[v]);
     if(!colors.empty())
-      write_numbers(out, std::array<int, 4>{colors[v][0], colors[v][1], colors[v][2], 255});
+      write_numbers(out, std::array<int, 4>{colors[v][0], colors[v][1], colors[v][2],
+                                            opacities.empty() ? 255 : opacities[v]});
     out << '\n';
   }
   for(const Face_list::Face face : mesh.faces)

@@ -31,6 +31,11 @@ const std::vector<Color>& colors_of(const Shown_surface& surface)
                                        : surface.vertex_colors;
 }
 
+bool has_opacities(const Shown_surface& surface)
+{
+  return surface.vertex_colors.empty() && !surface.mesh.appearance.vertex_opacities.empty();
+}
+
 void write_header(std::ostream& out, const Shown_surface& surface, const bool has_normals)
 {
   out << "ply\nformat ascii 1.0\nelement vertex " << surface.mesh.points.size()
@@ -39,6 +44,8 @@ void write_header(std::ostream& out, const Shown_surface& surface, const bool ha
     out << "property float nx\nproperty float ny\nproperty float nz\n";
   if(!colors_of(surface).empty())
     announce_color(out);
+  if(has_opacities(surface))
+    out << "property uchar alpha\n";
   for(const Vertex_values& values : surface.values)
     out << "property double " << values.name << '\n';
   out << "element face " << surface.mesh.faces.size()
@@ -73,6 +80,8 @@ void write_ply(std::ostream& out, const Shown_surface& surface)
         out << ' ' << x;
     if(!colors.empty())
       write_color(out, colors[v]);
+    if(has_opacities(surface))
+      out << ' ' << static_cast<int>(mesh.appearance.vertex_opacities[v]);
     for(const Vertex_values& values : surface.values)
       out << ' ' << values.values[static_cast<Eigen::Index>(v)];
     out << '\n';

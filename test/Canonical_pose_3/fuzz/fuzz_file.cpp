@@ -71,6 +71,7 @@ void check_appearance(Mesh_file mesh)
     return values.empty() || values.size() == number;
   };
   CPF::require(belongs(appearance.vertex_colors, mesh.points.size())
+                 && belongs(appearance.vertex_opacities, appearance.vertex_colors.size())
                  && belongs(appearance.texture_coordinates, corners)
                  && belongs(appearance.material_of_face, mesh.faces.size()),
                "the appearance is that of the mesh");
@@ -126,7 +127,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, const std::size_
     return 0; // refused before it is read
   Mesh_file mesh;
   if(!CPF::is_accepted([&] { reader.read(bytes, mesh); }))
+  {
+    Mesh_file unchecked;
+    unchecked.is_checked = false;
+    if(CPF::is_accepted([&] { reader.read(bytes, unchecked); }))
+      CPF::require(!diagnosis_of(unchecked).defects.empty(), "what only a check refuses has a defect");
     return 0;
+  }
   check_writer(reader, mesh);
   check_rewriter(reader, bytes, mesh);
   if(mesh.is_tetrahedral)

@@ -1,0 +1,32 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CANONICAL_POSE_3_ENGINE_MATCH_POSE_ROTATIONS_H
+#define CANONICAL_POSE_3_ENGINE_MATCH_POSE_ROTATIONS_H
+
+#include "Matchable_data.h"
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+namespace internal {
+
+// Brings a pose near another one.
+struct Pose_rotation
+{
+  Eigen::Matrix3d matrix; // for rows: point * matrix
+  double distance;        // mean of nearest points, both ways
+};
+
+// All that bring principal axes of similar length onto each other, the best first; with a reflection if `is_mirrored`.
+std::vector<Pose_rotation> pose_rotations(const Matchable_data& a, const Matchable_data& b,
+                                          bool is_mirrored);
+
+} // namespace internal
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CANONICAL_POSE_3_ENGINE_MATCH_POSE_ROTATIONS_H

@@ -1,0 +1,205 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Canonical_pose_3/internal/support/Buckets.h>
+#include <CGAL/Canonical_pose_3/transfer_attributes.h>
+
+#include <CGAL/assertions.h>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <map>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+namespace internal {
+namespace {
+
+using Location = Surface_match_3::Location;
+using Coordinates = std::vector<std::array<float, 2>>;
+
+// The faces at each vertex.
+Buckets<std::size_t> faces_of_vertices(const Face_list& faces, const Surface_match_3& match)
+{
+  std::size_t number_of_vertices = 0;
+  for(const Face_list::Face face : faces)
+    for(const std::size_t v : face)
+      number_of_vertices = (std::max)(number_of_vertices, v + 1);
+  for(const Location& location : match.locations)
+    for(const std::size_t v : location.vertices)
+      CGAL_precondition(v < number_of_vertices);
+  return Buckets<std::size_t>(number_of_vertices, [&](const auto& put) {
+    for(std::size_t f = 0; f < faces.size(); ++f)
+      for(const std::size_t v : faces[f])
+        put(v, f);
+  });
+}
+
+// Texture coordinates of the second surface.
+class Textured_surface
+{
+public:
+  Textured_surface(const Point_matrix& points, const Face_list& faces,
+                   const Coordinates& coordinates)
+    : m_points(points), m_faces(faces), m_coordinates(coordinates), m_first_corners(faces.size())
+  {
+    std::size_t corners = 0;
+    for(std::size_t f = 0; f < faces.size(); ++f)
+    {
+      m_first_corners[f] = corners;
+      corners += faces[f].size();
+    }
+    CGAL_precondition(corners == coordinates.size());
+  }
+
+  Eigen::Vector3d point(const Location& location) const
+  {
+    Eigen::Vector3d result = Eigen::Vector3d::Zero();
+    for(std::size_t k = 0; k < 3; ++k)
+      result += location.weights[k] * corner_point(location, k);
+    return result;
+  }
+
+  Eigen::Vector2d coordinates(const Location& location) const
+  {
+    return coordinates(location, location.weights);
+  }
+
+  // Of the point of the plane of a triangle that is nearest to a position.
+  Eigen::Vector2d extrapolated(const Location& location, const Eigen::Vector3d& position) const
+  {
+    const Eigen::Vector3d origin = corner_point(location, 0),
+                          u = corner_point(location, 1) - origin,
+                          v = corner_point(location, 2) - origin, normal = u.cross(v),
+                          to_position = position - origin;
+    const double squared_area = normal.squaredNorm();
+    if(!(squared_area > 0))
+      return coordinates(location);
+    const double of_u = to_position.cross(v).dot(normal) / squared_area,
+                 of_v = u.cross(to_position).dot(normal) / squared_area;
+    return coordinates(location, {1 - of_u - of_v, of_u, of_v});
+  }
+
+  // The middle of a triangle of a face.
+  Location middle(const std::size_t face) const
+  {
+    const Face_list::Face corners = m_faces[face];
+    CGAL_precondition(corners.size() > 2);
+    return {face, {corners[0], corners[1], corners[2]}, {1. / 3, 1. / 3, 1. / 3}};
+  }
+
+  // The length of the longest side of a triangle, in the texture and on the surface.
+  std::array<double, 2> sizes(const Location& location) const
+  {
+    std::array<double, 2> result = {0, 0};
+    for(std::size_t k = 0; k < 3; ++k)
+    {
+      const std::size_t l = (k + 1) % 3;
+      result[0] = (std::max)(
+        result[0], (corner_coordinates(location, k) - corner_coordinates(location, l)).norm());
+      result[1]
+        = (std::max)(result[1], (corner_point(location, k) - corner_point(location, l)).norm());
+    }
+    return result;
+  }
+
+private:
+  Eigen::Vector3d corner_point(const Location& location, const std::size_t k) const
+  {
+    return m_points.row(static_cast<Eigen::Index>(location.vertices[k])).transpose();
+  }
+
+  Eigen::Vector2d corner_coordinates(const Location& location, const std::size_t k) const
+  {
+    const Face_list::Face face = m_faces[location.face];
+    const auto corner = static_cast<std::size_t>(
+      std::find(face.begin(), face.end(), location.vertices[k]) - face.begin());
+    CGAL_precondition(corner < face.size());
+    const std::array<float, 2>& value = m_coordinates[m_first_corners[location.face] + corner];
+    return {value[0], value[1]};
+  }
+
+  Eigen::Vector2d coordinates(const Location& location, const std::array<double, 3>& weights) const
+  {
+    Eigen::Vector2d result = Eigen::Vector2d::Zero();
+    for(std::size_t k = 0; k < 3; ++k)
+      result += weights[k] * corner_coordinates(location, k);
+    return result;
+  }
+
+  const Point_matrix& m_points;
+  const Face_list& m_faces;
+  const Coordinates& m_coordinates;
+  std::vector<std::size_t> m_first_corners; // of the faces
+};
+
+} // namespace
+} // namespace internal
+
+std::vector<std::size_t> matched_faces(const Surface_match_3& match, const Face_list& faces,
+                                       const Face_list& other_faces)
+{
+  const internal::Buckets<std::size_t> at_vertices
+    = internal::faces_of_vertices(other_faces, match);
+  std::vector<std::size_t> result;
+  std::map<std::size_t, double> shares;
+  for(const Face_list::Face face : faces)
+  {
+    shares.clear();
+    for(const std::size_t v : face)
+      for(std::size_t k = 0; k < 3; ++k)
+        if(const double weight = match.locations[v].weights[k]; weight > 0)
+          for(const std::size_t f : at_vertices[match.locations[v].vertices[k]])
+            shares[f] += weight;
+    result.push_back(
+      std::max_element(shares.begin(), shares.end(), [](const auto& a, const auto& b) {
+        return a.second < b.second;
+      })->first);
+  }
+  return result;
+}
+
+std::vector<std::array<float, 2>>
+transferred_texture_coordinates(const Surface_match_3& match, const Face_list& faces,
+                                const Point_matrix& other_points, const Face_list& other_faces,
+                                const std::vector<std::array<float, 2>>& other_coordinates)
+{
+  constexpr double farthest = 10; // in sizes of the face of the other surface
+  const internal::Textured_surface other(other_points, other_faces, other_coordinates);
+  const std::vector<std::size_t> matched = matched_faces(match, faces, other_faces);
+  std::vector<std::array<float, 2>> result;
+  std::vector<Eigen::Vector2d> own, extrapolated;
+  for(std::size_t f = 0; f < faces.size(); ++f)
+  {
+    const internal::Location location = other.middle(matched[f]);
+    const Eigen::Vector2d center = other.coordinates(location);
+    const Eigen::Vector3d center_point = other.point(location);
+    const auto [texture_size, size] = other.sizes(location);
+    double extent = texture_size, difference = 0, distance = 0;
+    own.clear();
+    extrapolated.clear();
+    for(const std::size_t v : faces[f])
+    {
+      const Eigen::Vector3d point = other.point(match.locations[v]);
+      own.push_back(other.coordinates(match.locations[v]));
+      extrapolated.push_back(other.extrapolated(location, point));
+      extent = (std::max)(extent, (extrapolated.back() - center).norm());
+      difference = (std::max)(difference, (own.back() - extrapolated.back()).norm());
+      distance = (std::max)(distance, (point - center_point).norm());
+    }
+    const bool is_across_seam = difference > extent;
+    for(std::size_t k = 0; k < own.size(); ++k)
+    {
+      const Eigen::Vector2d& value = !is_across_seam              ? own[k]
+                                     : distance > farthest * size ? center
+                                                                  : extrapolated[k];
+      result.push_back({static_cast<float>(value[0]), static_cast<float>(value[1])});
+    }
+  }
+  return result;
+}
+
+} // namespace Canonical_pose_3
+} // namespace CGAL
