@@ -214,7 +214,7 @@ py::tuple match(const py::object& vertices, const py::object& faces, const py::o
                 const py::object& other_vertices, const py::object& other_faces,
                 const py::object& other_pose,
                 const std::vector<std::pair<std::size_t, std::size_t>>& landmarks,
-                const bool is_mirrored, const py::dict& keywords)
+                const py::dict& keywords)
 {
   namespace CP = CGAL::Canonical_pose_3;
   const Mesh_file surface = surface_of(vertices, faces),
@@ -222,7 +222,6 @@ py::tuple match(const py::object& vertices, const py::object& faces, const py::o
   const Point_matrix poses[] = {*pose_of(pose, surface), *pose_of(other_pose, other)};
   CP::Match_options options;
   options.landmarks = landmarks;
-  options.is_mirrored = is_mirrored;
   options.number_of_threads = options_of(keywords).number_of_threads;
   const CP::Surface_match_3 match = without_lock([&] {
     const auto prepared = [](const Mesh_file& mesh, const Point_matrix& given) {

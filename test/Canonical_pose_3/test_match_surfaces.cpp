@@ -28,6 +28,7 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace test_match_surfaces {
@@ -160,16 +161,49 @@ TEST(Match_surfaces, landmarks_are_met)
             other().points.row(static_cast<Eigen::Index>(vertex)));
 }
 
-// The rest shape has the plane of symmetry x = 0. (That of the figure nearly has two of them.)
+// The match with the mirror image is the mirror symmetry: that of the rest shape is x = 0.
+template <class Shape>
+double error_of_symmetry(const Posed<Shape>& shape)
+{
+  const Eigen::RowVector3d mirror(-1, 1, 1);
+  const Point_matrix points = shape.points * mirror.asDiagonal();
+  auto triangles = shape.shape.triangles();
+  for(auto& t : triangles)
+    std::swap(t[0], t[1]);
+  const Surface_match_3 match
+    = CP::match_surfaces(shape.surface, Matchable_surface_3(points, triangles, pose_of(points, triangles)));
+  return (match.interpolated(shape.rest) - shape.rest * mirror.asDiagonal()).rowwise().norm().mean()
+         / root_of_area(shape);
+}
+
 TEST(Match_surfaces, mirror_symmetry)
 {
-  const Posed<Articulated_animal> animal(2500, 2);
-  Match_options options;
-  options.is_mirrored = true;
-  const Surface_match_3 match = CP::match_surfaces(animal.surface, animal.surface, options);
-  Point_matrix mirrored = animal.rest;
-  mirrored.col(0) *= -1;
-  EXPECT_LT((match.interpolated(animal.rest) - mirrored).rowwise().norm().mean(), .03 * root_of_area(animal));
+  EXPECT_LT(error_of_symmetry(running()), .03);
+  EXPECT_LT(error_of_symmetry(Posed<Articulated_animal>(2500, 2)), .03);
+}
+
+// A mesh with a hundred times the vertices, and holes in the other one: the same curved surface, which has no symmetry, is its own
+// pose. Its parameters are points of the unit sphere.
+TEST(Match_surfaces, very_different_meshes)
+{
+  using namespace Canonical_pose_test;
+  const Triangle_soup coarse = icosphere_soup(3, 1.), fine = icosphere_soup(6, 1.);
+  const Point_matrix of_coarse = to_matrix(coarse.points), of_fine = to_matrix(fine.points);
+  const auto surface = [](Point_matrix points) {
+    for(auto p : points.rowwise())
+      p = Eigen::RowVector3d(3 * p.x() + p.y() * p.y(), 2 * p.y() + .8 * p.x() * p.z(), p.z() + .5 * p.x() * p.x());
+    return points;
+  };
+  CP::Face_list with_holes;
+  for(std::size_t f = 0; f < coarse.triangles.size(); ++f)
+    if(f % 100 != 0)
+      with_holes.push_back(coarse.triangles[f]);
+  const Surface_match_3 match
+    = CP::match_surfaces(Matchable_surface_3(surface(of_coarse), with_holes, surface(of_coarse)),
+                         Matchable_surface_3(surface(of_fine), fine.triangles, surface(of_fine)));
+  constexpr double edge = .15; // of the coarse mesh, about
+  EXPECT_LT((match.interpolated(of_fine) - of_coarse).rowwise().norm().mean(), edge);
+  EXPECT_LT((match.interpolated_at_other(of_coarse) - of_fine).rowwise().norm().mean(), edge);
 }
 
 // A surface that is matched with itself has its own faces.
@@ -313,6 +347,9 @@ TEST(Match_surfaces, misuse)
   Match_options options;
   options.landmarks = {{0, 42}};
   EXPECT_THROW_WITH(CP::match_surfaces(surface, surface, options), std::invalid_argument, "the landmark 0, 42 is out of range");
+  options.landmarks = {{3, 1}, {0, 5}, {3, 2}};
+  EXPECT_THROW_WITH(CP::match_surfaces(surface, surface, options), std::invalid_argument,
+                    "the landmarks match vertex 3 with vertices 1 and 2");
   options = Match_options();
   options.number_of_functions = 3;
   EXPECT_THROW_WITH(CP::match_surfaces(surface, surface, options), std::invalid_argument, "must be at least 4");

@@ -37,10 +37,13 @@ expect_match("${exit_code}${stderr}" "^1canonical-pose: the template '[^\n]*ball
 
 # ---- what is transferred -----------------------------------------------------------------------------------
 
-expect_wrong_usage("labels are written to .txt" match ball.off ball.ply --transfer labels.txt -o out/a.off)
-expect_wrong_usage("is a text, but --transfer" match ball.off ball.ply --transfer pose -o out/a.txt)
-expect_wrong_usage("does not hold what is transferred" match ball.off ball.ply --transfer colors -o out/a.stl)
-expect_wrong_usage("does not hold what is transferred" match ball.off ball.ply --transfer texture -o out/a.off)
+expect_wrong_usage("one of the extensions .txt, .ply, .glb" match ball.off ball.ply --transfer labels.txt -o out/a.off)
+expect_wrong_usage("one of the extensions .off, .obj" match ball.off ball.ply --transfer pose -o out/a.txt)
+expect_wrong_usage("one of the extensions .off, .obj, .ply, .glb" match ball.off ball.ply --transfer colors -o out/a.stl)
+expect_wrong_usage("one of the extensions .obj, .ply, .glb" match ball.off ball.ply --transfer texture -o out/a.off)
+expect_wrong_usage("one of the extensions .txt, .off" match ball.off ball.ply -o out/a.vtu)
+expect_exit(2 match ball.off ball.off --mirror --other-pose ball.off -o out/a.txt)
+expect_refusal("'ball.mesh': a surface is needed" match ball.off ball.mesh -o out/a.txt)
 expect_refusal("'ball.off' has no colors" match ball.ply ball.off --transfer colors -o out/a.ply)
 expect_refusal("'ball.off' has no texture coordinates" match ball.ply ball.off --transfer texture -o out/a.obj)
 file(WRITE ${WORK}/labels.txt "1 2 3\n")
@@ -96,6 +99,13 @@ expect_exit(0 compare people/running.off out/posture.off --report out/difference
 file(READ ${WORK}/out/difference.json report)
 string(JSON difference GET "${report}" mean proper)
 expect_match("${difference}" "^0.0[0-4]")
+expect_exit(0 match template.off template.off --mirror -o out/mirrored.off) # it is symmetric
+expect_exit(0 compare template.off out/mirrored.off --report out/difference.json --quiet)
+file(READ ${WORK}/out/difference.json report)
+string(JSON difference GET "${report}" mean proper)
+expect_match("${difference}" "^0.0[0-4]")
+expect_exit(0 match people/running.off ball.off -o out/a.txt)
+expect_match("${stdout}" "warning: the surfaces hardly match")
 expect_exit(0 segment people/running.off -o out/labels.txt --quiet)
 expect_exit(0 ${match_of_two} --transfer ${WORK}/out/labels.txt -o out/transferred.txt)
 file(STRINGS ${WORK}/out/labels.txt labels)

@@ -30,12 +30,8 @@ struct Match_options
   /// points that match. Nonnegative; 0 saves half of the time.
   int number_of_registrations = 3;
 
-  /// pairs of a vertex of the first surface and one of the second one that match.
+  /// pairs of a vertex of the first surface and one of the second one that match; each of the first one in one pair.
   std::vector<std::pair<std::size_t, std::size_t>> landmarks;
-
-  /// whether the first surface is matched with the mirror image of the second one. The match of a surface with its
-  /// own mirror image is its intrinsic symmetry.
-  bool is_mirrored = false;
 
   /// the maximum number of threads; 0: all processors. Results do not depend on it.
   int number_of_threads = 0;

@@ -25,11 +25,14 @@ positions in the pose, which a smooth displacement brings closer; each coordinat
 rotations after which the poses are nearly as close, that is chosen whose match changes the lengths of edges the least. At
 last, the pose of the first surface is registered, as rigidly as possible, to the points of the second one that match.
 
+The mirror symmetry of a shape is its match with its mirror image, that is, with its own points, one coordinate negated, and
+reversed faces; the pose of this mirror image is not the mirror image of the pose.
+
 \param surface the first surface.
 \param other the second surface.
 \param options the options.
 
-\throws std::invalid_argument if a landmark is no vertex, or an option is out of range.
+\throws std::invalid_argument if a landmark is no vertex or contradicts another one, or an option is out of range.
 
 <em>Complexity:</em> \f$ O(n \log n) \f$ for the vertices of both surfaces.
 */

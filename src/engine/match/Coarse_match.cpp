@@ -10,7 +10,6 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
-#include <Eigen/LU>
 
 #include <algorithm>
 #include <array>
@@ -137,7 +136,7 @@ Coarse_match::Coarse_match(const Matchable_data& a, const Matchable_data& b,
     m_normals(rows_at(a.normals, a.coarse.vertices) * rotation),
     m_normals_of_b(rows_at(b.normals, b.coarse.vertices)),
     m_landmarks_of_a(std::move(landmarks_of_a)), m_landmarks_of_b(std::move(landmarks_of_b)),
-    m_is_mirrored(rotation.determinant() < 0), m_forward(nearest(*b.search, m_position)),
+    m_forward(nearest(*b.search, m_position)),
     m_backward(nearest(Point_search(m_position), b.coarse_pose))
 {}
 
@@ -159,11 +158,7 @@ void Coarse_match::deform()
   constexpr Eigen::Index most_functions = 60;
   if(m_options.number_of_registrations == 0)
     return;
-  std::vector<std::array<std::size_t, 3>> triangles = m_a.coarse.surface.triangles;
-  if(m_is_mirrored)
-    for(std::array<std::size_t, 3>& triangle : triangles)
-      std::swap(triangle[0], triangle[1]);
-  Deformable_pose pose(m_rest, triangles);
+  Deformable_pose pose(m_rest, m_a.coarse.surface.triangles);
   pose.set_detail_length(detail_length);
   m_pose_weight = pose_weight;
   for(int i = 0; i <= m_options.number_of_registrations; ++i)
@@ -223,7 +218,7 @@ bool Coarse_match::preserves_orientation() const
           .dot(row(m_normals_of_b, 0) + row(m_normals_of_b, 1) + row(m_normals_of_b, 2));
     sum += side > 0 ? 1 : side < 0 ? -1 : 0;
   }
-  return m_is_mirrored ? sum <= 0 : sum >= 0;
+  return sum >= 0;
 }
 
 double Coarse_match::length_of(const Matchable_data& shape, const std::size_t i,

@@ -62,7 +62,6 @@ private:
   Point_matrix m_position;
   const Point_matrix m_normals, m_normals_of_b;
   const Indices m_landmarks_of_a, m_landmarks_of_b;
-  const bool m_is_mirrored;
   Indices m_forward, m_backward;
   Eigen::MatrixXd m_map;
   Eigen::RowVectorXd m_weights; // of the functions

@@ -15,7 +15,6 @@
 #include <CGAL/Canonical_pose_3/surface_measures.h>
 
 #include <Eigen/Core>
-#include <Eigen/LU>
 
 #include <algorithm>
 #include <cmath>
@@ -83,8 +82,7 @@ void locate(const Matchable_data& a, const Matchable_data& b, const Coarse_match
 {
   const Point_matrix moves
     = a.coarse.interpolated(Point_matrix(match.position() - a.coarse_pose * rotation)),
-    pose = a.pose * rotation + moves,
-    normals = vertex_normals(pose, a.surface.triangles) * rotation.determinant();
+    pose = a.pose * rotation + moves, normals = vertex_normals(pose, a.surface.triangles);
   const Surface_projection projection(b.surface, b.pose, b.normals);
   result.locations = locations(a, pose, normals, a.pose_of_vertices * rotation, projection);
   result.locations_of_other = locations(b, b.pose, b.normals, b.pose_of_vertices,
@@ -113,6 +111,14 @@ void check(const Matchable_surface_3& a, const Matchable_surface_3& b, const Mat
                                   + " is out of range: there are "
                                   + std::to_string(a.number_of_vertices()) + " and "
                                   + std::to_string(b.number_of_vertices()) + " vertices");
+  std::vector<std::pair<std::size_t, std::size_t>> landmarks = options.landmarks;
+  std::sort(landmarks.begin(), landmarks.end());
+  for(std::size_t l = 1; l < landmarks.size(); ++l)
+    if(landmarks[l].first == landmarks[l - 1].first
+       && landmarks[l].second != landmarks[l - 1].second)
+      throw std::invalid_argument("the landmarks match vertex " + std::to_string(landmarks[l].first)
+                                  + " with vertices " + std::to_string(landmarks[l - 1].second)
+                                  + " and " + std::to_string(landmarks[l].second));
   if(options.number_of_functions < 4)
     throw std::invalid_argument("the number of functions is "
                                 + std::to_string(options.number_of_functions)
@@ -154,7 +160,7 @@ std::vector<Candidate> candidates(const Matchable_data& a, const Matchable_data&
     std::stable_sort(result.begin(), result.end(),
                      [](const Candidate& c, const Candidate& d) { return c.cost < d.cost; });
   };
-  const std::vector<Pose_rotation> rotations = pose_rotations(a, b, options.is_mirrored);
+  const std::vector<Pose_rotation> rotations = pose_rotations(a, b);
   for(const Pose_rotation& rotation : rotations)
     if(rotation.distance <= largest_ratio * rotations.front().distance)
     {

@@ -38,8 +38,7 @@ double mean_distance(const Point_matrix& points, const Point_search& search,
 
 } // namespace
 
-std::vector<Pose_rotation> pose_rotations(const Matchable_data& a, const Matchable_data& b,
-                                          const bool is_mirrored)
+std::vector<Pose_rotation> pose_rotations(const Matchable_data& a, const Matchable_data& b)
 {
   constexpr double largest_ratio = 1.25;
   constexpr Eigen::Index number_of_points = 1000;
@@ -64,7 +63,7 @@ std::vector<Pose_rotation> pose_rotations(const Matchable_data& a, const Matchab
       Eigen::Matrix3d matrix = Eigen::Matrix3d::Zero();
       for(std::size_t k = 0; k < 3; ++k)
         matrix(axes[k], static_cast<Eigen::Index>(k)) = (signs >> k) % 2 == 0 ? 1 : -1;
-      if((matrix.determinant() < 0) != is_mirrored)
+      if(matrix.determinant() < 0)
         continue;
       const Point_matrix turned = points * matrix;
       result.push_back({matrix, .5

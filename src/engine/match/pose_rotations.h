@@ -21,9 +21,8 @@ struct Pose_rotation
   double distance;        // mean of nearest points, both ways
 };
 
-// All that bring principal axes of similar length onto each other, the best first; with a reflection if `is_mirrored`.
-std::vector<Pose_rotation> pose_rotations(const Matchable_data& a, const Matchable_data& b,
-                                          bool is_mirrored);
+// All that bring principal axes of similar length onto each other, the best first.
+std::vector<Pose_rotation> pose_rotations(const Matchable_data& a, const Matchable_data& b);
 
 } // namespace internal
 } // namespace Canonical_pose_3

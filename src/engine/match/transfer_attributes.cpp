@@ -9,8 +9,11 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include <boost/pending/disjoint_sets.hpp>
+
 #include <algorithm>
 #include <map>
+#include <utility>
 
 namespace CGAL {
 namespace Canonical_pose_3 {
@@ -43,7 +46,8 @@ class Textured_surface
 public:
   Textured_surface(const Point_matrix& points, const Face_list& faces,
                    const Coordinates& coordinates)
-    : m_points(points), m_faces(faces), m_coordinates(coordinates), m_first_corners(faces.size())
+    : m_points(points), m_faces(faces), m_coordinates(coordinates), m_first_corners(faces.size()),
+      m_charts(faces.size())
   {
     std::size_t corners = 0;
     for(std::size_t f = 0; f < faces.size(); ++f)
@@ -52,6 +56,7 @@ public:
       corners += faces[f].size();
     }
     CGAL_precondition(corners == coordinates.size());
+    join_charts();
   }
 
   Eigen::Vector3d point(const Location& location) const
@@ -90,22 +95,40 @@ public:
     return {face, {corners[0], corners[1], corners[2]}, {1. / 3, 1. / 3, 1. / 3}};
   }
 
-  // The length of the longest side of a triangle, in the texture and on the surface.
-  std::array<double, 2> sizes(const Location& location) const
+  // The number of the chart to which a face belongs: faces with the same coordinates at a common edge are of the same one.
+  std::size_t chart(const std::size_t face) { return m_charts.find_set(face); }
+
+  // The length of the longest side of a triangle.
+  double size(const Location& location) const
   {
-    std::array<double, 2> result = {0, 0};
+    double result = 0;
     for(std::size_t k = 0; k < 3; ++k)
-    {
-      const std::size_t l = (k + 1) % 3;
-      result[0] = (std::max)(
-        result[0], (corner_coordinates(location, k) - corner_coordinates(location, l)).norm());
-      result[1]
-        = (std::max)(result[1], (corner_point(location, k) - corner_point(location, l)).norm());
-    }
+      result = (std::max)(result,
+                          (corner_point(location, k) - corner_point(location, (k + 1) % 3)).norm());
     return result;
   }
 
 private:
+  void join_charts()
+  {
+    using Corner = std::pair<std::size_t, std::array<float, 2>>; // a vertex and its coordinates
+    std::map<std::pair<Corner, Corner>, std::size_t> face_of_side;
+    for(std::size_t f = 0; f < m_faces.size(); ++f)
+    {
+      const std::size_t size = m_faces[f].size();
+      for(std::size_t k = 0; k < size; ++k)
+      {
+        const auto corner = [&](const std::size_t l) {
+          return Corner(m_faces[f][l], m_coordinates[m_first_corners[f] + l]);
+        };
+        const auto [found, is_new]
+          = face_of_side.emplace(std::minmax({corner(k), corner((k + 1) % size)}), f);
+        if(!is_new)
+          m_charts.union_set(f, found->second);
+      }
+    }
+  }
+
   Eigen::Vector3d corner_point(const Location& location, const std::size_t k) const
   {
     return m_points.row(static_cast<Eigen::Index>(location.vertices[k])).transpose();
@@ -133,6 +156,7 @@ private:
   const Face_list& m_faces;
   const Coordinates& m_coordinates;
   std::vector<std::size_t> m_first_corners; // of the faces
+  boost::disjoint_sets_with_storage<> m_charts;
 };
 
 } // namespace
@@ -167,34 +191,26 @@ transferred_texture_coordinates(const Surface_match_3& match, const Face_list& f
                                 const std::vector<std::array<float, 2>>& other_coordinates)
 {
   constexpr double farthest = 10; // in sizes of the face of the other surface
-  const internal::Textured_surface other(other_points, other_faces, other_coordinates);
+  internal::Textured_surface other(other_points, other_faces, other_coordinates);
   const std::vector<std::size_t> matched = matched_faces(match, faces, other_faces);
   std::vector<std::array<float, 2>> result;
-  std::vector<Eigen::Vector2d> own, extrapolated;
   for(std::size_t f = 0; f < faces.size(); ++f)
   {
     const internal::Location location = other.middle(matched[f]);
-    const Eigen::Vector2d center = other.coordinates(location);
-    const Eigen::Vector3d center_point = other.point(location);
-    const auto [texture_size, size] = other.sizes(location);
-    double extent = texture_size, difference = 0, distance = 0;
-    own.clear();
-    extrapolated.clear();
+    const Eigen::Vector3d center = other.point(location);
+    bool is_across_seam = false, is_near = true;
     for(const std::size_t v : faces[f])
     {
-      const Eigen::Vector3d point = other.point(match.locations[v]);
-      own.push_back(other.coordinates(match.locations[v]));
-      extrapolated.push_back(other.extrapolated(location, point));
-      extent = (std::max)(extent, (extrapolated.back() - center).norm());
-      difference = (std::max)(difference, (own.back() - extrapolated.back()).norm());
-      distance = (std::max)(distance, (point - center_point).norm());
+      const internal::Location& corner = match.locations[v];
+      is_across_seam = is_across_seam || other.chart(corner.face) != other.chart(matched[f]);
+      is_near = is_near && (other.point(corner) - center).norm() < farthest * other.size(location);
     }
-    const bool is_across_seam = difference > extent;
-    for(std::size_t k = 0; k < own.size(); ++k)
+    for(const std::size_t v : faces[f])
     {
-      const Eigen::Vector2d& value = !is_across_seam              ? own[k]
-                                     : distance > farthest * size ? center
-                                                                  : extrapolated[k];
+      const internal::Location& corner = match.locations[v];
+      const Eigen::Vector2d value = !is_across_seam ? other.coordinates(corner)
+                                    : is_near ? other.extrapolated(location, other.point(corner))
+                                              : other.coordinates(location);
       result.push_back({static_cast<float>(value[0]), static_cast<float>(value[1])});
     }
   }

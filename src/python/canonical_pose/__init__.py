@@ -648,8 +648,11 @@ class Match(_typing.NamedTuple):
 
 
 def match(vertices, faces, other_vertices, other_faces, *, pose=None, other_pose=None,
-          landmarks=(), mirrored=False, progress=None, **options):
+          landmarks=(), progress=None, **options):
     """Find which point of a surface is which point of another one of the same kind.
+
+    The match with the mirror image of a surface, ``vertices * [-1, 1, 1]`` and ``faces[:, ::-1]``, is its mirror
+    symmetry.
 
     Parameters
     ----------
@@ -661,9 +664,6 @@ def match(vertices, faces, other_vertices, other_faces, *, pose=None, other_pose
         The poses to be used, in any units; otherwise they are computed.
     landmarks : sequence of pairs of integers
         A vertex and one of the other surface that match.
-    mirrored : bool
-        Whether the surface is matched with the mirror image of the other one. If both are the same,
-        the match is its mirror symmetry.
     progress : function
         As for `pose`, while they are computed.
     **options
@@ -695,7 +695,7 @@ def match(vertices, faces, other_vertices, other_faces, *, pose=None, other_pose
              for given, surface, surface_faces in ((pose, vertices, faces),
                                                    (other_pose, other_vertices, other_faces))]
     return Match(*_core.match(vertices, faces, poses[0], other_vertices, other_faces, poses[1],
-                              list(landmarks), mirrored, options))
+                              list(landmarks), options))
 
 
 def shape_distance(vertices, faces, other_vertices, other_faces, *, descriptor=None, pose=None,

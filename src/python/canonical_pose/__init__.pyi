@@ -292,8 +292,8 @@ class Match(NamedTuple):
                            labels: ArrayLike) -> NDArray[Any]: ...
 def match(vertices: ArrayLike, faces: _Faces, other_vertices: ArrayLike, other_faces: _Faces, *,
           pose: ArrayLike | None = ..., other_pose: ArrayLike | None = ...,
-          landmarks: Sequence[tuple[int, int]] = ..., mirrored: bool = ...,
-          progress: _Progress = ..., **options: Unpack[_Options]) -> Match: ...
+          landmarks: Sequence[tuple[int, int]] = ..., progress: _Progress = ...,
+          **options: Unpack[_Options]) -> Match: ...
 def shape_distance(vertices: ArrayLike, faces: _Faces, other_vertices: ArrayLike,
                    other_faces: _Faces, *, descriptor: _Descriptors = ...,
                    pose: ArrayLike | None = ..., other_pose: ArrayLike | None = ...,

@@ -436,9 +436,10 @@ def test_transferred_labels():
 def test_mirrored_match(bent_cone):
     """The mirror symmetry of a shape."""
     vertices, faces, _ = bent_cone
-    match = canonical_pose.match(vertices, faces, vertices, faces, pose=vertices, other_pose=vertices,
-                                 mirrored=True)
-    np.testing.assert_allclose(match.interpolated(vertices), vertices * [1, 1, -1], atol=1e-6)
+    mirrored = vertices * [1, 1, -1]
+    match = canonical_pose.match(vertices, faces, mirrored, faces[:, ::-1], pose=vertices,
+                                 other_pose=mirrored)
+    np.testing.assert_allclose(match.interpolated(vertices), mirrored, atol=1e-6)
 
 
 def test_mean_pose(bent_cone):

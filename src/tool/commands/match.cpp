@@ -16,12 +16,16 @@
 #include <CGAL/Canonical_pose_3/match_surfaces.h>
 #include <CGAL/Canonical_pose_3/transfer_attributes.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
 #include <iostream>
+#include <map>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace Canonical_pose_tool {
@@ -55,9 +59,9 @@ void add_match_options(Command_options& o)
            "instead, write INPUT in the posture of OTHER (pose), or with its colors or texture, or "
            "with the labels of its faces, a line each in FILE")
     ->type_name("pose|colors|texture|FILE");
-  o.app.add_flag("--mirror", o.arguments.match.is_mirrored, "match with the mirror image of OTHER");
+  o.app.add_flag("--mirror", o.arguments.is_mirrored, "mirror OTHER first, from x to -x");
   add_given_pose(o);
-  add_path(o, "--other-pose", o.arguments.other_pose, "the same for OTHER");
+  add_path(o, "--other-pose", o.arguments.other_pose, "the same for OTHER")->excludes("--mirror");
   o.app
     .add_option("--landmark", o.raw.landmarks,
                 "I,J: vertex I of INPUT matches vertex J of OTHER; may be repeated")
@@ -66,14 +70,48 @@ void add_match_options(Command_options& o)
   add_method_options_for_each_component(o);
 }
 
+// `name` stands before messages, if it is not that of INPUT.
 CP::Matchable_surface_3 prepared(const Mesh_file& mesh, const std::string& pose,
-                                 const Arguments& arguments)
+                                 const std::string& name, const Arguments& arguments,
+                                 std::vector<std::string>& warnings)
+try
 {
   check_is_surface(mesh);
   const Point_matrix points = matrix_of(points_of(mesh));
-  return {points, mesh.faces,
-          pose.empty() ? compute_pose(mesh, watched_options(arguments)).pose
-                       : matrix_of(points_of(read_other_mesh_file(pose)))};
+  if(!pose.empty())
+    return {points, mesh.faces, matrix_of(points_of(read_other_mesh_file(pose)))};
+  const Result result = compute_pose(mesh, watched_options(arguments));
+  for(const std::string& warning : result.summary.warnings)
+    warnings.push_back("the pose" + (name.empty() ? "" : " of " + name) + ": " + warning);
+  return {points, mesh.faces, result.pose};
+}
+catch(const std::invalid_argument& error)
+{
+  throw std::invalid_argument((name.empty() ? "" : name + ": ") + error.what());
+}
+
+// From x to -x; faces stay the right way round.
+void mirror(Mesh_file& mesh)
+{
+  for(std::array<double, 3>& point : mesh.points)
+    point[0] = -point[0];
+  Face_list faces;
+  for(const Face_list::Face face : mesh.faces)
+  {
+    std::vector<std::size_t> corners(face.begin(), face.end());
+    std::reverse(corners.begin(), corners.end());
+    faces.push_back(corners);
+  }
+  std::vector<std::array<float, 2>>& coordinates = mesh.appearance.texture_coordinates;
+  auto corner = coordinates.begin();
+  if(!coordinates.empty())
+    for(const Face_list::Face face : mesh.faces)
+    {
+      const auto first = corner;
+      corner += static_cast<std::ptrdiff_t>(face.size());
+      std::reverse(first, corner);
+    }
+  mesh.faces = std::move(faces);
 }
 
 void write_locations(std::ostream& out, const CP::Surface_match_3& match)
@@ -90,14 +128,16 @@ void write_locations(std::ostream& out, const CP::Surface_match_3& match)
   }
 }
 
-// INPUT in the posture of OTHER: registered, with its own size and details, to where its vertices are.
+// INPUT in the posture of OTHER: registered, with its own size and details, to where its vertices are, around their center.
 Point_matrix in_posture(const Mesh_file& input, const Mesh_file& other,
                         const CP::Surface_match_3& match, const Arguments& arguments)
 {
   Options options = watched_options(arguments);
   options.target_mode = Options::Target_mode::MDS;
   options.frame = Options::Frame::INPUT;
-  options.given.target = match.scale * match.interpolated(matrix_of(points_of(other)));
+  const Point_matrix places = match.interpolated(matrix_of(points_of(other)));
+  const Eigen::RowVector3d center = places.colwise().mean();
+  options.given.target = (match.scale * (places.rowwise() - center)).rowwise() + center;
   return compute_pose(input, options).pose;
 }
 
@@ -169,21 +209,21 @@ std::vector<std::size_t> transferred(const std::vector<std::size_t>& labels, con
 // Throws Usage_error if the output cannot hold what is written.
 void check_output(const std::string& output, const Transfer transfer)
 {
-  if(transfer == Transfer::LABELS)
-    return is_text(output) || is_shown(output)
-             ? void()
-             : throw Usage_error("labels are written to .txt, .ply and .glb files");
-  if(is_text(output))
-    return transfer == Transfer::NONE
-             ? void()
-             : throw Usage_error("'" + output + "' is a text, but --transfer writes a surface");
-  const Format format = format_of_output(output);
-  if(format == Format::MEDIT || format == Format::VTU)
-    throw Usage_error("the output is a surface or a text file");
-  if((transfer == Transfer::COLORS || transfer == Transfer::TEXTURE)
-     && (format == Format::STL || (transfer == Transfer::TEXTURE && format == Format::OFF)))
-    throw Usage_error("'" + output
-                      + "' does not hold what is transferred; .obj, .ply and .glb files do");
+  static const std::map<Transfer, std::vector<std::string>> extensions
+    = {{Transfer::NONE, {".txt", ".off", ".obj", ".ply", ".stl", ".glb"}},
+       {Transfer::POSE, {".off", ".obj", ".ply", ".stl", ".glb"}},
+       {Transfer::COLORS, {".off", ".obj", ".ply", ".glb"}},
+       {Transfer::TEXTURE, {".obj", ".ply", ".glb"}},
+       {Transfer::LABELS, {".txt", ".ply", ".glb"}}};
+  const std::string extension = is_text(output) ? ".txt" : extension_of(output);
+  const std::vector<std::string>& known = extensions.at(transfer);
+  if(std::find(known.begin(), known.end(), extension) != known.end())
+    return;
+  std::string list;
+  for(const std::string& name : known)
+    list += (list.empty() ? "" : ", ") + name;
+  throw Usage_error("'" + output + "' cannot be written: the result has one of the extensions "
+                    + list);
 }
 
 // Whether what is written is the file of INPUT with other positions.
@@ -203,6 +243,32 @@ void check_other(const Mesh_file& other, const Arguments& arguments)
     throw std::invalid_argument("'" + arguments.other + "' has no texture coordinates");
 }
 
+std::vector<std::string> warnings_of(const Mesh_file& input, const Mesh_file& other,
+                                     const CP::Surface_match_3& match, const Arguments& arguments)
+{
+  constexpr double largest_round_trip = .05;
+  const Transfer transfer = transfer_of(arguments);
+  std::vector<std::string> result;
+  if(is_input_rewritten(arguments))
+    result = loss_warnings(input, arguments.output, "the surface");
+  if(transfer == Transfer::COLORS || transfer == Transfer::TEXTURE)
+    for(const std::string& name : attributes_of_file(input))
+      result.push_back("the surface lacks " + name + " of the input");
+  if(transfer == Transfer::TEXTURE)
+  {
+    for(const std::string& name : other.appearance.missing)
+      result.push_back("the surface lacks " + name + " of OTHER: there is no such file");
+    if(other.appearance.has_materials() && format_of(arguments.output) != Format::GLB)
+      result.push_back("the surface lacks the materials of OTHER: only .glb holds them");
+  }
+  if(match.round_trips.mean() > largest_round_trip)
+    result.push_back("the surfaces hardly match: points return far from where they were");
+  if(!match.is_rotation_certain)
+    result.push_back(
+      "another rotation of the pose matches nearly as well: front and back may be confused");
+  return result;
+}
+
 // Without its file, so that it is written anew.
 Mesh_file without_source(Mesh_file mesh)
 {
@@ -220,32 +286,33 @@ int run_match(Arguments& arguments)
   Output_files files(outputs,
                      {arguments.input, arguments.other, arguments.pose, arguments.other_pose,
                       transfer == Transfer::LABELS ? arguments.transfer : std::string()});
-  const Mesh_file input = is_input_rewritten(arguments) ? read_shown_mesh_file(arguments.input)
-                                                        : read_mesh_file(arguments.input);
+  const Mesh_file input
+    = is_text(output) ? read_mesh_file(arguments.input) : read_shown_mesh_file(arguments.input);
   if(!is_text(output))
     check_format_holds(format_of(output), input);
   Mesh_file other = read_other_mesh_file(arguments.other, Source::KEPT);
   if(transfer == Transfer::COLORS || transfer == Transfer::TEXTURE)
     load_appearance(other);
   check_other(other, arguments);
+  if(arguments.is_mirrored)
+    mirror(other);
   const std::vector<std::size_t> labels = transfer == Transfer::LABELS
                                             ? labels_of(arguments.transfer, other)
                                             : std::vector<std::size_t>();
   std::vector<CP::Registration_summary::Stage> stages = {{"read", clock.lap()}};
   arguments.say("computing the poses");
-  const CP::Matchable_surface_3 surface = prepared(input, arguments.pose, arguments),
-                                surface_of_other = prepared(other, arguments.other_pose, arguments);
+  std::vector<std::string> warnings;
+  const CP::Matchable_surface_3 surface
+    = prepared(input, arguments.pose, std::string(), arguments, warnings);
+  const CP::Matchable_surface_3 surface_of_other
+    = prepared(other, arguments.other_pose, name_of_input(arguments.other), arguments, warnings);
   stages.emplace_back("poses", clock.lap());
   arguments.say("matching");
   arguments.match.number_of_threads = arguments.options.number_of_threads;
   const CP::Surface_match_3 match = CP::match_surfaces(surface, surface_of_other, arguments.match);
   stages.emplace_back("match", clock.lap());
-  std::vector<std::string> warnings;
-  if(is_input_rewritten(arguments))
-    warnings = loss_warnings(input, output, "the surface");
-  if(!match.is_rotation_certain)
-    warnings.push_back(
-      "another rotation of the pose matches nearly as well: front and back may be confused");
+  for(std::string& warning : warnings_of(input, other, match, arguments))
+    warnings.push_back(std::move(warning));
   Point_matrix positions;
   if(is_input_rewritten(arguments))
     positions = transfer == Transfer::POSE ? in_posture(input, other, match, arguments)
