@@ -35,8 +35,9 @@ Indices nearest(const Point_search& search, const Point_matrix& points)
 }
 
 // functions^t * values
-Eigen::MatrixXd product(const Eigen::Ref<const Function_matrix, 0, Eigen::OuterStride<>>& functions,
-                        const Function_matrix& values)
+Eigen::MatrixXd
+transposed_product(const Eigen::Ref<const Function_matrix, 0, Eigen::OuterStride<>>& functions,
+                   const Function_matrix& values)
 {
   constexpr std::size_t size = 16;
   Eigen::MatrixXd result(functions.cols(), values.cols());
@@ -277,14 +278,15 @@ Coarse_match::Features Coarse_match::features_of_a(const Eigen::Index count, con
     add(m_landmarks_of_a[l], m_landmarks_of_b[l], share * static_cast<double>(n + m));
 
   const Eigen::MatrixXd products
-    = product(functions, Function_matrix(numbers.asDiagonal() * functions)),
-    mixed = product(functions, sums);
+    = transposed_product(functions, Function_matrix(numbers.asDiagonal() * functions)),
+    mixed = transposed_product(functions, sums);
   const Eigen::LDLT<Eigen::MatrixXd> factor(
     products + 1e-9 * products.trace() * Eigen::MatrixXd::Identity(count, count));
   m_map = factor.solve(mixed);
   if(moves)
-    m_position
-      = m_rest + Point_matrix(combinations(functions, factor.solve(product(functions, move_sums))));
+    m_position = m_rest
+                 + Point_matrix(
+                   combinations(functions, factor.solve(transposed_product(functions, move_sums))));
   m_weights
     = ((m_map.cwiseProduct(products * m_map - 2 * mixed).colwise().sum() + squares) / numbers.sum())
         .cwiseMax(least * least)
