@@ -17,9 +17,10 @@
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
+#include <map>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -62,19 +63,22 @@ std::vector<Location> locations(const Matchable_data& shape, const Point_matrix&
 void set_landmarks(const std::vector<std::pair<std::size_t, std::size_t>>& landmarks,
                    const Repaired_surface_3& other, std::vector<Location>& locations)
 {
+  if(landmarks.empty())
+    return;
+  std::map<std::size_t, Location> location_of; // vertices of the other surface
+  for(std::size_t t = 0; t < other.triangles.size(); ++t)
+    for(std::size_t k = 0; k < 3; ++k)
+    {
+      const std::array<std::size_t, 3>& triangle = other.triangles[t];
+      Location location = {other.face_of_triangle[t], {}, {}};
+      for(std::size_t l = 0; l < 3; ++l)
+        location.vertices[l] = other.origins[triangle[l]];
+      location.weights[k] = 1;
+      location_of.emplace(location.vertices[k], location);
+    }
   for(const auto& [v, w] : landmarks)
-    for(std::size_t t = 0; t < other.triangles.size(); ++t)
-      for(std::size_t k = 0; k < 3; ++k)
-        if(other.origins[other.triangles[t][k]] == w)
-        {
-          Location& location = locations[v];
-          location.face = other.face_of_triangle[t];
-          for(std::size_t l = 0; l < 3; ++l)
-          {
-            location.vertices[l] = other.origins[other.triangles[t][l]];
-            location.weights[l] = l == k ? 1 : 0;
-          }
-        }
+    if(const auto found = location_of.find(w); found != location_of.end())
+      locations[v] = found->second;
 }
 
 void locate(const Matchable_data& a, const Matchable_data& b, const Coarse_match& match,
