@@ -27,7 +27,7 @@ struct Match_options
   double pose_weight = 1;
 
   /// the number of times that the pose of the first surface is registered to that of the second one, at the
-  /// points that match. Nonnegative; 0 saves half of the time.
+  /// points that match. Nonnegative; 0 saves about a third of the time.
   int number_of_registrations = 3;
 
   /// pairs of a vertex of the first surface and one of the second one that match; each of the first one in one pair.

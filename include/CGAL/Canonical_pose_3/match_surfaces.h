@@ -22,8 +22,9 @@ pose of the first surface is rotated toward that of the second one: its principa
 axes have similar lengths). Then points are compared by more and more eigenfunctions of the Laplacian, mapped by a functional
 map (M. Ovsjanikov et al., "Functional maps", 2012; the refinement is that of S. Melzi et al., "ZoomOut", 2019), and by their
 positions in the pose, which a smooth displacement brings closer; each coordinate counts in units of its residual. Of
-rotations after which the poses are nearly as close, that is chosen whose match changes the lengths of edges the least. At
-last, the pose of the first surface is registered, as rigidly as possible, to the points of the second one that match.
+rotations after which the poses are nearly as close, that is chosen whose match changes lengths of edges, functions and positions
+the least. At last, the pose of the first surface is registered, as rigidly as possible, to the points of the second one that match,
+and vertices are where they then are on the other pose, on the same side of thin parts.
 
 The mirror symmetry of a shape is its match with its mirror image, that is, with its own points, one coordinate negated, and
 reversed faces; the pose of this mirror image is not the mirror image of the pose.
