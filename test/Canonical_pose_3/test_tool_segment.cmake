@@ -41,6 +41,14 @@ file(MAKE_DIRECTORY ${WORK}/same)
 file(COPY_FILE ${WORK}/ball.off ${WORK}/same/part_2.off)
 expect_refusal("part_2.off' cannot be written: it is an input" segment same/part_2.off --parts 2 --method sweep -o same/)
 expect_exit(0 check same/part_2.off)
+file(REMOVE_RECURSE ${WORK}/out/parts)
+file(WRITE ${WORK}/clear.ply "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+  "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty uchar alpha\n"
+  "element face 4\nproperty list uchar int vertex_indices\nend_header\n"
+  "0 0 0 9 8 7 100\n1 0 0 9 8 7 100\n0 1 0 9 8 7 100\n0 0 1 9 8 7 100\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n")
+expect_exit(0 segment clear.ply --parts 1 --method sweep -o out/parts/)
+file(READ ${WORK}/out/parts/part_0.ply ply)
+expect_match("${ply}" "property uchar alpha\n.*\n0 0 0 9 8 7 100")
 file(REMOVE_RECURSE ${WORK}/out/parts ${WORK}/out/parts.txt ${WORK}/out/parts.ply ${WORK}/out/parts.json)
 
 foreach(parts IN ITEMS 0 -1 1.5 many)

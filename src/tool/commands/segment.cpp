@@ -60,6 +60,8 @@ Mesh_file part_of(const Mesh_file& input, const std::vector<std::size_t>& parts,
           result.points.push_back(input.points[v]);
           if(!appearance.vertex_colors.empty())
             result.appearance.vertex_colors.push_back(appearance.vertex_colors[v]);
+          if(!appearance.vertex_opacities.empty())
+            result.appearance.vertex_opacities.push_back(appearance.vertex_opacities[v]);
         }
         face.push_back(index[v]);
       }
