@@ -10,6 +10,7 @@
 #include <CGAL/Random.h>
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
@@ -29,6 +30,15 @@ inline CGAL::Canonical_pose_3::Point_matrix mirrored(CGAL::Canonical_pose_3::Poi
 {
   points.col(1) *= -1;
   return points;
+}
+
+// Moved and turned, differently for each i.
+inline CGAL::Canonical_pose_3::Point_matrix moved(const CGAL::Canonical_pose_3::Point_matrix& points,
+                                                   const int i)
+{
+  const Eigen::Matrix3d turn
+    = Eigen::AngleAxisd(0.7 * i, Eigen::Vector3d(1, 2, i - 1).normalized()).toRotationMatrix();
+  return (points * turn.transpose()).rowwise() + Eigen::RowVector3d(i, -3, 1);
 }
 
 inline Eigen::MatrixXd random_points(const Eigen::Index n, const Eigen::Index dimension,

@@ -11,7 +11,6 @@
 
 #include <CGAL/Random.h>
 
-#include <Eigen/Geometry>
 
 #include <gtest/gtest.h>
 
@@ -32,12 +31,10 @@ using Canonical_pose_test::corner;
 using Canonical_pose_test::mirrored;
 using CP::Point_matrix;
 
-// Moved, turned and scaled, differently for each i.
+// Scaled as well.
 Point_matrix moved(const Point_matrix& points, const int i)
 {
-  const Eigen::Matrix3d turn
-    = Eigen::AngleAxisd(0.7 * i, Eigen::Vector3d(1, 2, i - 1).normalized()).toRotationMatrix();
-  return std::pow(3., i) * ((points * turn.transpose()).rowwise() + Eigen::RowVector3d(i, -3, 1));
+  return std::pow(3., i) * Canonical_pose_test::moved(points, i);
 }
 
 Point_matrix random_points(const Eigen::Index n, CGAL::Random& random)

@@ -6,7 +6,6 @@
 
 #include <CGAL/Canonical_pose_3/mean_pose.h>
 
-#include <Eigen/Geometry>
 
 #include <gtest/gtest.h>
 
@@ -23,16 +22,9 @@ namespace test_mean_pose {
 namespace CP = CGAL::Canonical_pose_3;
 using Canonical_pose_test::corner;
 using Canonical_pose_test::mirrored;
+using Canonical_pose_test::moved;
 using Canonical_pose_test::random_points;
 using CP::Point_matrix;
-
-// Moved and turned, differently for each i.
-Point_matrix moved(const Point_matrix& points, const int i)
-{
-  const Eigen::Matrix3d turn
-    = Eigen::AngleAxisd(0.7 * i, Eigen::Vector3d(1, 2, i - 1).normalized()).toRotationMatrix();
-  return (points * turn.transpose()).rowwise() + Eigen::RowVector3d(i, -3, 1);
-}
 
 // The corners of a box around the origin.
 Point_matrix box(const double x, const double y, const double z)

@@ -33,8 +33,7 @@ inline void write_pose_of_template(const Arguments& arguments, const std::string
   {
     mesh = read_mesh_file(path, Source::KEPT);
     check_is_surface(mesh);
-    if(!is_rewritable(mesh, format_of(file)))
-      load_appearance(mesh);
+    load_appearance_for(mesh, format_of(file));
     Options options = watched_options(arguments);
     options.number_of_threads = 0; // nothing else is computed now
     pose = compute_pose(mesh, options).pose;

@@ -150,8 +150,7 @@ Mesh_file read_first(const Arguments& arguments)
       "the mean in '" + mean + "' must be a "
       + (mesh.is_tetrahedral ? "tetrahedral mesh (.mesh, .vtu)" : "surface") + ", as '" + path
       + "' is");
-  if(!is_rewritable(mesh, format))
-    load_appearance(mesh);
+  load_appearance_for(mesh, format);
   check_format_holds(format, mesh);
   return mesh;
 }

@@ -48,8 +48,8 @@ int run_shape(Arguments& arguments)
     = arguments.has_no_descriptor ? std::vector<Descriptor>() : descriptors(arguments.descriptors);
   Mesh_file input
     = read_mesh_file(arguments.input, arguments.output.empty() ? Source::DROPPED : Source::KEPT);
-  if(!arguments.output.empty() && !is_rewritable(input, format_of(arguments.output)))
-    load_appearance(input);
+  if(!arguments.output.empty())
+    load_appearance_for(input, format_of(arguments.output));
   const double seconds_to_read = clock.lap();
   Shape_description shape
     = describe_shape(input, chosen, arguments, arguments.is_segmented || !arguments.output.empty());

@@ -123,6 +123,13 @@ std::vector<double> read_numbers(const std::string& path);
 // Whether rewrite_mesh() writes this format: that of the file, which was kept.
 bool is_rewritable(const Mesh_file& mesh, Format format);
 
+// Loads the appearance if another file than that of the mesh is to be written.
+inline void load_appearance_for(Mesh_file& mesh, const Format format)
+{
+  if(!is_rewritable(mesh, format))
+    load_appearance(mesh);
+}
+
 // What the file of a mesh holds beside positions and faces, for instance "texture coordinates".
 std::vector<std::string> attributes_of_file(const Mesh_file& mesh);
 
