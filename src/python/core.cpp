@@ -236,26 +236,29 @@ py::tuple match(const py::object& vertices, const py::object& faces, const py::o
 
 // `corners` and `weights`: of the vertices, on the other surface.
 py::array matched_faces(const py::array_t<std::size_t>& corners, const Eigen::MatrixXd& weights,
-                        const py::object& faces, const py::object& other_faces)
+                        const py::object& faces, const py::object& other_vertices,
+                        const py::object& other_faces)
 {
+  const Mesh_file other = surface_of(other_vertices, other_faces);
   CGAL::Canonical_pose_3::Surface_match_3 match;
-  Mesh_file surface, other;
-  surface.points.resize(static_cast<std::size_t>(weights.rows()));
   const auto at = corners.unchecked<2>();
   for(Eigen::Index v = 0; v < weights.rows(); ++v)
   {
-    match.locations.emplace_back();
-    for(Eigen::Index k = 0; k < 3; ++k)
+    auto& location = match.locations.emplace_back();
+    for(std::size_t k = 0; k < 3; ++k)
     {
-      const std::size_t corner = at(v, k);
-      match.locations.back().vertices[static_cast<std::size_t>(k)] = corner;
-      match.locations.back().weights[static_cast<std::size_t>(k)] = weights(v, k);
-      other.points.resize((std::max)(other.points.size(), corner + 1));
+      location.vertices[k] = at(v, static_cast<py::ssize_t>(k));
+      location.weights[k] = weights(v, static_cast<Eigen::Index>(k));
+      if(location.vertices[k] >= other.points.size())
+        throw std::invalid_argument("vertex " + std::to_string(v) + " is at vertex "
+                                    + std::to_string(location.vertices[k]) + ", but there are "
+                                    + std::to_string(other.points.size()));
     }
   }
-  const tool::Face_list of_other = faces_of(other_faces, other);
-  return array_of(
-    CGAL::Canonical_pose_3::matched_faces(match, faces_of(faces, surface), of_other));
+  Mesh_file surface;
+  surface.points.resize(match.locations.size());
+  return array_of(CGAL::Canonical_pose_3::matched_faces(
+    match, faces_of(faces, surface), tool::matrix_of(tool::points_of(other)), other.faces));
 }
 
 // Faces with the same number of corners each are a matrix, others a list of lists.

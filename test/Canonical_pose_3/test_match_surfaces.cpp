@@ -206,6 +206,42 @@ TEST(Match_surfaces, very_different_meshes)
   EXPECT_LT((match.interpolated_at_other(of_coarse) - of_fine).rowwise().norm().mean(), edge);
 }
 
+// Each face with vertices of its own, as in many files: copies of a vertex are at the same place, and the places of others
+// are corners of the faces that they name.
+TEST(Match_surfaces, faces_without_common_vertices)
+{
+  const auto& triangles = running().shape.triangles();
+  std::vector<std::size_t> origins;
+  CP::Face_list soup;
+  for(const auto& t : triangles)
+  {
+    soup.push_back({origins.size(), origins.size() + 1, origins.size() + 2});
+    origins.insert(origins.end(), t.begin(), t.end());
+  }
+  const auto copies = [&](const Point_matrix& points) { return Point_matrix(points(origins, Eigen::all)); };
+  const Matchable_surface_3 surface(copies(running().points), soup, copies(running().pose));
+  Match_options options;
+  options.number_of_registrations = 1;
+  const Surface_match_3 match = CP::match_surfaces(surface, other().surface, options);
+  const Point_matrix places = match.interpolated(other().rest);
+  EXPECT_LT((places - copies(running().rest)).rowwise().norm().mean(), .02 * root_of_area(running()));
+  std::vector<Eigen::Index> first(running().shape.points().size(), -1);
+  for(std::size_t v = 0; v < origins.size(); ++v)
+    if(Eigen::Index& copy = first[origins[v]]; copy < 0)
+      copy = static_cast<Eigen::Index>(v);
+    else
+      EXPECT_EQ(places.row(static_cast<Eigen::Index>(v)), places.row(copy));
+  for(const auto& [face, vertices, weights] : match.locations_of_other)
+    for(const std::size_t v : vertices)
+      EXPECT_EQ(std::count(soup[face].begin(), soup[face].end(), v), 1);
+
+  const Surface_match_3 of_itself = CP::match_surfaces(running().surface, surface, options);
+  const std::vector<std::size_t> matched
+    = CP::matched_faces(of_itself, triangles, copies(running().points), soup);
+  for(std::size_t f = 0; f < triangles.size(); ++f)
+    EXPECT_EQ(matched[f], f);
+}
+
 // A surface that is matched with itself has its own faces.
 TEST(Match_surfaces, faces_of_itself)
 {
@@ -216,7 +252,7 @@ TEST(Match_surfaces, faces_of_itself)
     for(std::size_t k = 0; k < 3; ++k)
       match.locations[faces[f][k]]
         = {f, {faces[f][0], faces[f][1], faces[f][2]}, {k == 0 ? 1. : 0., k == 1 ? 1. : 0., k == 2 ? 1. : 0.}};
-  const std::vector<std::size_t> matched = CP::matched_faces(match, faces, faces);
+  const std::vector<std::size_t> matched = CP::matched_faces(match, faces, running().points, faces);
   for(std::size_t f = 0; f < faces.size(); ++f)
     EXPECT_EQ(matched[f], f);
 }
@@ -261,7 +297,7 @@ TEST(Match_surfaces, texture_across_a_seam)
   }
   const std::vector<std::array<float, 2>> result
     = CP::transferred_texture_coordinates(match, faces, of_other, faces_of_other, coordinates);
-  const std::vector<std::size_t> matched = CP::matched_faces(match, faces, faces_of_other);
+  const std::vector<std::size_t> matched = CP::matched_faces(match, faces, of_other, faces_of_other);
   std::size_t corner = 0;
   for(std::size_t f = 0; f < faces.size(); ++f)
     for(const std::size_t v : faces[f])

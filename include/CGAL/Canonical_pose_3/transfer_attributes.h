@@ -24,11 +24,13 @@ For a surface that is matched with itself vertex by vertex, it is the face itsel
 
 \param match the result of `match_surfaces()`.
 \param faces the faces of the first surface.
+\param other_points positions of the second surface, one row per vertex. Vertices at the same position count as one.
 \param other_faces the faces of the second surface.
 
 \pre Faces have vertices, which are those of the surfaces of the match.
 */
 std::vector<std::size_t> matched_faces(const Surface_match_3& match, const Face_list& faces,
+                                       const Point_matrix& other_points,
                                        const Face_list& other_faces);
 
 /*!

@@ -13,6 +13,7 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -31,6 +32,8 @@ struct Matchable_data
 
   std::size_t number_of_vertices; // of the input
   Repaired_surface_3 surface;
+  std::vector<std::array<std::size_t, 3>>
+    corners; // of the input: those of the face of each triangle
   Coarse_surface_3 coarse;
   // In the frame of the principal axes of the pose; the mean square of the distances from the origin is 1.
   Point_matrix pose_of_vertices, pose, coarse_pose;

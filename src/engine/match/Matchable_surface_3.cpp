@@ -14,11 +14,14 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace CGAL {
 namespace Canonical_pose_3 {
@@ -37,13 +40,29 @@ Function_matrix functions_of(const Surface_component_3& surface)
   return functions;
 }
 
+// Rows stand for all vertices that were stitched, of which a face has its own.
+std::vector<std::array<std::size_t, 3>> corners_of(const Repaired_surface_3& surface,
+                                                   const Face_list& polygons)
+{
+  std::vector<std::array<std::size_t, 3>> result(surface.triangles.size());
+  for(std::size_t t = 0; t < result.size(); ++t)
+  {
+    const Face_list::Face face = polygons[surface.face_of_triangle[t]];
+    for(std::size_t k = 0; k < 3; ++k)
+      result[t][k] = *std::find_if(face.begin(), face.end(), [&](const std::size_t v) {
+        return surface.representatives[v] == surface.origins[surface.triangles[t][k]];
+      });
+  }
+  return result;
+}
+
 } // namespace
 } // namespace matching
 
 Matchable_data::Matchable_data(const Point_matrix& points, const Face_list& polygons,
                                const Point_matrix& given_pose)
   : number_of_vertices(static_cast<std::size_t>(points.rows())),
-    surface(repair_surface(points, polygons)),
+    surface(repair_surface(points, polygons)), corners(matching::corners_of(surface, polygons)),
     coarse(coarse_copy(surface, matching::COARSE_VERTICES)),
     functions(matching::functions_of(coarse.surface))
 {

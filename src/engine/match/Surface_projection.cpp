@@ -13,12 +13,12 @@ namespace CGAL {
 namespace Canonical_pose_3 {
 namespace internal {
 
-Surface_projection::Surface_projection(const Repaired_surface_3& surface, const Point_matrix& pose,
+Surface_projection::Surface_projection(const Matchable_data& shape, const Point_matrix& pose,
                                        const Point_matrix& normals)
-  : m_surface(surface), m_pose(pose), m_normals(normals), m_search(pose),
+  : m_shape(shape), m_pose(pose), m_normals(normals), m_search(pose),
     m_triangles(static_cast<std::size_t>(pose.rows()), [&](const auto& put) {
-      for(std::size_t t = 0; t < surface.triangles.size(); ++t)
-        for(const std::size_t v : surface.triangles[t])
+      for(std::size_t t = 0; t < shape.surface.triangles.size(); ++t)
+        for(const std::size_t v : shape.surface.triangles[t])
           put(v, t);
     })
 {}
@@ -57,7 +57,7 @@ Surface_match_3::Location Surface_projection::location(const std::vector<std::si
   for(const std::size_t row : rows)
     for(const std::size_t t : m_triangles[row])
     {
-      const std::array<std::size_t, 3>& triangle = m_surface.triangles[t];
+      const std::array<std::size_t, 3>& triangle = m_shape.surface.triangles[t];
       std::array<Eigen::Vector3d, 3> corners;
       for(std::size_t k = 0; k < 3; ++k)
         corners[k] = m_pose.row(static_cast<Eigen::Index>(triangle[k])).transpose();
@@ -69,10 +69,9 @@ Surface_match_3::Location Surface_projection::location(const std::vector<std::si
       if(distance < least)
       {
         least = distance;
-        result.face = m_surface.face_of_triangle[t];
+        result.face = m_shape.surface.face_of_triangle[t];
         result.weights = weights;
-        for(std::size_t k = 0; k < 3; ++k)
-          result.vertices[k] = m_surface.origins[triangle[k]];
+        result.vertices = m_shape.corners[t];
       }
     }
   return result;

@@ -4,9 +4,9 @@
 #ifndef CANONICAL_POSE_3_ENGINE_MATCH_SURFACE_PROJECTION_H
 #define CANONICAL_POSE_3_ENGINE_MATCH_SURFACE_PROJECTION_H
 
+#include "Matchable_data.h"
 #include "Point_search.h"
 
-#include <CGAL/Canonical_pose_3/Repaired_surface_3.h>
 #include <CGAL/Canonical_pose_3/Surface_match_3.h>
 #include <CGAL/Canonical_pose_3/internal/support/Buckets.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
@@ -26,7 +26,7 @@ class Surface_projection
 public:
   using Location = Surface_match_3::Location;
 
-  Surface_projection(const Repaired_surface_3& surface, const Point_matrix& pose,
+  Surface_projection(const Matchable_data& shape, const Point_matrix& pose,
                      const Point_matrix& normals);
 
   // The nearest ones, on the same side of thin parts where normals of the positions are given.
@@ -36,7 +36,7 @@ public:
 private:
   Location location(const std::vector<std::size_t>& rows, const Eigen::Vector3d& position) const;
 
-  const Repaired_surface_3& m_surface;
+  const Matchable_data& m_shape;
   const Point_matrix &m_pose, &m_normals;
   const Point_search m_search;
   const Buckets<std::size_t> m_triangles; // at each row

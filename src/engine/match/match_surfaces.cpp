@@ -17,9 +17,9 @@
 #include <Eigen/Core>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <map>
 #include <memory>
 #include <stdexcept>
@@ -36,22 +36,23 @@ namespace {
 using Indices = std::vector<std::size_t>;
 using Location = Surface_match_3::Location;
 
-// Of a pose of all rows, at the rows and the vertices without faces. Of several copies of a vertex, the last one counts.
+// Of a pose of all rows, at the vertices for which rows stand, and at those without faces. Of several rows of a vertex, the last
+// one counts.
 std::vector<Location> locations(const Matchable_data& shape, const Point_matrix& pose,
                                 const Point_matrix& normals, const Point_matrix& pose_of_vertices,
                                 const Surface_projection& projection)
 {
-  std::vector<Location> result(shape.number_of_vertices);
-  std::vector<bool> is_known(shape.number_of_vertices, false);
+  constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
+  std::vector<std::size_t> row_of_vertex(shape.number_of_vertices, none);
+  for(std::size_t row = 0; row < shape.surface.origins.size(); ++row)
+    row_of_vertex[shape.surface.origins[row]] = row;
   const std::vector<Location> of_rows = projection.locations(pose, normals);
-  for(std::size_t row = 0; row < of_rows.size(); ++row)
-  {
-    result[shape.surface.origins[row]] = of_rows[row];
-    is_known[shape.surface.origins[row]] = true;
-  }
+  std::vector<Location> result(shape.number_of_vertices);
   Indices unknown;
-  for(std::size_t v = 0; v < is_known.size(); ++v)
-    if(!is_known[v])
+  for(std::size_t v = 0; v < result.size(); ++v)
+    if(const std::size_t row = row_of_vertex[shape.surface.representatives[v]]; row != none)
+      result[v] = of_rows[row];
+    else
       unknown.push_back(v);
   const std::vector<Location> of_unknown = projection.locations(rows_at(pose_of_vertices, unknown));
   for(std::size_t i = 0; i < unknown.size(); ++i)
@@ -61,18 +62,15 @@ std::vector<Location> locations(const Matchable_data& shape, const Point_matrix&
 
 // Landmarks are where they have to be.
 void set_landmarks(const std::vector<std::pair<std::size_t, std::size_t>>& landmarks,
-                   const Repaired_surface_3& other, std::vector<Location>& locations)
+                   const Matchable_data& other, std::vector<Location>& locations)
 {
   if(landmarks.empty())
     return;
   std::map<std::size_t, Location> location_of; // vertices of the other surface
-  for(std::size_t t = 0; t < other.triangles.size(); ++t)
+  for(std::size_t t = 0; t < other.corners.size(); ++t)
     for(std::size_t k = 0; k < 3; ++k)
     {
-      const std::array<std::size_t, 3>& triangle = other.triangles[t];
-      Location location = {other.face_of_triangle[t], {}, {}};
-      for(std::size_t l = 0; l < 3; ++l)
-        location.vertices[l] = other.origins[triangle[l]];
+      Location location = {other.surface.face_of_triangle[t], other.corners[t], {}};
       location.weights[k] = 1;
       location_of.emplace(location.vertices[k], location);
     }
@@ -87,11 +85,11 @@ void locate(const Matchable_data& a, const Matchable_data& b, const Coarse_match
   const Point_matrix moves
     = a.coarse.interpolated(Point_matrix(match.position() - a.coarse_pose * rotation)),
     pose = a.pose * rotation + moves, normals = vertex_normals(pose, a.surface.triangles);
-  const Surface_projection projection(b.surface, b.pose, b.normals);
+  const Surface_projection projection(b, b.pose, b.normals);
   result.locations = locations(a, pose, normals, a.pose_of_vertices * rotation, projection);
-  result.locations_of_other = locations(b, b.pose, b.normals, b.pose_of_vertices,
-                                        Surface_projection(a.surface, pose, normals));
-  set_landmarks(options.landmarks, b.surface, result.locations);
+  result.locations_of_other
+    = locations(b, b.pose, b.normals, b.pose_of_vertices, Surface_projection(a, pose, normals));
+  set_landmarks(options.landmarks, b, result.locations);
   result.round_trips
     = (result.interpolated(result.interpolated_at_other(a.pose_of_vertices)) - a.pose_of_vertices)
         .rowwise()

@@ -23,21 +23,17 @@ namespace {
 using Location = Surface_match_3::Location;
 using Coordinates = std::vector<std::array<float, 2>>;
 
-// The faces at each vertex.
-Buckets<std::size_t> faces_of_vertices(const Face_list& faces, const Surface_match_3& match)
+// For each vertex, the first one at the same position.
+std::vector<std::size_t> first_vertices(const Point_matrix& points)
 {
-  std::size_t number_of_vertices = 0;
-  for(const Face_list::Face face : faces)
-    for(const std::size_t v : face)
-      number_of_vertices = (std::max)(number_of_vertices, v + 1);
-  for(const Location& location : match.locations)
-    for(const std::size_t v : location.vertices)
-      CGAL_precondition(v < number_of_vertices);
-  return Buckets<std::size_t>(number_of_vertices, [&](const auto& put) {
-    for(std::size_t f = 0; f < faces.size(); ++f)
-      for(const std::size_t v : faces[f])
-        put(v, f);
-  });
+  std::map<std::array<double, 3>, std::size_t> first;
+  std::vector<std::size_t> result;
+  for(Eigen::Index v = 0; v < points.rows(); ++v)
+    result.push_back(first
+                       .emplace(std::array<double, 3>{points(v, 0), points(v, 1), points(v, 2)},
+                                static_cast<std::size_t>(v))
+                       .first->second);
+  return result;
 }
 
 // Texture coordinates of the second surface.
@@ -112,6 +108,7 @@ private:
   void join_charts()
   {
     using Corner = std::pair<std::size_t, std::array<float, 2>>; // a vertex and its coordinates
+    const std::vector<std::size_t> first = first_vertices(m_points);
     std::map<std::pair<Corner, Corner>, std::size_t> face_of_side;
     for(std::size_t f = 0; f < m_faces.size(); ++f)
     {
@@ -119,7 +116,7 @@ private:
       for(std::size_t k = 0; k < size; ++k)
       {
         const auto corner = [&](const std::size_t l) {
-          return Corner(m_faces[f][l], m_coordinates[m_first_corners[f] + l]);
+          return Corner(first[m_faces[f][l]], m_coordinates[m_first_corners[f] + l]);
         };
         const auto [found, is_new]
           = face_of_side.emplace(std::minmax({corner(k), corner((k + 1) % size)}), f);
@@ -163,10 +160,15 @@ private:
 } // namespace internal
 
 std::vector<std::size_t> matched_faces(const Surface_match_3& match, const Face_list& faces,
+                                       const Point_matrix& other_points,
                                        const Face_list& other_faces)
 {
-  const internal::Buckets<std::size_t> at_vertices
-    = internal::faces_of_vertices(other_faces, match);
+  const std::vector<std::size_t> first = internal::first_vertices(other_points);
+  const internal::Buckets<std::size_t> at_vertices(first.size(), [&](const auto& put) {
+    for(std::size_t f = 0; f < other_faces.size(); ++f)
+      for(const std::size_t v : other_faces[f])
+        put(first[v], f);
+  });
   std::vector<std::size_t> result;
   std::map<std::size_t, double> shares;
   for(const Face_list::Face face : faces)
@@ -175,8 +177,9 @@ std::vector<std::size_t> matched_faces(const Surface_match_3& match, const Face_
     for(const std::size_t v : face)
       for(std::size_t k = 0; k < 3; ++k)
         if(const double weight = match.locations[v].weights[k]; weight > 0)
-          for(const std::size_t f : at_vertices[match.locations[v].vertices[k]])
+          for(const std::size_t f : at_vertices[first[match.locations[v].vertices[k]]])
             shares[f] += weight;
+    CGAL_precondition(!shares.empty());
     result.push_back(
       std::max_element(shares.begin(), shares.end(), [](const auto& a, const auto& b) {
         return a.second < b.second;
@@ -192,7 +195,7 @@ transferred_texture_coordinates(const Surface_match_3& match, const Face_list& f
 {
   constexpr double farthest = 10; // in sizes of the face of the other surface
   internal::Textured_surface other(other_points, other_faces, other_coordinates);
-  const std::vector<std::size_t> matched = matched_faces(match, faces, other_faces);
+  const std::vector<std::size_t> matched = matched_faces(match, faces, other_points, other_faces);
   std::vector<std::array<float, 2>> result;
   for(std::size_t f = 0; f < faces.size(); ++f)
   {

@@ -627,7 +627,7 @@ class Match(_typing.NamedTuple):
         return _numpy.einsum("nk,nk...->n...", self.weights_at_other,
                              _numpy.asarray(values)[self.vertices_at_other])
 
-    def transferred_labels(self, faces, other_faces, labels):
+    def transferred_labels(self, faces, other_vertices, other_faces, labels):
         """Return a label for each face of the surface, given one for each face of the other surface.
 
         It is that of the face of the other surface near whose vertices the corners are.
@@ -636,6 +636,8 @@ class Match(_typing.NamedTuple):
         ----------
         faces, other_faces : arrays of integers, m x k and M x K, or sequences of sequences
             The faces.
+        other_vertices : array, N x 3
+            The positions of the other surface.
         labels : array, M
             A label, or any other value, for each face of the other surface.
 
@@ -644,7 +646,7 @@ class Match(_typing.NamedTuple):
         labels : array, m
         """
         return _numpy.asarray(labels)[_core.matched_faces(self.vertices, self.weights, faces,
-                                                           other_faces)]
+                                                           other_vertices, other_faces)]
 
 
 def match(vertices, faces, other_vertices, other_faces, *, pose=None, other_pose=None,

@@ -418,7 +418,7 @@ def test_match_of_the_same_shape(bent_cone):
                                      given_target=match.scale * match.interpolated(other))
     assert canonical_pose.compare(posture, vertices)[0] < 1e-3
     labels = np.where(vertices[faces].mean(axis=1)[:, 0] > 3, "near", "far")
-    assert (match.transferred_labels(faces, faces[::-1], labels[::-1]) == labels).all()
+    assert (match.transferred_labels(faces, other, faces[::-1], labels[::-1]) == labels).all()
 
 
 def test_transferred_labels():
@@ -426,11 +426,14 @@ def test_transferred_labels():
     match = canonical_pose.Match(*[None] * len(canonical_pose.Match._fields))
     match = match._replace(vertices=np.array([[0, 1, 2], [0, 1, 2], [0, 1, 2], [2, 1, 3]]),
                            weights=np.array([[1, 0, 0], [0, 1, 0], [.2, .4, .4], [0, 0, 1]]))
-    faces, other_faces = [[0, 1, 2], [1, 3, 2]], [[0, 1, 2], [2, 1, 3]]
-    assert match.transferred_labels(faces, other_faces, ["a", "b"]).tolist() == ["a", "b"]
-    assert match.transferred_labels(faces, other_faces, np.eye(2)).tolist() == [[1, 0], [0, 1]]
+    faces, other_faces = [[0, 1, 2], [1, 3, 2]], [[0, 1, 2], [2, 1, 3], [3, 1, 4]]
+    other = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0], [2, 1, 0]]  # the last one is far from all
+    assert match.transferred_labels(faces, other, other_faces, ["a", "b", "c"]).tolist() == ["a", "b"]
+    assert match.transferred_labels(faces, other, other_faces, np.eye(3)).tolist() == np.eye(3)[:2].tolist()
     with pytest.raises(ValueError, match="face 0 names vertex 4, but there are 4"):
-        match.transferred_labels([[0, 1, 4]], other_faces, [1, 2])
+        match.transferred_labels([[0, 1, 4]], other, other_faces, [1, 2, 3])
+    with pytest.raises(ValueError, match="vertex 3 is at vertex 3, but there are 3"):
+        match.transferred_labels(faces, other[:3], other_faces[:1], [1])
 
 
 def test_mirrored_match(bent_cone):

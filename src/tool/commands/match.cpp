@@ -173,7 +173,8 @@ Mesh_file textured(Mesh_file mesh, const Mesh_file& other, const CP::Surface_mat
     match, mesh.faces, matrix_of(points_of(other)), other.faces, of_other.texture_coordinates);
   mesh.appearance.materials = of_other.materials;
   if(of_other.has_materials())
-    for(const std::size_t face : CP::matched_faces(match, mesh.faces, other.faces))
+    for(const std::size_t face :
+        CP::matched_faces(match, mesh.faces, matrix_of(points_of(other)), other.faces))
       mesh.appearance.material_of_face.push_back(of_other.material_of_face[face]);
   return mesh;
 }
@@ -201,7 +202,8 @@ std::vector<std::size_t> transferred(const std::vector<std::size_t>& labels, con
                                      const Mesh_file& other, const CP::Surface_match_3& match)
 {
   std::vector<std::size_t> result;
-  for(const std::size_t face : CP::matched_faces(match, mesh.faces, other.faces))
+  for(const std::size_t face :
+      CP::matched_faces(match, mesh.faces, matrix_of(points_of(other)), other.faces))
     result.push_back(labels[face]);
   return result;
 }
@@ -286,12 +288,18 @@ int run_match(Arguments& arguments)
   Output_files files(outputs,
                      {arguments.input, arguments.other, arguments.pose, arguments.other_pose,
                       transfer == Transfer::LABELS ? arguments.transfer : std::string()});
-  const Mesh_file input
-    = is_text(output) ? read_mesh_file(arguments.input) : read_shown_mesh_file(arguments.input);
+  const bool is_dressed = transfer == Transfer::COLORS || transfer == Transfer::TEXTURE;
+  Mesh_file input
+    = read_mesh_file(arguments.input, is_text(output) ? Source::DROPPED : Source::KEPT);
+  if(is_input_rewritten(arguments))
+    load_appearance_for(input, format_of(output));
+  else if(!is_text(output) && !is_dressed)
+    load_appearance(input);
   if(!is_text(output))
     check_format_holds(format_of(output), input);
-  Mesh_file other = read_other_mesh_file(arguments.other, Source::KEPT);
-  if(transfer == Transfer::COLORS || transfer == Transfer::TEXTURE)
+  Mesh_file other
+    = read_other_mesh_file(arguments.other, is_dressed ? Source::KEPT : Source::DROPPED);
+  if(is_dressed)
     load_appearance(other);
   check_other(other, arguments);
   if(arguments.is_mirrored)
