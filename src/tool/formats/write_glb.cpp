@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "Gltf_builder.h"
+#include "Gltf_materials.h"
 #include "Shown_surface.h"
+#include "Split_surface.h"
 
 #include <CGAL/Canonical_pose_3/surface_measures.h>
-#include <CGAL/Canonical_pose_3/triangulate_polygons.h>
 
 #include <algorithm>
 #include <array>
@@ -18,7 +19,6 @@
 #include <ostream>
 #include <stdexcept>
 #include <string>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -30,22 +30,6 @@ using CGAL::Canonical_pose_3::Point_matrix;
 template <class Number>
 using Rows = Gltf_builder::Rows<Number>;
 using Use = Gltf_builder::Use;
-using Triangles = std::vector<std::array<std::size_t, 3>>;
-
-struct Copy
-{
-  std::size_t vertex;
-  long long part = -1; // -1 if there are no parts, or if it belongs to no face
-  std::array<float, 2> texture_coordinates = {};
-  std::array<float, 3> normal = {};
-
-  bool operator<(const Copy& other) const
-  {
-    return std::tie(vertex, part, texture_coordinates, normal)
-           < std::tie(other.vertex, other.part, other.texture_coordinates, other.normal);
-  }
-  bool operator==(const Copy& other) const { return !(*this < other) && !(other < *this); }
-};
 
 const double LARGEST_FLOAT = (std::numeric_limits<float>::max)();
 
@@ -69,81 +53,6 @@ Point_matrix matrix_of(const Mesh_file& mesh)
       points(static_cast<Eigen::Index>(v), static_cast<Eigen::Index>(k)) = mesh.points[v][k];
   return points;
 }
-
-// The triangles of a surface; its vertices are split where parts meet, at hard edges, and at seams of the texture; sorted by vertex.
-// Each has at least one copy.
-struct Split_surface
-{
-  Split_surface(const Point_matrix& points, const Shown_surface& surface)
-  {
-    CGAL::Canonical_pose_3::Triangulated_polygons polygons
-      = CGAL::Canonical_pose_3::triangulate_polygons(points, surface.mesh.faces);
-    faces = polygons.triangles;
-    triangles = std::move(polygons.triangles);
-    polygon_of_triangle = std::move(polygons.polygon_of_triangle);
-    const std::size_t n = surface.mesh.points.size();
-    const std::vector<Copy> corners = copies_of_corners(surface);
-    if(corners.empty())
-    {
-      for(std::size_t v = 0; v < n; ++v)
-        copies.push_back({v});
-      return;
-    }
-    std::vector<bool> has_face(n, false);
-    for(const Copy& copy : corners)
-      has_face[copy.vertex] = true;
-    copies = corners;
-    for(std::size_t v = 0; v < n; ++v)
-      if(!has_face[v])
-        copies.push_back({v});
-    std::sort(copies.begin(), copies.end());
-    copies.erase(std::unique(copies.begin(), copies.end()), copies.end());
-    std::size_t first = 0; // corner of the polygon
-    for(std::size_t t = 0, polygon = 0; t < faces.size(); ++t)
-    {
-      for(; polygon < polygon_of_triangle[t]; ++polygon)
-        first += surface.mesh.faces[polygon].size();
-      for(std::size_t& v : triangles[t])
-      {
-        std::size_t corner = first;
-        while(corners[corner].vertex != v)
-          ++corner;
-        v = static_cast<std::size_t>(std::lower_bound(copies.begin(), copies.end(), corners[corner])
-                                     - copies.begin());
-      }
-    }
-  }
-
-  std::vector<Copy> copies;
-  Triangles triangles; // of copies
-  Triangles faces;     // the same of vertices
-  std::vector<std::size_t> polygon_of_triangle;
-
-private:
-  // Of all corners of the polygons; empty if no vertex is split.
-  static std::vector<Copy> copies_of_corners(const Shown_surface& surface)
-  {
-    std::vector<Copy> corners;
-    const auto& coordinates = surface.mesh.appearance.texture_coordinates;
-    const auto& normals = surface.mesh.appearance.normals;
-    const bool has_normals = surface.other_shapes.empty() && !normals.empty();
-    if(surface.part_of_face.empty() && coordinates.empty() && !has_normals)
-      return corners;
-    for(std::size_t f = 0; f < surface.mesh.faces.size(); ++f)
-      for(const std::size_t v : surface.mesh.faces[f])
-      {
-        Copy copy{v};
-        if(!surface.part_of_face.empty())
-          copy.part = static_cast<long long>(surface.part_of_face[f]);
-        if(!coordinates.empty())
-          copy.texture_coordinates = coordinates[corners.size()];
-        if(has_normals)
-          copy.normal = normals[corners.size()];
-        corners.push_back(copy);
-      }
-    return corners;
-  }
-};
 
 // Where a file has its origin, and its unit of length.
 struct Frame
@@ -187,7 +96,6 @@ private:
   static constexpr std::size_t LARGEST_UNQUANTIZED = 250000;
   static constexpr std::size_t LARGEST_VERTEX_OF_ATTRIBUTES = 16777216; // of float
   static constexpr double LARGEST_SHORT = 32767;
-  static constexpr const char* VARIANTS = "KHR_materials_variants";
 
   // The origin is moved only if the surface is far from it, where single precision is coarse.
   void choose_frame()
@@ -221,7 +129,7 @@ private:
     Rows<Number> result(static_cast<Eigen::Index>(m_split.copies.size()), columns);
     for(Eigen::Index i = 0; i < result.rows(); ++i)
     {
-      const Copy& copy = m_split.copies[static_cast<std::size_t>(i)];
+      const Vertex_copy& copy = m_split.copies[static_cast<std::size_t>(i)];
       for(int k = 0; k < columns; ++k)
         result(i, k) = value(copy, k);
     }
@@ -237,7 +145,7 @@ private:
   void add_vertices()
   {
     m_primitive.attributes["POSITION"] = m_builder.append(
-      rows<float>(3, [&](const Copy& c, const int k) { return position(c.vertex, k); }),
+      rows<float>(3, [&](const Vertex_copy& c, const int k) { return position(c.vertex, k); }),
       Use::VERTICES, true);
     for(const Other_shape& shape : m_surface.other_shapes)
       add_shape(shape);
@@ -248,7 +156,7 @@ private:
     if(!m_surface.mesh.appearance.texture_coordinates.empty())
       m_primitive.attributes["TEXCOORD_0"]
         = m_builder.append(rows<float>(2,
-                                       [](const Copy& c, const int k) {
+                                       [](const Vertex_copy& c, const int k) {
                                          return c.texture_coordinates[static_cast<std::size_t>(k)];
                                        }),
                            Use::VERTICES);
@@ -262,20 +170,21 @@ private:
 
   void add_shape(const Other_shape& shape)
   {
-    const auto difference = [&](const Copy& c, const int k) {
+    const auto difference = [&](const Vertex_copy& c, const int k) {
       return stored(shape.points, c.vertex, k) - static_cast<double>(position(c.vertex, k));
     };
     std::map<std::string, int> target;
     target["POSITION"]
       = m_is_quantized
           ? m_builder.append(rows<std::int16_t>(3,
-                                                [&](const Copy& c, const int k) {
+                                                [&](const Vertex_copy& c, const int k) {
                                                   return static_cast<std::int16_t>(
                                                     std::lround(difference(c, k)));
                                                 }),
                              Use::VERTICES, true)
           : m_builder.append(
-            rows<float>(3, [&](const Copy& c, const int k) { return to_float(difference(c, k)); }),
+            rows<float>(
+              3, [&](const Vertex_copy& c, const int k) { return to_float(difference(c, k)); }),
             Use::VERTICES, true);
     m_primitive.targets.push_back(std::move(target));
   }
@@ -283,7 +192,7 @@ private:
   Rows<float> normals(const Point_matrix& points) const
   {
     const Point_matrix of_vertices = CGAL::Canonical_pose_3::vertex_normals(points, m_split.faces);
-    return rows<float>(3, [&](const Copy& c, const int k) {
+    return rows<float>(3, [&](const Vertex_copy& c, const int k) {
       if(c.normal != std::array<float, 3>())
         return c.normal[static_cast<std::size_t>(k)];
       const auto normal = of_vertices.row(static_cast<Eigen::Index>(c.vertex));
@@ -314,18 +223,18 @@ private:
     for(const Vertex_values& values : m_surface.values)
       m_primitive.attributes[attribute(values.name)] = m_builder.append(
         rows<float>(1,
-                    [&](const Copy& c, int) {
+                    [&](const Vertex_copy& c, int) {
                       return to_float(values.values[static_cast<Eigen::Index>(c.vertex)]);
                     }),
         Use::VERTICES);
     if(!m_surface.part_of_face.empty())
       m_primitive.attributes["_LABEL"] = m_builder.append(
-        rows<float>(1, [](const Copy& c, int) { return static_cast<float>(c.part); }),
+        rows<float>(1, [](const Vertex_copy& c, int) { return static_cast<float>(c.part); }),
         Use::VERTICES);
     if(!m_surface.origins.empty())
       m_primitive.attributes["_VERTEX"] = m_builder.append(
-        rows<float>(
-          1, [&](const Copy& c, int) { return static_cast<float>(m_surface.origins[c.vertex]); }),
+        rows<float>(1, [&](const Vertex_copy& c,
+                           int) { return static_cast<float>(m_surface.origins[c.vertex]); }),
         Use::VERTICES);
   }
 
@@ -339,12 +248,12 @@ private:
   {
     const std::vector<Color>& own = m_surface.mesh.appearance.vertex_colors;
     const std::vector<unsigned char>& opacities = m_surface.mesh.appearance.vertex_opacities;
-    const auto opaque = [](const Copy&) { return 1.; };
+    const auto opaque = [](const Vertex_copy&) { return 1.; };
     const auto add = [&](const std::string& name, const auto& color, const auto& opacity) {
       constexpr double most = (std::numeric_limits<std::uint16_t>::max)();
       m_primitive.attributes[name] = m_builder.append(
         rows<std::uint16_t>(4,
-                            [&](const Copy& c, const int k) {
+                            [&](const Vertex_copy& c, const int k) {
                               const double share
                                 = k == 3 ? opacity(c)
                                          : linear(color(c)[static_cast<std::size_t>(k)]);
@@ -355,19 +264,19 @@ private:
     if(!m_surface.part_of_face.empty())
       add(
         "COLOR_0",
-        [](const Copy& c) {
+        [](const Vertex_copy& c) {
           return c.part < 0 ? Color{128, 128, 128}
                             : color_of_part(static_cast<std::size_t>(c.part));
         },
         opaque);
     else if(!m_surface.vertex_colors.empty())
       add(
-        "COLOR_0", [&](const Copy& c) { return m_surface.vertex_colors[c.vertex]; }, opaque);
+        "COLOR_0", [&](const Vertex_copy& c) { return m_surface.vertex_colors[c.vertex]; }, opaque);
     if(!own.empty())
       add(
         has_colors_of_results() ? "COLOR_1" : "COLOR_0",
-        [&](const Copy& c) { return own[c.vertex]; },
-        [&](const Copy& c) { return opacities.empty() ? 1 : opacities[c.vertex] / 255.; });
+        [&](const Vertex_copy& c) { return own[c.vertex]; },
+        [&](const Vertex_copy& c) { return opacities.empty() ? 1 : opacities[c.vertex] / 255.; });
   }
 
   template <class Number>
@@ -381,30 +290,9 @@ private:
     return m_builder.append(indices, Use::INDICES);
   }
 
-  int add_material(const Material& given)
+  int add_material(const Material& material)
   {
-    tinygltf::Material material;
-    material.doubleSided = given.is_double_sided;
-    tinygltf::PbrMetallicRoughness& base = material.pbrMetallicRoughness;
-    base.metallicFactor = 0;
-    base.roughnessFactor = 0.8;
-    base.baseColorFactor.assign(given.color.begin(), given.color.end());
-    material.alphaMode = given.alpha_mode;
-    if(given.alpha_mode == "MASK")
-      material.alphaCutoff = given.alpha_cutoff;
-    if(!given.image.empty() && m_primitive.attributes.count("TEXCOORD_0") > 0)
-    {
-      const auto [image, is_new_image] = m_images.emplace(given.image, 0);
-      if(is_new_image)
-        image->second = m_builder.append_image(given.image, type_of_image(given.image));
-      const auto [texture, is_new]
-        = m_textures.emplace(std::make_pair(image->second, given.sampler), 0);
-      if(is_new)
-        texture->second = m_builder.append_texture(image->second, given.sampler);
-      base.baseColorTexture.index = texture->second;
-    }
-    m_builder.model().materials.push_back(material);
-    return static_cast<int>(m_builder.model().materials.size()) - 1;
+    return m_materials.add(material, m_primitive.attributes.count("TEXCOORD_0") > 0);
   }
 
   // A primitive for each material. If colors show results, materials are those of a variant.
@@ -433,31 +321,14 @@ private:
       {
         const int own = add_material(appearance.materials[material]);
         if(has_variant)
-          m_primitive.extensions[VARIANTS] = variant_of(own);
+          Gltf_materials::add_to_variant(m_primitive, own);
         else
           m_primitive.material = own;
       }
       m_primitives.push_back(m_primitive);
     }
     if(has_variant)
-      add_variant();
-  }
-
-  static tinygltf::Value variant_of(const int material)
-  {
-    using tinygltf::Value;
-    const Value mapping(
-      Value::Object{{"material", Value(material)}, {"variants", Value(Value::Array{Value(0)})}});
-    return Value(Value::Object{{"mappings", Value(Value::Array{mapping})}});
-  }
-
-  void add_variant()
-  {
-    using tinygltf::Value;
-    const Value name(Value::Object{{"name", Value(std::string("texture"))}});
-    m_builder.model().extensions[VARIANTS]
-      = Value(Value::Object{{"variants", Value(Value::Array{name})}});
-    m_builder.model().extensionsUsed.push_back(VARIANTS);
+      m_materials.add_variant();
   }
 
   // Viewers look for the names of shapes in the extras of the mesh.
@@ -540,10 +411,9 @@ private:
   const bool m_is_quantized;
   Frame m_frame;
   Gltf_builder m_builder;
+  Gltf_materials m_materials{m_builder};
   tinygltf::Primitive m_primitive; // what those of all materials have in common
   std::vector<tinygltf::Primitive> m_primitives;
-  std::map<std::string, int> m_images;               // by their contents
-  std::map<std::pair<int, Sampler>, int> m_textures; // by images
 };
 
 } // namespace

@@ -1,0 +1,92 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "collection/list_collection.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cstddef>
+#include <iomanip>
+#include <iostream>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace Canonical_pose_tool {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// Outcome, path and message, with tabs between them.
+std::string line_of(const Shape_row& row, const std::string& before_message = "")
+{
+  return name_of(row.outcome) + '\t' + row.key.path
+         + (row.message.empty() && before_message.empty() ? ""
+                                                          : '\t' + before_message + row.message)
+         + '\n';
+}
+
+Json json_of(const Shape_row& row)
+{
+  Json descriptors = Json::object();
+  for(const Descriptor_values& descriptor : row.descriptors)
+    descriptors[descriptor.name] = descriptor.version;
+  Json report = row.report.empty() ? Json() : Json::parse(row.report);
+  if(report.is_object() && !row.match.empty())
+    report["match"] = Json::parse(row.match);
+  return {{"path", row.key.path},
+          {"checksum", row.key.checksum},
+          {"options", row.key.options},
+          {"version", row.key.version},
+          {"outcome", name_of(row.outcome)},
+          {"message", row.message},
+          {"seconds", row.seconds},
+          {"has_pose", !row.pose.empty()},
+          {"is_segmented", !row.parts.empty()},
+          {"descriptors", descriptors},
+          {"report", report}};
+}
+
+} // namespace
+
+void write_summary(std::ostream& out, const std::vector<std::string>& paths,
+                   const std::size_t number_computed, const std::string& options,
+                   Collection_database& database)
+{
+  std::map<Outcome, std::size_t> numbers;
+  std::string failures;
+  for(const std::string& path : paths)
+    if(const auto row = database.row_of(path, options))
+    {
+      ++numbers[row->outcome];
+      if(row->outcome != Outcome::DONE)
+        failures += line_of(*row);
+    }
+  out << paths.size() << (paths.size() == 1 ? " shape, " : " shapes, ") << number_computed
+      << " computed now\n";
+  for(const auto& [outcome, number] : numbers)
+    out << std::left << std::setw(14) << name_of(outcome) << number << '\n';
+  out << failures;
+}
+
+void list_collection(const Arguments& arguments)
+{
+  Collection_database database(arguments.database, false);
+  Json all = Json::array();
+  database.for_each_row([&](Shape_row& row) {
+    if(arguments.are_failures_listed && row.outcome == Outcome::DONE)
+      return;
+    if(arguments.is_json)
+    {
+      database.complete(row);
+      all.push_back(json_of(row));
+    }
+    else
+      std::cout << line_of(row, row.key.options + '\t');
+  });
+  if(arguments.is_json)
+    std::cout << all.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+}
+
+} // namespace Canonical_pose_tool
