@@ -334,7 +334,8 @@ std::vector<std::string> save(const std::string& path, const py::object& vertice
       tool::write_mesh(out, format, written);
     });
     files.commit();
-    return tool::losses(mesh, format);
+    return tool::losses(mesh, format, tool::is_rewritable(mesh, format),
+                        tool::has_files_beside(path));
   });
 }
 

@@ -3,6 +3,7 @@
 
 #include "Output_files.h"
 #include "Command_line.h"
+#include "formats/File_stream.h"
 #include "formats/Mesh_file.h"
 #include "formats/gzip.h"
 
@@ -57,6 +58,21 @@ fs::path place_of(const std::string& path)
   if(error || !fs::is_directory(directory))
     throw std::invalid_argument(cannot_write(path, "there is no such directory"));
   return directory / place.filename();
+}
+
+// The same, if a file can be written there.
+fs::path writable_place_of(const std::string& path)
+{
+  fs::path place = place_of(path);
+  std::error_code error;
+  const fs::file_status status = fs::status(place, error);
+  if(!fs::status_known(status))
+    throw std::invalid_argument(cannot_write(path, error.message()));
+  if(fs::exists(status) && !fs::is_regular_file(status))
+    throw std::invalid_argument(cannot_write(path, "it is not a file"));
+  if(access(place.parent_path().c_str(), W_OK) != 0)
+    throw std::invalid_argument(cannot_write(path, "the directory cannot be written to"));
+  return place;
 }
 
 // The files that a signal removes: a list from which nothing is taken, so that a handler can walk through it.
@@ -227,15 +243,7 @@ Output_files::Output_files(const std::vector<std::string>& paths,
         throw Usage_error("two outputs cannot both be the standard output");
       continue;
     }
-    const fs::path place = place_of(path);
-    std::error_code error;
-    const fs::file_status status = fs::status(place, error);
-    if(!fs::status_known(status))
-      throw std::invalid_argument(cannot_write(path, error.message()));
-    if(fs::exists(status) && !fs::is_regular_file(status))
-      throw std::invalid_argument(cannot_write(path, "it is not a file"));
-    if(access(place.parent_path().c_str(), W_OK) != 0)
-      throw std::invalid_argument(cannot_write(path, "the directory cannot be written to"));
+    const fs::path place = writable_place_of(path);
     for(const std::string& input : inputs)
       if(is_same_file(place.string(), input))
         throw std::invalid_argument(cannot_write(path, "it is an input"));
@@ -272,7 +280,12 @@ void Output_files::write(const std::string& path,
     m_standard_output = out.str();
     return;
   }
-  const fs::path& place = m_places.at(path);
+  write_file(path, m_places.at(path), write_to);
+}
+
+void Output_files::write_file(const std::string& path, const fs::path& place,
+                              const std::function<void(std::ostream&)>& write_to)
+{
   int descriptor = -1;
   const fs::path name = make_beside(place, [&](const char* const candidate) {
     return descriptor = open(candidate, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
@@ -281,7 +294,7 @@ void Output_files::write(const std::string& path,
     throw std::runtime_error(cannot_write(path, std::strerror(errno)));
   m_files.push_back({path, place, name});
   Descriptor_buffer buffer(descriptor);
-  std::ostream out(&buffer);
+  File_stream out(&buffer, place);
   if(is_compressed(path))
   {
     std::ostringstream content;
@@ -294,6 +307,18 @@ void Output_files::write(const std::string& path,
     throw std::runtime_error(cannot_write(path, std::strerror(errno)));
   if(!out)
     throw std::runtime_error(cannot_write(path, "the numbers could not be turned into text"));
+  for(const auto& [name, content] : out.files_beside())
+  {
+    const std::string path_beside = (fs::path(path).parent_path() / name).string();
+    const fs::path place_beside = writable_place_of((place.parent_path() / name).string());
+    const auto is_there = [&, p = place_beside](const auto& file) { return file.place == p; };
+    const auto is_output = [&, p = place_beside](const auto& output) { return output.second == p; };
+    if(std::any_of(m_files.begin(), m_files.end(), is_there)
+       || std::any_of(m_places.begin(), m_places.end(), is_output))
+      throw std::runtime_error(cannot_write(path_beside, "another output has the same name"));
+    write_file(path_beside, place_beside,
+               [&, bytes = &content](std::ostream& file) { file << *bytes; });
+  }
 }
 
 void Output_files::commit()

@@ -42,7 +42,8 @@ public:
   Output_files(const Output_files&) = delete;
   Output_files& operator=(const Output_files&) = delete;
 
-  // Writes the temporary file for `path`, one of those that were checked; an empty path is ignored.
+  // Writes the temporary file for `path`, one of those that were checked; an empty path is ignored. Unless it is compressed, or
+  // the standard output, it is written through a File_stream, and so are the files beside it.
   // Throws std::runtime_error on failure.
   void write(const std::string& path, const std::function<void(std::ostream&)>& write_to);
 
@@ -60,6 +61,8 @@ private:
     bool is_new = true;
   };
 
+  void write_file(const std::string& path, const std::filesystem::path& place,
+                  const std::function<void(std::ostream&)>& write_to);
   void keep_what_is_there();
   void undo(std::size_t number_of_renamed_files);
 

@@ -158,7 +158,7 @@ std::vector<std::string> loss_warnings(const Mesh_file& input, const std::string
   const bool is_rewritten = is_rewritable(input, format);
   std::vector<std::string> result;
   std::string lost;
-  for(const std::string& attribute : losses(input, format, is_rewritten))
+  for(const std::string& attribute : losses(input, format, is_rewritten, has_files_beside(path)))
     lost += (lost.empty() ? "" : ", ") + attribute;
   if(!lost.empty())
     result.push_back(name + " in "

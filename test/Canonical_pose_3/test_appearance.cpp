@@ -5,6 +5,7 @@
 
 #include "written_file.h"
 
+#include "formats/File_stream.h"
 #include "formats/Mesh_file.h"
 #include "formats/Shown_surface.h"
 
@@ -12,7 +13,9 @@
 
 #include <array>
 #include <cstddef>
+#include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <set>
 #include <sstream>
 #include <string>
@@ -73,12 +76,26 @@ std::set<Corner> corners_of(const Mesh_file& mesh, const bool with_materials,
   return result;
 }
 
+// Writes a mesh with the files beside it. Returns their names.
+std::set<std::string> write_with_files_beside(const Mesh_file& mesh, const std::string& path)
+{
+  std::stringbuf buffer;
+  File_stream out(&buffer, path);
+  write_mesh(out, format_of(path, Use::WRITE), mesh);
+  std::ofstream(path, std::ios::binary) << buffer.str();
+  std::set<std::string> result;
+  for(const auto& [name, content] : out.files_beside())
+  {
+    std::ofstream(std::filesystem::path(path).parent_path() / name, std::ios::binary) << content;
+    result.insert(name);
+  }
+  return result;
+}
+
 Mesh_file written(const Mesh_file& mesh, const std::string& extension)
 {
-  std::ostringstream out;
   const std::string path = written_file("b" + extension, "");
-  write_mesh(out, format_of(path, Use::WRITE), mesh);
-  std::ofstream(path, std::ios::binary) << out.str();
+  write_with_files_beside(mesh, path);
   return read_shown_mesh_file(path);
 }
 
@@ -105,7 +122,8 @@ TEST(Appearance, is_carried_to_other_formats)
   const Mesh_file mesh = pyramid();
   using Names = std::vector<std::string>;
   EXPECT_EQ(corners_of(written(mesh, ".glb"), true), corners_of(mesh, true));
-  EXPECT_EQ(corners_of(written(mesh, ".obj"), false, true), corners_of(mesh, false, true));
+  EXPECT_EQ(corners_of(written(mesh, ".obj"), true, true), corners_of(mesh, true, true));
+  EXPECT_EQ(corners_of(written(written(mesh, ".glb"), ".obj"), true), corners_of(mesh, true));
   EXPECT_EQ(losses(mesh, Format::GLB), Names());
   for(const auto& [extension, format] : {std::make_pair(".ply", Format::PLY), std::make_pair(".obj", Format::OBJ)})
   {
@@ -236,7 +254,11 @@ TEST(Appearance, textures_of_ply)
   using Names = std::vector<std::string>;
   EXPECT_EQ(losses(mesh, Format::PLY), Names());
   EXPECT_EQ(losses(mesh, Format::GLB), Names());
-  EXPECT_EQ(losses(mesh, Format::OBJ), Names{"materials"});
+  EXPECT_EQ(losses(mesh, Format::OBJ), Names());
+  EXPECT_EQ(losses(mesh, Format::OBJ, false, false), Names{"materials"});
+  const Mesh_file obj = written(mesh, ".obj");
+  for(std::size_t f = 0; f < 4; ++f)
+    EXPECT_EQ(image_of_face(obj, f), image_of_face(mesh, f)) << f;
   const Mesh_file glb = written(mesh, ".glb");
   std::multiset<std::string> images; // of the faces, which are in the order of materials there
   for(std::size_t f = 0; f < 4; ++f)
@@ -306,6 +328,57 @@ TEST(Appearance, materials)
   }
   EXPECT_EQ(appearance("newmtl m\nmap_Kd -s 1 1 1 no such.png\n").missing,
             std::set<std::string>{"the texture 'no such.png'"});
+}
+
+// OBJ has its materials beside it. Images that are files are not copied; others are, and replace none.
+TEST(Appearance, files_beside_obj)
+{
+  namespace fs = std::filesystem;
+  const auto content = [](const std::string& path) {
+    std::ifstream in(path, std::ios::binary);
+    return std::string(std::istreambuf_iterator<char>(in), {});
+  };
+  const auto beside = [](const std::string& path, const std::string& name) {
+    return (fs::path(path).parent_path() / name).string();
+  };
+  using Names = std::set<std::string>;
+  const Mesh_file mesh = pyramid();
+  const std::string path = written_file("c.obj", ""), stem = fs::path(path).stem().string();
+  EXPECT_EQ(write_with_files_beside(mesh, path), Names{stem + ".mtl"});
+  const std::string image = name_of(mesh.appearance.materials[0].image_path);
+  EXPECT_EQ(content(beside(path, stem + ".mtl")), "newmtl with_blanks\nKd 1 1 1\nd 1\nmap_Kd "
+                                                    + image + "\nnewmtl red\nKd 1 0 0\nd 0.5\n");
+  EXPECT_NE(content(path).find("\nusemtl red\n"), std::string::npos);
+
+  const std::string folder = testing::TempDir() + "files_beside_obj";
+  fs::create_directories(folder);
+  EXPECT_EQ(write_with_files_beside(mesh, folder + "/d.obj"), Names{"d.mtl"});
+  EXPECT_NE(content(folder + "/d.mtl").find("map_Kd ../" + image + '\n'), std::string::npos);
+  EXPECT_EQ(corners_of(read_shown_mesh_file(folder + "/d.obj"), true, true),
+            corners_of(mesh, true, true));
+
+  Mesh_file embedded = written(mesh, ".glb");
+  const std::string other = written_file("e.obj", ""), name = fs::path(other).stem().string();
+  std::ofstream(beside(other, name + "_0.png")) << "of another shape";
+  fs::remove(beside(other, name + "_1.png"));
+  EXPECT_EQ(write_with_files_beside(embedded, other), (Names{name + ".mtl", name + "_1.png"}));
+  EXPECT_EQ(content(beside(other, name + "_0.png")), "of another shape");
+  EXPECT_EQ(content(beside(other, name + "_1.png")), IMAGE);
+  EXPECT_EQ(write_with_files_beside(embedded, other), Names{name + ".mtl"}); // it is there
+  for(Material& material : embedded.appearance.materials)
+  {
+    material.name = "same";
+    material.alpha_mode = "BLEND";
+  }
+  write_with_files_beside(embedded, other);
+  const Mesh_file again = read_shown_mesh_file(other);
+  EXPECT_EQ(corners_of(again, true), corners_of(embedded, true));
+  EXPECT_EQ(again.appearance.materials[0].alpha_mode, "BLEND");
+
+  // Neither are materials that were read replaced.
+  const std::string same
+    = beside(path, fs::path(*mesh.appearance.files.begin()).stem().string() + ".obj");
+  EXPECT_EQ(write_with_files_beside(mesh, same), Names{fs::path(same).stem().string() + "_0.mtl"});
 }
 
 TEST(Appearance, ranges_of_colors)

@@ -273,12 +273,12 @@ TEST(Text_files, content_of_another_format)
                     std::invalid_argument, "there is no vertex; its content looks like OFF");
 }
 
-// The header of a binary file is any text, and may begin like a mark or a text; less than a face may follow the last one.
+// The header of a binary file is any text, and may begin like a mark or a text; anything but a face may follow the last one.
 TEST(Text_files, binary_stl)
 {
   for(const std::string& beginning : {"\xEF\xBB\xBF", "\xFF\xFE", "solid", "solid a cube", "solid\nfacets\n", "", "\n"})
     for(const char filling : {' ', '\0'})
-      for(const std::size_t more : {0, 1, 16, 49, 50})
+      for(const std::size_t more : {0, 1, 16, 49, 50, 512})
       {
         std::string bytes = beginning + std::string(80 - beginning.size(), filling);
         bytes += std::string("\x01\x00\x00\x00", 4);
@@ -287,14 +287,22 @@ TEST(Text_files, binary_stl)
         bytes += std::string(2 + more, more == 16 ? 'f' : '\0');
         const std::string path = written_file("binary.stl", bytes);
         SCOPED_TRACE(beginning + ", " + std::to_string(more));
+        EXPECT_EQ(read_mesh_file(path).points.size(), 3u);
         if(more < 50)
-        {
-          EXPECT_EQ(read_mesh_file(path).points.size(), 3u);
           EXPECT_EQ(format_of(written_file("content", bytes)), Format::STL);
-        }
-        else if(beginning.empty() || beginning[0] == 's')
-          EXPECT_THROW_WITH(read_mesh_file(path), std::invalid_argument,
-                            "the file goes on for 50 bytes after the 1 faces announced");
+        EXPECT_EQ(losses(read_mesh_file(path, Source::KEPT), Format::OFF).size(),
+                  more < 50 ? 0u : 1u);
+        bytes.resize(134);
+        bytes.append(reinterpret_cast<const char*>(facet.data()), sizeof(facet))
+          .append(more, '\0')
+          .append(2, '\0');
+        EXPECT_THROW_WITH(read_mesh_file(written_file("faces.stl", bytes)), std::invalid_argument,
+                          "the file goes on for " + std::to_string(50 + more)
+                            + " bytes after the 1 faces announced, with more faces");
+        bytes[80] = '\0';
+        if(beginning.empty() || beginning[0] == 's') // otherwise, it is text
+          EXPECT_THROW_WITH(read_mesh_file(written_file("none.stl", bytes)), std::invalid_argument,
+                            "after the 0 faces announced");
       }
 }
 

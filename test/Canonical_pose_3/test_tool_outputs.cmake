@@ -39,6 +39,34 @@ foreach(words IN ITEMS "geodesics ball.off --source 0 -o ''" "check ball.off --r
   expect_match("${exit_code}<${stderr}>" "^2<[^\n]*the path is empty\n")
 endforeach()
 
+# ---- materials beside OBJ ----------------------------------------------------------------------------------------
+
+file(WRITE ${WORK}/red.mtl "newmtl red\nKd 1 0 0\n")
+file(READ ${WORK}/ball.obj text)
+file(WRITE ${WORK}/red.obj "mtllib red.mtl\nusemtl red\n${text}")
+file(WRITE ${WORK}/out/target.mtl "something else")
+set(red pose red.obj --rounds 0 --landmarks 12 -o out/red.off)
+expect_exit(0 ${red} --target out/target.obj)
+expect_content(out/target.mtl "newmtl red\nKd 1 0 0\nd 1\n")
+expect_exit(0 ${red} --target red_target.obj.gz)
+expect_files(red*.mtl red.mtl)
+file(REMOVE_RECURSE ${WORK}/out/red.off ${WORK}/red_target.obj.gz)
+expect_refusal("'out/t.mtl' cannot be written: another output has the same name" ${red} --target out/t.obj --report out/t.mtl)
+file(MAKE_DIRECTORY ${WORK}/red_target.mtl)
+expect_refusal("red_target.mtl' cannot be written: it is not a file" ${red} --target red_target.obj)
+expect_files(red_target* red_target.mtl)
+file(REMOVE_RECURSE ${WORK}/red_target.mtl)
+file(RENAME ${WORK}/red.mtl ${WORK}/red_target.mtl)
+file(WRITE ${WORK}/red.obj "mtllib red_target.mtl\nusemtl red\n${text}")
+expect_exit(0 ${red} --target red_target.obj) # the materials of the input are not replaced
+expect_content(red_target.mtl "newmtl red\nKd 1 0 0\n")
+expect_content(red_target_0.mtl "newmtl red\nKd 1 0 0\nd 1\n")
+foreach(parts IN ITEMS 3 2)
+  expect_exit(0 segment red.obj --method sweep --parts ${parts} -o out/red_parts/)
+endforeach()
+expect_files(out/red_parts/* out/red_parts/part_0.mtl out/red_parts/part_0.obj out/red_parts/part_1.mtl out/red_parts/part_1.obj)
+file(REMOVE_RECURSE ${WORK}/out/red_parts)
+
 # ---- standard streams, and compressed files --------------------------------------------------------------------
 
 set(quick "--rounds 0 --landmarks 12 --quiet")

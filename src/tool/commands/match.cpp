@@ -169,6 +169,7 @@ Mesh_file textured(Mesh_file mesh, const Mesh_file& other, const CP::Surface_mat
 {
   const Appearance& of_other = other.appearance;
   mesh.appearance = {};
+  mesh.appearance.files = of_other.files;
   mesh.appearance.texture_coordinates = CP::transferred_texture_coordinates(
     match, mesh.faces, matrix_of(points_of(other)), other.faces, of_other.texture_coordinates);
   mesh.appearance.materials = of_other.materials;
@@ -260,8 +261,11 @@ std::vector<std::string> warnings_of(const Mesh_file& input, const Mesh_file& ot
   {
     for(const std::string& name : other.appearance.missing)
       result.push_back("the surface lacks " + name + " of OTHER: there is no such file");
-    if(other.appearance.has_materials() && format_of(arguments.output) != Format::GLB)
-      result.push_back("the surface lacks the materials of OTHER: only .glb holds them");
+    const Format format = format_of(arguments.output);
+    if(other.appearance.has_materials() && format != Format::GLB
+       && (format != Format::OBJ || !has_files_beside(arguments.output)))
+      result.push_back("the surface lacks the materials of OTHER: only .glb, and .obj with files "
+                       "beside it, hold them");
   }
   if(match.round_trips.mean() > largest_round_trip)
     result.push_back("the surfaces hardly match: points return far from where they were");

@@ -70,6 +70,7 @@ Mesh_file part_of(const Mesh_file& input, const std::vector<std::size_t>& parts,
         result.appearance.material_of_face.push_back(appearance.material_of_face[f]);
     }
   result.appearance.materials = appearance.materials;
+  result.appearance.files = appearance.files;
   return result;
 }
 
@@ -123,7 +124,11 @@ void write_parts(const Mesh_file& input, const std::vector<std::size_t>& parts,
       outputs.push_back(part_path(part));
     std::error_code error;
     for(std::size_t part = number_of_parts; std::filesystem::exists(part_path(part), error); ++part)
+    {
       removed.push_back(part_path(part));
+      if(extension == ".obj")
+        removed.push_back(arguments.output + "part_" + std::to_string(part) + ".mtl");
+    }
   }
   std::vector<std::string> paths = outputs;
   paths.push_back(arguments.report);

@@ -27,11 +27,13 @@ struct Sampler
 
 struct Material
 {
+  std::string name;
   std::array<double, 4> color = {1, 1, 1, 1}; // linear, with opacity; a factor if there is an image
   std::string alpha_mode = "OPAQUE";          // this and the next: of glTF
   double alpha_cutoff = 0.5;
   bool is_double_sided = true; // surfaces may be open
   std::string image;           // the content of its file
+  std::string image_path;      // if that is not within the file of the mesh
   Sampler sampler;
   std::array<double, 2> scale = {1, 1},
                         offset = {0, 0}; // of texture coordinates while they are read
@@ -47,6 +49,7 @@ struct Appearance
   std::vector<Material> materials;
   std::vector<std::size_t> material_of_face;
   std::set<std::string> missing; // what the file names, but what was not found, for messages
+  std::set<std::string> files;   // of materials, which were read
 
   bool has_materials() const { return !material_of_face.empty(); }
 };
@@ -56,11 +59,12 @@ class Text_cursor;
 // What follows on this line, without a comment, blanks around it, and quotation marks.
 std::string rest_of_line(Text_cursor& text);
 
-// The content of a file that the one at `path` names, there or in the same folder; empty if there is none.
-std::string content_beside(const std::string& path, std::string name);
+// The content of a file that the one at `path` names, there or in the same folder; empty if there is none. `found`: its path.
+std::string content_beside(const std::string& path, std::string name, std::string* found = nullptr);
 
-// The same of an image; if there is none, that is noted.
-std::string image_beside(const std::string& path, const std::string& name, Appearance& appearance);
+// Gives a material the image of this name, found in the same way; if there is none, that is noted.
+void load_image_beside(const std::string& path, const std::string& name, Appearance& appearance,
+                       Material& material);
 
 // Reads the materials of an MTL file beside the one at `path`. `indices`: of the materials by name. Returns whether there
 // is such a file.

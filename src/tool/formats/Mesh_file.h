@@ -78,6 +78,12 @@ std::string stem_of(const std::string& path);
 
 bool is_compressed(const std::string& path); // by its extension
 
+// Whether a file that is written there has others beside it.
+inline bool has_files_beside(const std::string& path)
+{
+  return !is_standard_stream(path) && !is_compressed(path);
+}
+
 // Loads the appearance of a surface from its file, if that was kept. What is wrong about it is left out.
 void load_appearance(Mesh_file& mesh);
 
@@ -136,8 +142,10 @@ std::vector<std::string> attributes_of_file(const Mesh_file& mesh);
 // The files beside it that the file of a mesh names.
 std::vector<std::string> files_beside(const Mesh_file& mesh);
 
-// What of the file of a mesh its pose in this format lacks, whether it is written by rewrite_mesh() or not.
-std::vector<std::string> losses(const Mesh_file& mesh, Format format, bool is_rewritten);
+// What of the file of a mesh its pose in this format lacks, whether it is written by rewrite_mesh() or not, and whether
+// there are files beside it.
+std::vector<std::string> losses(const Mesh_file& mesh, Format format, bool is_rewritten,
+                                bool has_files_beside = true);
 inline std::vector<std::string> losses(const Mesh_file& mesh, const Format format)
 {
   return losses(mesh, format, is_rewritable(mesh, format));
@@ -146,8 +154,12 @@ inline std::vector<std::string> losses(const Mesh_file& mesh, const Format forma
 // Throws std::invalid_argument if the format is only read, or cannot represent the mesh.
 void check_format_holds(Format format, const Mesh_file& mesh);
 
-// Writes a mesh. Numbers in text have enough digits for the same numbers to be read.
+// Writes a mesh. Numbers in text have enough digits for the same numbers to be read. Materials of OBJ are files beside it,
+// if `out` is a File_stream.
 void write_mesh(std::ostream& out, Format format, const Mesh_file& mesh);
+
+// With colors of the vertices, texture coordinates and normals of the corners, and materials, if there are.
+void write_obj(std::ostream& out, const Mesh_file& mesh);
 
 } // namespace Canonical_pose_tool
 

@@ -47,6 +47,14 @@ inline void write_shortest(std::ostream& out, const double x)
 #endif
 }
 
+// With a blank before each.
+template <class Numbers>
+void write_numbers(std::ostream& out, const Numbers& numbers)
+{
+  for(const auto x : numbers)
+    out << ' ' << x;
+}
+
 } // namespace Canonical_pose_tool
 
 #endif // CGAL_CANONICAL_POSE_3_TOOL_SHORTEST_NUMBERS_H

@@ -209,7 +209,7 @@ void load_textures_of_ply(const std::string& bytes, const std::string& path,
 {
   const std::vector<std::string> names = names_of_textures(bytes);
   for(const std::string& name : names)
-    appearance.materials.emplace_back().image = image_beside(path, name, appearance);
+    load_image_beside(path, name, appearance, appearance.materials.emplace_back());
   appearance.materials.emplace_back();
   for(const double number : texture_of_face)
     appearance.material_of_face.push_back(number >= 0 && number < static_cast<double>(names.size())

@@ -93,7 +93,7 @@ std::string rest_of_line(Text_cursor& text)
   return result;
 }
 
-std::string content_beside(const std::string& path, std::string name)
+std::string content_beside(const std::string& path, std::string name, std::string* const found)
 {
   if(path.empty() || name.empty())
     return {};
@@ -102,25 +102,32 @@ std::string content_beside(const std::string& path, std::string name)
   for(const fs::path& file : {fs::path(path), fs::canonical(path, error)})
     for(const fs::path& other : {fs::path(name), fs::path(name).filename()})
       if(std::string content = content_of(file.parent_path() / other); !content.empty())
+      {
+        if(found)
+          *found = (file.parent_path() / other).string();
         return content;
+      }
   return {};
 }
 
-std::string image_beside(const std::string& path, const std::string& name, Appearance& appearance)
+void load_image_beside(const std::string& path, const std::string& name, Appearance& appearance,
+                       Material& material)
 {
-  std::string image = content_beside(path, name);
-  if(!type_of_image(image).empty())
-    return image;
+  material.image = content_beside(path, name, &material.image_path);
+  if(!type_of_image(material.image).empty())
+    return;
+  material.image.clear();
   appearance.missing.insert("the texture " + Text_cursor::shown(name));
-  return {};
 }
 
 bool load_mtl(const std::string& path, const std::string& name, Appearance& appearance,
               std::map<std::string, std::size_t>& indices)
 {
-  std::string bytes = content_beside(path, name);
+  std::string path_of_library;
+  std::string bytes = content_beside(path, name, &path_of_library);
   if(bytes.empty())
     return false;
+  appearance.files.insert(path_of_library);
   remove_byte_order_mark(bytes);
   Text_cursor text(bytes);
   Material unnamed;
@@ -130,8 +137,10 @@ bool load_mtl(const std::string& path, const std::string& name, Appearance& appe
     const std::string keyword = small_letters(word);
     if(keyword == "newmtl")
     {
-      indices.emplace(rest_of_line(text), appearance.materials.size());
+      const std::string material_name = rest_of_line(text);
+      indices.emplace(material_name, appearance.materials.size());
       material = &appearance.materials.emplace_back();
+      material->name = material_name;
     }
     else if(keyword == "kd" && material->image.empty())
     {
@@ -156,9 +165,16 @@ bool load_mtl(const std::string& path, const std::string& name, Appearance& appe
     }
     else if(keyword == "map_kd")
     {
-      material->image = image_beside(path, read_image_name(text, *material), appearance);
+      load_image_beside(path, read_image_name(text, *material), appearance, *material);
       if(!material->image.empty())
         std::fill(material->color.begin(), material->color.begin() + 3, 1.);
+    }
+    else if(keyword == "map_d") // the opacity of the same image
+    {
+      Material ignored;
+      if(!material->image.empty() && type_of_image(material->image) != "image/jpeg"
+         && content_beside(path, read_image_name(text, ignored)) == material->image)
+        material->alpha_mode = "BLEND";
     }
   }
   return true;

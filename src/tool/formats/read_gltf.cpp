@@ -247,6 +247,7 @@ private:
   Material material_of(const tinygltf::Material& material) const
   {
     Material result;
+    result.name = material.name;
     const tinygltf::PbrMetallicRoughness& base = material.pbrMetallicRoughness;
     for(std::size_t k = 0; k < 4 && k < base.baseColorFactor.size(); ++k)
       result.color[k] = (std::min)((std::max)(base.baseColorFactor[k], 0.), 1.);

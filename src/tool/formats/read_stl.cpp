@@ -78,6 +78,22 @@ std::uint32_t number_of_binary_faces(const std::string& bytes)
   return result;
 }
 
+// Whether this is a face rather than zeros, text or the like: a normal, or none, and corners that differ.
+bool begins_with_face(const std::string_view bytes)
+{
+  if(bytes.size() < STL_FACE_SIZE)
+    return false;
+  std::array<std::array<float, 3>, 4> rows; // the normal comes first
+  std::memcpy(rows.data(), bytes.data(), sizeof(rows));
+  for(const std::array<float, 3>& row : rows)
+    if(!std::all_of(row.begin(), row.end(), [](const float x) { return std::isfinite(x); }))
+      return false;
+  const double length = std::hypot(rows[0][0], rows[0][1], rows[0][2]);
+  const double tolerance = 0.01;
+  return (length == 0 || std::abs(length - 1) < tolerance) && rows[1] != rows[2]
+         && rows[2] != rows[3] && rows[3] != rows[1];
+}
+
 void read_binary(const std::string& bytes, Mesh_file& mesh)
 {
   const std::uint32_t faces = number_of_binary_faces(bytes);
@@ -86,10 +102,12 @@ void read_binary(const std::string& bytes, Mesh_file& mesh)
       "the file is truncated: " + std::to_string(bytes.size()) + " bytes, but "
       + (bytes.size() < STL_HEADER_SIZE ? "a header" : std::to_string(faces) + " faces")
       + " of binary STL need " + std::to_string(STL_HEADER_SIZE + STL_FACE_SIZE * faces));
-  const std::size_t rest = bytes.size() - STL_HEADER_SIZE - STL_FACE_SIZE * faces;
-  if(rest >= STL_FACE_SIZE) // fewer bytes are not a face, and are ignored
-    throw std::invalid_argument("the file goes on for " + std::to_string(rest) + " bytes after the "
-                                + std::to_string(faces) + " faces announced");
+  const std::string_view rest
+    = std::string_view(bytes).substr(STL_HEADER_SIZE + STL_FACE_SIZE * faces);
+  if(faces == 0 ? rest.size() >= STL_FACE_SIZE : begins_with_face(rest)) // otherwise, it is ignored
+    throw std::invalid_argument("the file goes on for " + std::to_string(rest.size())
+                                + " bytes after the " + std::to_string(faces) + " faces announced"
+                                + (faces == 0 ? "" : ", with more faces"));
   Welder welder(mesh);
   const char* position = bytes.data() + STL_HEADER_SIZE;
   for(std::uint32_t f = 0; f < faces; ++f, position += STL_FACE_SIZE)
@@ -174,7 +192,19 @@ bool is_binary_stl(const std::string& beginning, const std::uintmax_t size)
          && size - announced < STL_FACE_SIZE;
 }
 
-bool is_binary_stl(const std::string& bytes) { return is_binary_stl(bytes, bytes.size()); }
+bool is_binary_stl(const std::string& bytes)
+{
+  const std::size_t faces = number_of_binary_faces(bytes); // in text, a very large number
+  return is_binary_stl(bytes, bytes.size())
+         || (faces > 0 && bytes.size() >= STL_HEADER_SIZE + STL_FACE_SIZE * faces);
+}
+
+bool has_rest_of_stl(const std::string& bytes)
+{
+  return is_binary_stl(bytes)
+         && bytes.size() - STL_HEADER_SIZE - STL_FACE_SIZE * number_of_binary_faces(bytes)
+              >= STL_FACE_SIZE;
+}
 
 bool is_binary_stl_content(const std::string& bytes)
 {

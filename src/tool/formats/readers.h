@@ -46,9 +46,11 @@ void read_ply(const std::string& bytes, Mesh_file& mesh);
 void read_stl(const std::string& bytes, Mesh_file& mesh);
 // Bytes of a binary file.
 constexpr std::size_t STL_HEADER_SIZE = 84, STL_FACE_SIZE = 50;
-// Whether a file has the size that its header announces, or less than a face more; and whether it is read as binary.
+// Whether a file has the size that its header announces, or less than a face more; whether a whole file has as many faces
+// as its header announces, whatever follows, or even a rest of the size of a face; and whether it is read as binary.
 bool is_binary_stl(const std::string& beginning, std::uintmax_t size);
 bool is_binary_stl(const std::string& bytes);
+bool has_rest_of_stl(const std::string& bytes);
 bool is_binary_stl_content(const std::string& bytes);
 void read_medit(const std::string& bytes, Mesh_file& mesh);
 // `path` is that of the file.

@@ -50,6 +50,10 @@ std::vector<std::string> attributes_of_file(const Mesh_file& mesh)
     return attributes_of_obj(mesh.source->bytes);
   case Format::PLY:
     return attributes_of_ply(mesh.source->bytes);
+  case Format::STL:
+    return has_rest_of_stl(mesh.source->bytes)
+             ? std::vector<std::string>{"what follows the last face"}
+             : std::vector<std::string>();
   case Format::MEDIT: // the rest of the file is kept
     return mesh.source->bytes.find("Normals") == std::string::npos
              ? std::vector<std::string>()
@@ -96,7 +100,8 @@ bool is_rewritable(const Mesh_file& mesh, const Format format)
   }
 }
 
-std::vector<std::string> losses(const Mesh_file& mesh, const Format format, const bool is_rewritten)
+std::vector<std::string> losses(const Mesh_file& mesh, const Format format, const bool is_rewritten,
+                                const bool has_files_beside)
 {
   std::vector<std::string> names = attributes_of_file(mesh);
   const std::set<std::string> always
@@ -116,12 +121,13 @@ std::vector<std::string> losses(const Mesh_file& mesh, const Format format, cons
       return has_colors && !appearance.vertex_colors.empty();
     if(name == "texture coordinates")
       return has_textures && !appearance.texture_coordinates.empty();
-    return name == "materials" && format == Format::GLB && appearance.has_materials();
+    const bool has_materials = format == Format::GLB || (format == Format::OBJ && has_files_beside);
+    return name == "materials" && has_materials && appearance.has_materials();
   };
   names.erase(std::remove_if(names.begin(), names.end(), is_kept), names.end());
   if(!is_rewritten && format == Format::OBJ && !mesh.appearance.vertex_opacities.empty())
     names.push_back("the opacity of colors");
-  if(!is_rewritten && format == Format::GLB)
+  if(!is_rewritten && (format == Format::GLB || (format == Format::OBJ && has_files_beside)))
     names.insert(names.end(), mesh.appearance.missing.begin(), mesh.appearance.missing.end());
   std::vector<std::string> result; // each name once
   for(std::string& name : names)

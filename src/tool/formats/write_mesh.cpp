@@ -9,9 +9,7 @@
 #include <CGAL/Simple_cartesian.h>
 
 #include <array>
-#include <cmath>
 #include <cstddef>
-#include <map>
 #include <ostream>
 #include <stdexcept>
 #include <string>
@@ -40,13 +38,6 @@ void write_medit(std::ostream& out, const Mesh_file& mesh)
   out << "End\n";
 }
 
-template <class Numbers>
-void write_numbers(std::ostream& out, const Numbers& numbers)
-{
-  for(const auto x : numbers)
-    out << ' ' << x;
-}
-
 // With normals and colors of the vertices, if there are.
 void write_off(std::ostream& out, const Mesh_file& mesh)
 {
@@ -70,58 +61,6 @@ void write_off(std::ostream& out, const Mesh_file& mesh)
   {
     out << face.size();
     write_numbers(out, face);
-    out << '\n';
-  }
-}
-
-// Writes values once each. Returns their numbers, from 1, in the order in which they were written.
-template <class Value, class Write>
-std::map<Value, std::size_t> write_values(const std::vector<Value>& values, const Write& write)
-{
-  std::map<Value, std::size_t> numbers;
-  for(const Value& value : values)
-    if(numbers.emplace(value, numbers.size() + 1).second)
-      write(value);
-  return numbers;
-}
-
-// With colors of the vertices, and texture coordinates and normals of the corners, if there are.
-void write_obj(std::ostream& out, const Mesh_file& mesh)
-{
-  const Appearance& appearance = mesh.appearance;
-  for(std::size_t v = 0; v < mesh.points.size(); ++v)
-  {
-    out << 'v';
-    write_numbers(out, mesh.points[v]);
-    if(!appearance.vertex_colors.empty())
-      for(const unsigned char c : appearance.vertex_colors[v])
-        out << ' ' << std::round(1e4 * c / 255.) / 1e4;
-    out << '\n';
-  }
-  const auto coordinates
-    = write_values(appearance.texture_coordinates, [&](const std::array<float, 2>& value) {
-        out << "vt " << value[0] << ' ' << 1 - value[1] << '\n';
-      });
-  const auto normals = write_values(appearance.normals, [&](const std::array<float, 3>& value) {
-    out << "vn";
-    write_numbers(out, value);
-    out << '\n';
-  });
-  std::size_t corner = 0;
-  for(const Face_list::Face face : mesh.faces)
-  {
-    out << 'f';
-    for(const std::size_t v : face)
-    {
-      out << ' ' << v + 1;
-      if(!coordinates.empty() || !normals.empty())
-        out << '/';
-      if(!coordinates.empty())
-        out << coordinates.at(appearance.texture_coordinates[corner]);
-      if(!normals.empty())
-        out << '/' << normals.at(appearance.normals[corner]);
-      ++corner;
-    }
     out << '\n';
   }
 }

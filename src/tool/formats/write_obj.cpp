@@ -1,0 +1,210 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// OBJ, with an MTL file and images beside it.
+
+#include "File_stream.h"
+#include "Mesh_file.h"
+#include "Shortest_numbers.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <cstddef>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <ostream>
+#include <set>
+#include <sstream>
+#include <string>
+#include <system_error>
+#include <vector>
+
+namespace Canonical_pose_tool {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// Writes values once each. Returns their numbers, from 1, in the order in which they were written.
+template <class Value, class Write>
+std::map<Value, std::size_t> write_values(const std::vector<Value>& values, const Write& write)
+{
+  std::map<Value, std::size_t> numbers;
+  for(const Value& value : values)
+    if(numbers.emplace(value, numbers.size() + 1).second)
+      write(value);
+  return numbers;
+}
+
+// Makes the MTL file of a surface, and the images beside it that are not files yet.
+class Material_library
+{
+public:
+  Material_library(File_stream& file, const Appearance& appearance)
+    : m_file(file), m_appearance(appearance),
+      m_used(appearance.material_of_face.begin(), appearance.material_of_face.end())
+  {
+    std::set<std::string> names;
+    for(const std::size_t m : m_used)
+      m_names[m] = name_of(m, names);
+  }
+
+  const std::string& material(const std::size_t number) const { return m_names.at(number); }
+
+  // Returns the name of the file.
+  std::string write()
+  {
+    std::ostringstream text;
+    use_shortest_numbers(text);
+    for(const std::size_t m : m_used)
+      write(text, m);
+    // That of the shape itself may be replaced, but none of those that were read.
+    std::string name = m_file.path().stem().string() + ".mtl";
+    for(int number = 0; is_read(m_file.path().parent_path() / name); ++number)
+      name = numbered(number, ".mtl");
+    m_file.add_file_beside(name, text.str());
+    return name;
+  }
+
+private:
+  void write(std::ostream& text, const std::size_t number)
+  {
+    const Material& material = m_appearance.materials[number];
+    text << "newmtl " << m_names.at(number) << "\nKd " << material.color[0] << ' '
+         << material.color[1] << ' ' << material.color[2] << "\nd " << material.color[3] << '\n';
+    if(material.image.empty() || m_appearance.texture_coordinates.empty())
+      return;
+    const std::string image = image_name(material);
+    text << "map_Kd " << image << '\n';
+    if(material.alpha_mode != "OPAQUE" && type_of_image(material.image) != "image/jpeg")
+      text << "map_d " << image << '\n';
+  }
+
+  // Its own, without blanks, unless another one has it.
+  std::string name_of(const std::size_t number, std::set<std::string>& names) const
+  {
+    std::string name = m_appearance.materials[number].name;
+    std::replace_if(
+      name.begin(), name.end(),
+      [](const unsigned char c) {
+        return std::isspace(c) || std::iscntrl(c) || c == '#' || c == '"';
+      },
+      '_');
+    if(name.empty())
+      name = "material_" + std::to_string(number);
+    while(!names.insert(name).second)
+      name += '_' + std::to_string(number);
+    return name;
+  }
+
+  std::string image_name(const Material& material)
+  {
+    const auto [name, is_new] = m_images.emplace(material.image, std::string());
+    if(!is_new)
+      return name->second;
+    const fs::path folder = m_file.path().parent_path();
+    std::error_code error;
+    const std::string path
+      = fs::canonical(material.image_path, error).lexically_proximate(folder).generic_string();
+    if(!material.image_path.empty() && !error && is_name_of_image(path))
+      return name->second = path;
+    const std::string type = type_of_image(material.image);
+    const std::string extension
+      = type == "image/jpeg" ? ".jpg" : '.' + type.substr(type.find('/') + 1);
+    for(int number = 0;; ++number) // another image is not replaced
+    {
+      name->second = numbered(number, extension);
+      const std::string there = content_beside(m_file.path().string(), name->second);
+      if(there == material.image)
+        break;
+      if(m_file.files_beside().count(name->second) == 0
+         && !fs::exists(folder / name->second, error))
+      {
+        m_file.add_file_beside(name->second, material.image);
+        break;
+      }
+    }
+    return name->second;
+  }
+
+  // Whether it is not read as something else.
+  static bool is_name_of_image(const std::string& name)
+  {
+    return !name.empty() && name.front() != '-' && name.front() != ' ' && name.back() != ' '
+           && std::none_of(name.begin(), name.end(), [](const unsigned char c) {
+                return std::iscntrl(c) || c == '#' || c == '"' || c == '\\';
+              });
+  }
+
+  std::string numbered(const int number, const std::string& extension) const
+  {
+    return m_file.path().stem().string() + '_' + std::to_string(number) + extension;
+  }
+
+  bool is_read(const fs::path& path) const
+  {
+    std::error_code error;
+    return std::any_of(m_appearance.files.begin(), m_appearance.files.end(),
+                       [&](const std::string& file) { return fs::equivalent(file, path, error); });
+  }
+
+  File_stream& m_file;
+  const Appearance& m_appearance;
+  const std::set<std::size_t> m_used;
+  std::map<std::size_t, std::string> m_names;
+  std::map<std::string, std::string> m_images; // names by contents
+};
+
+} // namespace
+
+void write_obj(std::ostream& out, const Mesh_file& mesh)
+{
+  const Appearance& appearance = mesh.appearance;
+  auto* const file = dynamic_cast<File_stream*>(&out);
+  std::optional<Material_library> materials;
+  if(file && appearance.has_materials())
+    out << "mtllib " << materials.emplace(*file, appearance).write() << '\n';
+  for(std::size_t v = 0; v < mesh.points.size(); ++v)
+  {
+    out << 'v';
+    write_numbers(out, mesh.points[v]);
+    if(!appearance.vertex_colors.empty())
+      for(const unsigned char c : appearance.vertex_colors[v])
+        out << ' ' << std::round(1e4 * c / 255.) / 1e4;
+    out << '\n';
+  }
+  const auto coordinates
+    = write_values(appearance.texture_coordinates, [&](const std::array<float, 2>& value) {
+        out << "vt " << value[0] << ' ' << 1 - value[1] << '\n';
+      });
+  const auto normals = write_values(appearance.normals, [&](const std::array<float, 3>& value) {
+    out << "vn";
+    write_numbers(out, value);
+    out << '\n';
+  });
+  std::size_t corner = 0;
+  for(std::size_t f = 0; f < mesh.faces.size(); ++f)
+  {
+    if(materials
+       && (f == 0 || appearance.material_of_face[f] != appearance.material_of_face[f - 1]))
+      out << "usemtl " << materials->material(appearance.material_of_face[f]) << '\n';
+    out << 'f';
+    for(const std::size_t v : mesh.faces[f])
+    {
+      out << ' ' << v + 1;
+      if(!coordinates.empty() || !normals.empty())
+        out << '/';
+      if(!coordinates.empty())
+        out << coordinates.at(appearance.texture_coordinates[corner]);
+      if(!normals.empty())
+        out << '/' << normals.at(appearance.normals[corner]);
+      ++corner;
+    }
+    out << '\n';
+  }
+}
+
+} // namespace Canonical_pose_tool
