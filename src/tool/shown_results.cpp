@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <filesystem>
 #include <numeric>
 #include <stdexcept>
 #include <string>
@@ -164,13 +163,11 @@ std::vector<std::string> loss_warnings(const Mesh_file& input, const std::string
     result.push_back(name + " in "
                      + (is_standard_stream(path) ? "the standard output" : '\'' + path + '\'')
                      + " lacks " + lost + " of the input");
-  const auto folder = [](const std::string& file) {
-    return std::filesystem::absolute(file).parent_path().lexically_normal();
-  };
-  if(is_rewritten && !is_standard_stream(path) && !is_standard_stream(input.source->path)
-     && folder(path) != folder(input.source->path))
-    for(const std::string& file : files_beside(input))
-      result.push_back(name + " names '" + file + "', which is beside the input, but not copied");
+  if(is_rewritten && !is_standard_stream(path))
+    for(const File_beside& file : files_beside(input))
+      if(!is_copied(input, file, path))
+        result.push_back(name + " names '" + file.name
+                         + "', which is beside the input, but not copied");
   return result;
 }
 

@@ -68,7 +68,8 @@ std::set<Corner> corners_of(const Mesh_file& mesh, const bool with_materials,
     for(const std::size_t v : mesh.faces[f])
     {
       result.emplace(mesh.points[v], appearance.texture_coordinates.at(corner),
-                     appearance.vertex_colors.at(v), material.color, material.image,
+                     appearance.vertex_colors.empty() ? Color() : appearance.vertex_colors.at(v),
+                     material.color, material.image,
                      with_normals ? appearance.normals.at(corner) : std::array<float, 3>());
       ++corner;
     }
@@ -379,6 +380,52 @@ TEST(Appearance, files_beside_obj)
   const std::string same
     = beside(path, fs::path(*mesh.appearance.files.begin()).stem().string() + ".obj");
   EXPECT_EQ(write_with_files_beside(mesh, same), Names{fs::path(same).stem().string() + "_0.mtl"});
+}
+
+// A pose in another folder has the files beside it that its file names, unless others are there.
+TEST(Appearance, files_beside_poses)
+{
+  namespace fs = std::filesystem;
+  const Mesh_file mesh = pyramid();
+  const std::string folder = testing::TempDir() + "files_beside_poses";
+  fs::remove_all(folder);
+  fs::create_directories(folder);
+  const auto rewritten = [&](const std::string& path, const Mesh_file& of_file) {
+    std::stringbuf buffer;
+    File_stream out(&buffer, path);
+    rewrite_mesh(out, of_file, of_file.points, {});
+    std::ofstream(path, std::ios::binary) << buffer.str();
+    for(const auto& [name, content] : out.files_beside())
+      std::ofstream(fs::path(path).parent_path() / name, std::ios::binary) << content;
+    return out.files_beside();
+  };
+  const std::string materials = fs::path(*mesh.appearance.files.begin()).filename().string();
+  EXPECT_TRUE(rewritten(testing::TempDir() + "same_folder.obj", mesh).empty());
+  EXPECT_EQ(rewritten(folder + "/pose.obj", mesh).size(), 2u);
+  const Mesh_file pose = read_shown_mesh_file(folder + "/pose.obj");
+  EXPECT_EQ(corners_of(pose, true), corners_of(mesh, true));
+  EXPECT_TRUE(rewritten(folder + "/pose.obj", mesh).empty());
+  std::ofstream(folder + '/' + materials) << "of another shape";
+  EXPECT_TRUE(rewritten(folder + "/pose.obj", mesh).empty());
+  std::vector<std::string> not_copied;
+  for(const File_beside& file : files_beside(mesh))
+    if(!is_copied(mesh, file, folder + "/pose.obj"))
+      not_copied.push_back(file.name);
+  EXPECT_EQ(not_copied, std::vector<std::string>{materials});
+
+  // As MeshLab writes it.
+  const std::string path = written_file(
+    "a.ply",
+    "ply\nformat ascii 1.0\ncomment TextureFile <this>_A.png\nelement vertex 3\nproperty float x\n"
+    "property float y\nproperty float z\nelement face 1\nproperty list uchar int vertex_indices\n"
+    "property list uchar float texcoord\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 6 0 0 1 0 0 1\n");
+  const std::string stem = fs::path(path).stem().string();
+  written_file("a_A.png", IMAGE);
+  const Mesh_file ply = read_shown_mesh_file(path);
+  ASSERT_TRUE(ply.appearance.has_materials());
+  EXPECT_EQ(ply.appearance.materials[0].image, IMAGE);
+  EXPECT_EQ(rewritten(folder + "/pose.ply", ply).count(stem + "_A.png"), 1u);
+  EXPECT_EQ(corners_of(read_shown_mesh_file(folder + "/pose.ply"), true), corners_of(ply, true));
 }
 
 TEST(Appearance, ranges_of_colors)

@@ -598,8 +598,8 @@ TEST(Gltf, several_meshes_and_primitives)
   }
 }
 
-// Sides, cutoff, wrapping and filters of materials, and the opacity of colors, are those of the file, wherever a surface with
-// its appearance is written.
+// Sides, cutoff, wrapping and filters of materials, their other images, and the opacity of colors, are those of the file,
+// wherever a surface with its appearance is written.
 TEST(Gltf, materials_of_scenes)
 {
   const Mesh_file plain = ball();
@@ -624,6 +624,16 @@ TEST(Gltf, materials_of_scenes)
   model["materials"] = {material(0), material(1), material(2)};
   model["materials"][1]["doubleSided"] = true;
   model["materials"][1]["alphaMode"] = "BLEND";
+  const json others = {{"name", "tin"},
+                       {"emissiveFactor", {.5, .25, 1}},
+                       {"normalTexture", {{"index", 1}, {"scale", .5}}},
+                       {"occlusionTexture", {{"index", 0}, {"strength", .25}}},
+                       {"emissiveTexture", {{"index", 1}}}};
+  model["materials"][0].update(others);
+  model["materials"][0]["pbrMetallicRoughness"].update(
+    {{"metallicFactor", .75}, {"roughnessFactor", .125}, {"metallicRoughnessTexture", {{"index", 0}}}});
+  model["materials"][2].update({{"normalTexture", {{"index", 0}, {"texCoord", 1}}},
+                                {"extensions", {{"KHR_materials_unlit", json::object()}}}});
   const json primitive = model["meshes"][0]["primitives"][0];
   for(int p = 0; p < 3; ++p)
   {
@@ -632,6 +642,12 @@ TEST(Gltf, materials_of_scenes)
   }
   const Mesh_file mesh = read_shown_mesh_file(written_file("materials.glb", with_json(bytes, model)));
   EXPECT_EQ(mesh.appearance.vertex_opacities.at(0), 51);
+  const std::string own_coordinates = "the image of normals, which has texture coordinates of its own",
+                    extension = "the extension 'KHR_materials_unlit' of materials";
+  EXPECT_EQ(losses(mesh, Format::GLB, false), (std::vector<std::string>{extension, own_coordinates}));
+  EXPECT_EQ(losses(mesh, Format::OBJ, false),
+            (std::vector<std::string>{"the opacity of colors", "maps of materials other than colors",
+                                      extension, own_coordinates}));
   for(const bool is_scene : {false, true})
   {
     Shown_surface scene = scene_of(mesh);
@@ -650,6 +666,21 @@ TEST(Gltf, materials_of_scenes)
       EXPECT_EQ(texture["source"], 0);
       return texture.contains("sampler") ? shown["samplers"][texture["sampler"].get<std::size_t>()] : json();
     };
+    for(const auto& [key, value] : others.items())
+    {
+      json found = materials[first][key];
+      if(found.is_object())
+      {
+        EXPECT_EQ(shown["textures"][found["index"].get<std::size_t>()].contains("sampler"), value["index"] == 0) << key;
+        found["index"] = value["index"];
+      }
+      EXPECT_EQ(found, value) << key;
+    }
+    const json& base = materials[first]["pbrMetallicRoughness"];
+    EXPECT_EQ(base["metallicFactor"], .75);
+    EXPECT_EQ(base["roughnessFactor"], .125);
+    EXPECT_EQ(base["metallicRoughnessTexture"], base["baseColorTexture"]);
+    EXPECT_FALSE(materials[first + 2].contains("normalTexture"));
     EXPECT_EQ(sampler(0), model["samplers"][0]);
     EXPECT_EQ(sampler(1), json());
     EXPECT_EQ(sampler(2), json()); // numbers that glTF does not have

@@ -260,7 +260,7 @@ std::vector<std::string> warnings_of(const Mesh_file& input, const Mesh_file& ot
   if(transfer == Transfer::TEXTURE)
   {
     for(const std::string& name : other.appearance.missing)
-      result.push_back("the surface lacks " + name + " of OTHER: there is no such file");
+      result.push_back("the surface lacks " + name + " of OTHER");
     const Format format = format_of(arguments.output);
     if(other.appearance.has_materials() && format != Format::GLB
        && (format != Format::OBJ || !has_files_beside(arguments.output)))

@@ -6,6 +6,7 @@
 
 #include "colors.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <map>
@@ -25,6 +26,13 @@ struct Sampler
   bool operator<(const Sampler& other) const { return values() < other.values(); }
 };
 
+// Another image of a material of glTF, with the texture coordinates of that of the color.
+struct Material_map
+{
+  std::string image; // the content of its file
+  Sampler sampler;
+};
+
 struct Material
 {
   std::string name;
@@ -35,6 +43,10 @@ struct Material
   std::string image;           // the content of its file
   std::string image_path;      // if that is not within the file of the mesh
   Sampler sampler;
+  // The following is of glTF; no other format has it.
+  double metallic = 0, roughness = 0.8, strength_of_normals = 1, strength_of_occlusion = 1;
+  std::array<double, 3> emission = {0, 0, 0};
+  Material_map metallic_roughness_map, normal_map, occlusion_map, emission_map;
   std::array<double, 2> scale = {1, 1},
                         offset = {0, 0}; // of texture coordinates while they are read
 };
@@ -52,6 +64,14 @@ struct Appearance
   std::set<std::string> files;   // of materials, which were read
 
   bool has_materials() const { return !material_of_face.empty(); }
+  bool has_other_maps() const
+  {
+    return std::any_of(materials.begin(), materials.end(), [](const Material& m) {
+      return !(m.metallic_roughness_map.image + m.normal_map.image + m.occlusion_map.image
+               + m.emission_map.image)
+                .empty();
+    });
+  }
 };
 
 class Text_cursor;
@@ -70,6 +90,9 @@ void load_image_beside(const std::string& path, const std::string& name, Appeara
 // is such a file.
 bool load_mtl(const std::string& path, const std::string& name, Appearance& appearance,
               std::map<std::string, std::size_t>& indices);
+
+// The images that an MTL file names.
+std::vector<std::string> images_of_mtl(const std::string& bytes);
 
 // The type of an image by its content; empty if it is of no type that glTF holds.
 std::string type_of_image(const std::string& bytes);

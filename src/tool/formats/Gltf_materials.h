@@ -7,6 +7,8 @@
 #include "Appearance.h"
 #include "Gltf_builder.h"
 
+#include <nlohmann/json.hpp>
+
 #include <map>
 #include <string>
 #include <utility>
@@ -25,22 +27,24 @@ public:
     tinygltf::Material material;
     material.doubleSided = given.is_double_sided;
     tinygltf::PbrMetallicRoughness& base = material.pbrMetallicRoughness;
-    base.metallicFactor = 0;
-    base.roughnessFactor = 0.8;
+    base.metallicFactor = given.metallic;
+    base.roughnessFactor = given.roughness;
     base.baseColorFactor.assign(given.color.begin(), given.color.end());
+    if(nlohmann::json::accept('"' + given.name + '"')) // no other encoding
+      material.name = given.name;
     material.alphaMode = given.alpha_mode;
     if(given.alpha_mode == "MASK")
       material.alphaCutoff = given.alpha_cutoff;
-    if(!given.image.empty() && has_texture_coordinates)
+    material.emissiveFactor.assign(given.emission.begin(), given.emission.end());
+    if(has_texture_coordinates)
     {
-      const auto [image, is_new_image] = m_images.emplace(given.image, 0);
-      if(is_new_image)
-        image->second = m_builder.append_image(given.image, type_of_image(given.image));
-      const auto [texture, is_new]
-        = m_textures.emplace(std::make_pair(image->second, given.sampler), 0);
-      if(is_new)
-        texture->second = m_builder.append_texture(image->second, given.sampler);
-      base.baseColorTexture.index = texture->second;
+      base.baseColorTexture.index = texture_of(given.image, given.sampler);
+      base.metallicRoughnessTexture.index = texture_of(given.metallic_roughness_map);
+      material.normalTexture.index = texture_of(given.normal_map);
+      material.normalTexture.scale = given.strength_of_normals;
+      material.occlusionTexture.index = texture_of(given.occlusion_map);
+      material.occlusionTexture.strength = given.strength_of_occlusion;
+      material.emissiveTexture.index = texture_of(given.emission_map);
     }
     m_builder.model().materials.push_back(material);
     return static_cast<int>(m_builder.model().materials.size()) - 1;
@@ -66,6 +70,22 @@ public:
   }
 
 private:
+  int texture_of(const Material_map& map) { return texture_of(map.image, map.sampler); }
+
+  // Its index; -1 if there is no image.
+  int texture_of(const std::string& content, const Sampler& sampler)
+  {
+    if(content.empty())
+      return -1;
+    const auto [image, is_new_image] = m_images.emplace(content, 0);
+    if(is_new_image)
+      image->second = m_builder.append_image(content, type_of_image(content));
+    const auto [texture, is_new] = m_textures.emplace(std::make_pair(image->second, sampler), 0);
+    if(is_new)
+      texture->second = m_builder.append_texture(image->second, sampler);
+    return texture->second;
+  }
+
   static constexpr const char* VARIANTS = "KHR_materials_variants";
 
   Gltf_builder& m_builder;

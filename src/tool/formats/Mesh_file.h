@@ -20,6 +20,8 @@ namespace Canonical_pose_tool {
 
 using CGAL::Canonical_pose_3::Face_list;
 
+class File_stream;
+
 enum class Format { OFF, OBJ, PLY, STL, MEDIT, GLB, GLTF, VTU };
 
 // A file as it is, without compression; glTF is binary, and in one file.
@@ -139,8 +141,21 @@ inline void load_appearance_for(Mesh_file& mesh, const Format format)
 // What the file of a mesh holds beside positions and faces, for instance "texture coordinates".
 std::vector<std::string> attributes_of_file(const Mesh_file& mesh);
 
-// The files beside it that the file of a mesh names.
-std::vector<std::string> files_beside(const Mesh_file& mesh);
+// A file that the file of a mesh names, or an image that its MTL file names.
+struct File_beside
+{
+  std::string name, path, content;
+};
+
+// Those that are there.
+std::vector<File_beside> files_beside(const Mesh_file& mesh);
+
+// Whether the same file is, or will be, beside the file at `path` that rewrite_mesh() writes: it is, if it is in the folder
+// of the mesh, and replaces no other file.
+bool is_copied(const Mesh_file& mesh, const File_beside& file, const std::string& path);
+
+// Adds the files that are not there yet.
+void copy_files_beside(const Mesh_file& mesh, File_stream& out);
 
 // What of the file of a mesh its pose in this format lacks, whether it is written by rewrite_mesh() or not, and whether
 // there are files beside it.

@@ -3,6 +3,7 @@
 
 #include "Ply_header.h"
 #include "Appearance.h"
+#include "Mesh_file.h"
 
 #include <algorithm>
 #include <array>
@@ -242,14 +243,18 @@ bool is_number_of_texture(const Ply_element& element, const Ply_property& proper
   return element.is_face() && !property.is_list && property.name == "texnumber";
 }
 
-std::vector<std::string> names_of_textures(const std::string& bytes)
+std::vector<std::string> names_of_textures(const std::string& bytes, const std::string& path)
 {
   std::vector<std::string> names;
   Text_cursor text(bytes);
   for(std::string_view word = text.word(); !word.empty() && word != "end_header";
       text.skip_line(), word = text.word())
     if(word == "comment" && text.word_on_line() == "TextureFile")
-      names.push_back(rest_of_line(text));
+    {
+      std::string& name = names.emplace_back(rest_of_line(text));
+      if(const std::size_t place = name.find(THIS_FILE); place != std::string::npos)
+        name.replace(place, std::strlen(THIS_FILE), stem_of(path));
+    }
   return names;
 }
 

@@ -68,8 +68,10 @@ bool is_list_of_coordinates(const Ply_property& property);
 // Whether a property of a face is the number of its texture, as MeshLab writes it.
 bool is_number_of_texture(const Ply_element& element, const Ply_property& property);
 
-// The images that the comments of a header name.
-std::vector<std::string> names_of_textures(const std::string& bytes);
+// The images that the comments of a header name. In the names, THIS_FILE is that of the file at `path`, without its extension,
+// as MeshLab has it.
+inline constexpr const char* THIS_FILE = "<this>";
+std::vector<std::string> names_of_textures(const std::string& bytes, const std::string& path);
 
 struct Ply_header
 {

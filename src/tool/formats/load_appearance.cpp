@@ -207,7 +207,7 @@ void load_obj(const std::string& bytes, const std::string& path, const Face_list
 void load_textures_of_ply(const std::string& bytes, const std::string& path,
                           const std::vector<double>& texture_of_face, Appearance& appearance)
 {
-  const std::vector<std::string> names = names_of_textures(bytes);
+  const std::vector<std::string> names = names_of_textures(bytes, path);
   for(const std::string& name : names)
     load_image_beside(path, name, appearance, appearance.materials.emplace_back());
   appearance.materials.emplace_back();

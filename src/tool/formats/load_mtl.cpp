@@ -15,6 +15,7 @@
 #include <fstream>
 #include <iterator>
 #include <map>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -178,6 +179,19 @@ bool load_mtl(const std::string& path, const std::string& name, Appearance& appe
     }
   }
   return true;
+}
+
+std::vector<std::string> images_of_mtl(const std::string& bytes)
+{
+  static const std::set<std::string> keywords = {"bump", "decal", "disp", "norm", "refl"};
+  std::vector<std::string> result;
+  Text_cursor text(bytes);
+  Material ignored;
+  for(std::string_view word = text.word(); !word.empty(); text.skip_line(), word = text.word())
+    if(const std::string keyword = small_letters(word);
+       keyword.compare(0, 4, "map_") == 0 || keywords.count(keyword) > 0)
+      result.push_back(read_image_name(text, ignored));
+  return result;
 }
 
 std::string type_of_image(const std::string& bytes)

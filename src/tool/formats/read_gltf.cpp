@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "Material_of_gltf.h"
 #include "Gltf_numbers.h"
 #include "Mesh_instance.h"
 #include "Skinned_vertices.h"
@@ -13,7 +14,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <initializer_list>
 #include <limits>
 #include <map>
 #include <numeric>
@@ -205,7 +205,7 @@ public:
     : m_model(model), m_mesh(mesh), m_appearance(mesh.appearance)
   {
     for(const tinygltf::Material& material : model.materials)
-      m_appearance.materials.push_back(material_of(material));
+      m_appearance.materials.push_back(material_of(model, material, m_appearance.missing));
     m_appearance.materials.emplace_back(); // of primitives without
   }
 
@@ -222,9 +222,8 @@ public:
     read_colors(primitive, corners);
     read_normals(instance, primitive, count, corners);
     read_coordinates(primitive, corners,
-                     has_material
-                       ? m_model.materials[material].pbrMetallicRoughness.baseColorTexture
-                       : tinygltf::TextureInfo());
+                     has_material ? transform_of(m_model.materials[material])
+                                  : Texture_transform());
     m_appearance.material_of_face.resize(
       m_face += corners.size() / 3, has_material ? material : m_appearance.materials.size() - 1);
   }
@@ -244,54 +243,6 @@ public:
   }
 
 private:
-  Material material_of(const tinygltf::Material& material) const
-  {
-    Material result;
-    result.name = material.name;
-    const tinygltf::PbrMetallicRoughness& base = material.pbrMetallicRoughness;
-    for(std::size_t k = 0; k < 4 && k < base.baseColorFactor.size(); ++k)
-      result.color[k] = (std::min)((std::max)(base.baseColorFactor[k], 0.), 1.);
-    if(material.alphaMode == "BLEND" || material.alphaMode == "MASK")
-      result.alpha_mode = material.alphaMode;
-    result.alpha_cutoff = (std::max)(material.alphaCutoff, 0.);
-    result.is_double_sided = material.doubleSided;
-    const auto entry = [](const auto& list, const int i) {
-      return i >= 0 && static_cast<std::size_t>(i) < list.size()
-               ? &list[static_cast<std::size_t>(i)]
-               : nullptr;
-    };
-    const auto* const texture = entry(m_model.textures, base.baseColorTexture.index);
-    if(const auto* const sampler = texture ? entry(m_model.samplers, texture->sampler) : nullptr)
-    {
-      // Others are the default, or not numbers of glTF.
-      const auto known = [](const int value, const std::initializer_list<int>& values) {
-        return std::find(values.begin(), values.end(), value) == values.end() ? -1 : value;
-      };
-      const auto mag_filters = {TINYGLTF_TEXTURE_FILTER_NEAREST, TINYGLTF_TEXTURE_FILTER_LINEAR};
-      const auto mipmap_filters = {TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_NEAREST,
-                                   TINYGLTF_TEXTURE_FILTER_LINEAR_MIPMAP_NEAREST,
-                                   TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_LINEAR,
-                                   TINYGLTF_TEXTURE_FILTER_LINEAR_MIPMAP_LINEAR};
-      const auto wraps
-        = {TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE, TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT};
-      result.sampler = {known(sampler->magFilter, mag_filters),
-                        (std::max)(known(sampler->minFilter, mag_filters),
-                                   known(sampler->minFilter, mipmap_filters)),
-                        known(sampler->wrapS, wraps), known(sampler->wrapT, wraps)};
-    }
-    const auto* const image = texture ? entry(m_model.images, texture->source) : nullptr;
-    const auto* const view = image ? entry(m_model.bufferViews, image->bufferView) : nullptr;
-    const auto* const buffer = view ? entry(m_model.buffers, view->buffer) : nullptr;
-    if(!buffer || view->byteOffset > buffer->data.size()
-       || view->byteLength > buffer->data.size() - view->byteOffset)
-      return result;
-    const auto begin = buffer->data.begin() + static_cast<std::ptrdiff_t>(view->byteOffset);
-    result.image.assign(begin, begin + static_cast<std::ptrdiff_t>(view->byteLength));
-    if(type_of_image(result.image).empty())
-      result.image.clear();
-    return result;
-  }
-
   // The accessor of an attribute with a tuple for each vertex; none if it is not so.
   std::optional<Gltf_numbers> numbers(const Primitive& primitive, const std::string& name,
                                       const int components,
@@ -352,41 +303,15 @@ private:
   }
 
   void read_coordinates(const Primitive& primitive, const std::vector<std::size_t>& corners,
-                        const tinygltf::TextureInfo& texture)
+                        const Texture_transform& transform)
   {
-    std::array<double, 2> offset = {0, 0}, scale = {1, 1};
-    double rotation = 0;
-    int set = texture.texCoord;
-    if(const auto found = texture.extensions.find("KHR_texture_transform");
-       found != texture.extensions.end())
-    {
-      const tinygltf::Value& transform = found->second;
-      const auto read_pair = [&](const char* const name, std::array<double, 2>& result) {
-        const tinygltf::Value& pair = transform.Get(name);
-        for(std::size_t k = 0; k < 2 && pair.IsArray() && pair.ArrayLen() == 2; ++k)
-          if(pair.Get(k).IsNumber())
-            result[k] = pair.Get(k).GetNumberAsDouble();
-      };
-      read_pair("offset", offset);
-      read_pair("scale", scale);
-      if(transform.Get("rotation").IsNumber())
-        rotation = transform.Get("rotation").GetNumberAsDouble();
-      if(transform.Get("texCoord").IsNumber())
-        set = transform.Get("texCoord").GetNumberAsInt();
-    }
-    const auto coordinates = numbers(primitive, "TEXCOORD_" + std::to_string(set), 2, corners);
+    const auto coordinates
+      = numbers(primitive, "TEXCOORD_" + std::to_string(transform.set), 2, corners);
     m_has_coordinates = m_has_coordinates || coordinates;
     for(const std::size_t v : corners)
-    {
-      std::array<float, 2> uv = {0, 0};
-      if(coordinates)
-      {
-        const double x = scale[0] * (*coordinates)(v, 0), y = scale[1] * (*coordinates)(v, 1);
-        uv = {static_cast<float>(offset[0] + std::cos(rotation) * x + std::sin(rotation) * y),
-              static_cast<float>(offset[1] - std::sin(rotation) * x + std::cos(rotation) * y)};
-      }
-      m_appearance.texture_coordinates.push_back(uv);
-    }
+      m_appearance.texture_coordinates.push_back(
+        coordinates ? transform((*coordinates)(v, 0), (*coordinates)(v, 1))
+                    : std::array<float, 2>{0, 0});
   }
 
   const Model& m_model;

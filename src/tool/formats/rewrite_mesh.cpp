@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "Ply_header.h"
+#include "File_stream.h"
 #include "Shown_surface.h"
 #include "Vertex_rotations.h"
 #include "readers.h"
@@ -66,20 +66,6 @@ std::vector<std::string> attributes_of_file(const Mesh_file& mesh)
   }
 }
 
-std::vector<std::string> files_beside(const Mesh_file& mesh)
-{
-  std::vector<std::string> result;
-  if(mesh.source && mesh.source->format == Format::PLY)
-    return names_of_textures(mesh.source->bytes);
-  if(!mesh.source || mesh.source->format != Format::OBJ)
-    return result;
-  Text_cursor text(mesh.source->bytes);
-  for(std::string_view word = text.word(); !word.empty(); text.skip_line(), word = text.word())
-    if(word == "mtllib")
-      result.push_back(rest_of_line(text));
-  return result;
-}
-
 bool is_rewritable(const Mesh_file& mesh, const Format format)
 {
   if(!mesh.source || mesh.source->format != format)
@@ -127,6 +113,8 @@ std::vector<std::string> losses(const Mesh_file& mesh, const Format format, cons
   names.erase(std::remove_if(names.begin(), names.end(), is_kept), names.end());
   if(!is_rewritten && format == Format::OBJ && !mesh.appearance.vertex_opacities.empty())
     names.push_back("the opacity of colors");
+  if(!is_rewritten && format == Format::OBJ && has_files_beside && mesh.appearance.has_other_maps())
+    names.push_back("maps of materials other than colors");
   if(!is_rewritten && (format == Format::GLB || (format == Format::OBJ && has_files_beside)))
     names.insert(names.end(), mesh.appearance.missing.begin(), mesh.appearance.missing.end());
   std::vector<std::string> result; // each name once
@@ -139,6 +127,8 @@ std::vector<std::string> losses(const Mesh_file& mesh, const Format format, cons
 void rewrite_mesh(std::ostream& out, const Mesh_file& mesh, const Points& points,
                   const std::vector<Vertex_values>& values)
 {
+  if(auto* const file = dynamic_cast<File_stream*>(&out))
+    copy_files_beside(mesh, *file);
   const std::string& bytes = mesh.source->bytes;
   if(mesh.source->has_byte_order_mark && mesh.source->format != Format::GLB)
     out << BYTE_ORDER_MARK;

@@ -69,7 +69,7 @@ private:
                         [&](const Ply_property& p) { return values_of(p) == &values; });
   }
 
-  // With the properties that are added, after those of a vertex.
+  // With the properties that are added, after those of a vertex. A texture that is named after the file keeps its name.
   void write_header()
   {
     Text_cursor text(m_bytes);
@@ -78,7 +78,15 @@ private:
     for(std::string_view word = text.word(); word != "end_header"; word = text.word())
     {
       element += word == "element";
+      const char* const line = text.position();
       text.next_line();
+      if(word == "comment" && !is_standard_stream(m_mesh.source->path))
+      {
+        const std::string_view comment(line, static_cast<std::size_t>(text.position() - line));
+        const std::size_t place = comment.find(THIS_FILE), texture = comment.find("TextureFile");
+        if(place != std::string_view::npos && texture < place)
+          copy.replace(comment.substr(place, std::strlen(THIS_FILE)), stem_of(m_mesh.source->path));
+      }
       if(element == 0 || !m_header.elements[element - 1].is_vertex())
         continue;
       Text_cursor next = text;
@@ -264,7 +272,7 @@ std::vector<std::string> attributes_of_ply(const std::string& bytes)
       for(const Ply_property& property : element.properties)
         if(element.is_vertex() ? coordinate_of(property) == 3 : !is_list_of_vertices(property))
           result.push_back(name_of_attribute(element, property));
-  if(!names_of_textures(bytes).empty())
+  if(!names_of_textures(bytes, std::string()).empty())
     result.push_back("materials");
   std::sort(result.begin(), result.end());
   result.erase(std::unique(result.begin(), result.end()), result.end());

@@ -1,0 +1,94 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "File_stream.h"
+#include "Mesh_file.h"
+#include "Ply_header.h"
+#include "Text_cursor.h"
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <vector>
+
+namespace Canonical_pose_tool {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// Adds a file that exists. Returns its content.
+std::string add_file(const std::string& name, const std::string& path,
+                     std::vector<File_beside>& files)
+{
+  File_beside file{name, {}, {}};
+  file.content = content_beside(path, name, &file.path);
+  if(!file.content.empty())
+    files.push_back(file);
+  return file.content;
+}
+
+// Its name in the same folder as that of the mesh; empty if it is elsewhere.
+std::string name_in_folder(const Mesh_file& mesh, const File_beside& file)
+{
+  std::error_code error;
+  const fs::path path(file.path);
+  return fs::equivalent(fs::absolute(path).parent_path(),
+                        fs::absolute(mesh.source->path).parent_path(), error)
+           ? path.filename().string()
+           : std::string();
+}
+
+bool is_there(const fs::path& path, const File_beside& file)
+{
+  return content_beside(path.string(), path.filename().string()) == file.content;
+}
+
+} // namespace
+
+std::vector<File_beside> files_beside(const Mesh_file& mesh)
+{
+  std::vector<File_beside> result;
+  if(!mesh.source || is_standard_stream(mesh.source->path))
+    return result;
+  const std::string& path = mesh.source->path;
+  if(mesh.source->format == Format::PLY)
+    for(const std::string& name : names_of_textures(mesh.source->bytes, path))
+      add_file(name, path, result);
+  if(mesh.source->format != Format::OBJ)
+    return result;
+  Text_cursor text(mesh.source->bytes);
+  for(std::string_view word = text.word(); !word.empty(); text.skip_line(), word = text.word())
+    if(word == "mtllib")
+    {
+      const std::string name = rest_of_line(text);
+      std::string materials = add_file(name, path, result);
+      if(materials.empty()) // or several names, with blanks between them
+        for(Text_cursor names(name); !(word = names.word()).empty();)
+          materials += add_file(std::string(word), path, result) + '\n';
+      for(const std::string& image : images_of_mtl(materials))
+        add_file(image, path, result);
+    }
+  return result;
+}
+
+bool is_copied(const Mesh_file& mesh, const File_beside& file, const std::string& path)
+{
+  const std::string name = name_in_folder(mesh, file);
+  std::error_code error;
+  const fs::path copy = fs::path(path).parent_path() / name;
+  return !name.empty()
+         && (is_there(copy, file) || (has_files_beside(path) && !fs::exists(copy, error)));
+}
+
+void copy_files_beside(const Mesh_file& mesh, File_stream& out)
+{
+  for(const File_beside& file : files_beside(mesh))
+    if(const std::string name = name_in_folder(mesh, file);
+       is_copied(mesh, file, out.path().string())
+       && !is_there(out.path().parent_path() / name, file))
+      out.add_file_beside(name, file.content);
+}
+
+} // namespace Canonical_pose_tool
