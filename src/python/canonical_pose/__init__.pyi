@@ -221,9 +221,8 @@ def load(path: _Path) -> Mesh: ...
 def save(path: _Path, vertices: ArrayLike, faces: _Faces | None = ..., *,
          cells: ArrayLike | None = ..., like: _Path | None = ...) -> None: ...
 
-class _RecordedOptions(TypedDict, total=False):
+class _OptionsButLandmarks(TypedDict, total=False):
     detail_length: float
-    landmarks: int
     rounds: int | None
     body: _Body
     spacing: float | None
@@ -240,7 +239,10 @@ class _RecordedOptions(TypedDict, total=False):
     seed: int
     threads: int
 
-class _Options(_RecordedOptions, total=False):
+class _RecordedOptions(_OptionsButLandmarks, total=False):
+    landmarks: int
+
+class _OptionsOfInput(TypedDict, total=False):
     frame: _Frame
     matching_weights: ArrayLike | None
     stiffness: ArrayLike | None
@@ -250,6 +252,9 @@ class _Options(_RecordedOptions, total=False):
     direction: _Constraints
     handle: _Constraints
     symmetric: _Constraints
+
+class _Options(_RecordedOptions, _OptionsOfInput, total=False): ...
+class _MatchOptions(_OptionsButLandmarks, _OptionsOfInput, total=False): ...
 
 @overload
 def pose(vertices: ArrayLike, faces: _Faces | None = ..., *, cells: ArrayLike | None = ...,
@@ -293,7 +298,7 @@ class Match(NamedTuple):
 def match(vertices: ArrayLike, faces: _Faces, other_vertices: ArrayLike, other_faces: _Faces, *,
           pose: ArrayLike | None = ..., other_pose: ArrayLike | None = ...,
           landmarks: Sequence[tuple[int, int]] = ..., progress: _Progress = ...,
-          **options: Unpack[_Options]) -> Match: ...
+          **options: Unpack[_MatchOptions]) -> Match: ...
 def shape_distance(vertices: ArrayLike, faces: _Faces, other_vertices: ArrayLike,
                    other_faces: _Faces, *, descriptor: _Descriptors = ...,
                    pose: ArrayLike | None = ..., other_pose: ArrayLike | None = ...,
