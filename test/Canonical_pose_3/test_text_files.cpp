@@ -306,6 +306,19 @@ TEST(Text_files, binary_stl)
       }
 }
 
+// Blender 2.4 wrote the second line without the keyword comment.
+TEST(Text_files, header_of_ply)
+{
+  const auto text = [](const std::string& line) {
+    return "ply\nformat ascii 1.0\n" + line
+           + " by Blender3D 247 - www.blender.org, source file: \nelement vertex 3\nproperty float x\nproperty float y\n"
+             "property float z\nelement face 1\nproperty list uchar uint vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+  };
+  EXPECT_EQ(read_mesh_file(written_file("a.ply", text("Created"))).faces.size(), 1u);
+  EXPECT_THROW_WITH(read_mesh_file(written_file("b.ply", text("Made"))), std::invalid_argument,
+                    "line 3: the keyword 'Made' is unknown");
+}
+
 // All on one line, or with the first vertex on that of the numbers.
 TEST(Text_files, off_on_one_line)
 {

@@ -195,7 +195,7 @@ Ply_header read_ply_header(Text_cursor& text)
       read_element(text, header);
     else if(word == "property")
       read_property(text, header);
-    else if(word != "comment" && word != "obj_info")
+    else if(word != "comment" && word != "obj_info" && word != "Created") // of Blender 2.4
       throw on_line(text, "the keyword " + Text_cursor::shown(word) + " is unknown");
     has_format = has_format || word == "format";
     text.skip_line();
