@@ -352,6 +352,7 @@ TEST(Appearance, files_beside_obj)
   EXPECT_NE(content(path).find("\nusemtl red\n"), std::string::npos);
 
   const std::string folder = testing::TempDir() + "files_beside_obj";
+  fs::remove_all(folder);
   fs::create_directories(folder);
   EXPECT_EQ(write_with_files_beside(mesh, folder + "/d.obj"), Names{"d.mtl"});
   EXPECT_NE(content(folder + "/d.mtl").find("map_Kd ../" + image + '\n'), std::string::npos);
@@ -359,6 +360,10 @@ TEST(Appearance, files_beside_obj)
             corners_of(mesh, true, true));
 
   Mesh_file embedded = written(mesh, ".glb");
+  embedded.appearance.materials[0].name = " # a\tb\\\"";
+  EXPECT_EQ(write_with_files_beside(embedded, folder + "/- a #1.obj"), (Names{"_ a _1.mtl", "_ a _1_0.png"}));
+  EXPECT_EQ(corners_of(read_shown_mesh_file(folder + "/- a #1.obj"), true), corners_of(embedded, true));
+
   const std::string other = written_file("e.obj", ""), name = fs::path(other).stem().string();
   std::ofstream(beside(other, name + "_0.png")) << "of another shape";
   fs::remove(beside(other, name + "_1.png"));

@@ -44,7 +44,7 @@ class Material_library
 {
 public:
   Material_library(File_stream& file, const Appearance& appearance)
-    : m_file(file), m_appearance(appearance),
+    : m_file(file), m_appearance(appearance), m_stem(plain(file.path().stem().string())),
       m_used(appearance.material_of_face.begin(), appearance.material_of_face.end())
   {
     std::set<std::string> names;
@@ -62,7 +62,7 @@ public:
     for(const std::size_t m : m_used)
       write(text, m);
     // That of the shape itself may be replaced, but none of those that were read.
-    std::string name = m_file.path().stem().string() + ".mtl";
+    std::string name = m_stem + ".mtl";
     for(int number = 0; is_read(m_file.path().parent_path() / name); ++number)
       name = numbered(number, ".mtl");
     m_file.add_file_beside(name, text.str());
@@ -86,13 +86,8 @@ private:
   // Its own, without blanks, unless another one has it.
   std::string name_of(const std::size_t number, std::set<std::string>& names) const
   {
-    std::string name = m_appearance.materials[number].name;
-    std::replace_if(
-      name.begin(), name.end(),
-      [](const unsigned char c) {
-        return std::isspace(c) || std::iscntrl(c) || c == '#' || c == '"';
-      },
-      '_');
+    std::string name = plain(m_appearance.materials[number].name);
+    std::replace(name.begin(), name.end(), ' ', '_');
     if(name.empty())
       name = "material_" + std::to_string(number);
     while(!names.insert(name).second)
@@ -109,7 +104,7 @@ private:
     std::error_code error;
     const std::string path
       = fs::canonical(material.image_path, error).lexically_proximate(folder).generic_string();
-    if(!material.image_path.empty() && !error && is_name_of_image(path))
+    if(!material.image_path.empty() && !error && path == plain(path))
       return name->second = path;
     const std::string type = type_of_image(material.image);
     const std::string extension
@@ -130,18 +125,22 @@ private:
     return name->second;
   }
 
-  // Whether it is not read as something else.
-  static bool is_name_of_image(const std::string& name)
+  // A name that is not read as something else.
+  static std::string plain(std::string name)
   {
-    return !name.empty() && name.front() != '-' && name.front() != ' ' && name.back() != ' '
-           && std::none_of(name.begin(), name.end(), [](const unsigned char c) {
-                return std::iscntrl(c) || c == '#' || c == '"' || c == '\\';
-              });
+    const auto is_special
+      = [](const unsigned char c) { return std::iscntrl(c) || c == '#' || c == '"' || c == '\\'; };
+    std::replace_if(name.begin(), name.end(), is_special, '_');
+    if(!name.empty() && (name.front() == '-' || name.front() == ' '))
+      name.front() = '_';
+    if(!name.empty() && name.back() == ' ')
+      name.back() = '_';
+    return name;
   }
 
   std::string numbered(const int number, const std::string& extension) const
   {
-    return m_file.path().stem().string() + '_' + std::to_string(number) + extension;
+    return m_stem + '_' + std::to_string(number) + extension;
   }
 
   bool is_read(const fs::path& path) const
@@ -153,6 +152,7 @@ private:
 
   File_stream& m_file;
   const Appearance& m_appearance;
+  const std::string m_stem; // of the names of files
   const std::set<std::size_t> m_used;
   std::map<std::size_t, std::string> m_names;
   std::map<std::string, std::string> m_images; // names by contents
