@@ -319,6 +319,31 @@ TEST(Text_files, header_of_ply)
                     "line 3: the keyword 'Made' is unknown");
 }
 
+// Two strips, with a vertex twice within the second one. Their pose has them, too.
+TEST(Text_files, triangle_strips_of_ply)
+{
+  const auto text = [](const std::string& element) {
+    return "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\nproperty float z\n" + element
+           + "element tristrips 1\nproperty list int int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n1 1 1\n2 1 0\n"
+             "11 0 1 2 3 -1 1 3 3 4 -1 0\n";
+  };
+  const Mesh_file mesh = read_mesh_file(written_file("strips.ply", text("")), Source::KEPT);
+  const std::vector<std::vector<std::size_t>> expected = {{0, 1, 2}, {2, 1, 3}};
+  ASSERT_EQ(mesh.faces.size(), expected.size());
+  for(std::size_t f = 0; f < expected.size(); ++f)
+    EXPECT_EQ(std::vector<std::size_t>(mesh.faces[f].begin(), mesh.faces[f].end()), expected[f]);
+  EXPECT_TRUE(losses(mesh, Format::OFF).empty());
+  std::ostringstream out;
+  rewrite_mesh(out, mesh, mesh.points, {});
+  EXPECT_EQ(out.str(), text(""));
+  EXPECT_THROW_WITH(read_mesh_file(written_file("both.ply", text("element face 0\n"))), std::invalid_argument,
+                    "line 8: both faces and triangle strips");
+  std::string wrong = text("");
+  wrong.replace(wrong.find("1 2 3 -1"), 1, "9");
+  EXPECT_THROW_WITH(read_mesh_file(written_file("wrong.ply", wrong)), std::invalid_argument,
+                    "face 0 names vertex 9, but there are 5");
+}
+
 // All on one line, or with the first vertex on that of the numbers.
 TEST(Text_files, off_on_one_line)
 {

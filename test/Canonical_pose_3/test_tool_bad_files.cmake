@@ -39,7 +39,6 @@ bad_ply(minus_faces "the number of elements 'face': '-20' is negative (line 7)"
   "${all_vertices}element face -20\n${corners}" "${data}")
 bad_ply(minus_edges "the number of elements 'edge': '-1' is negative (line 9)"
   "${all_vertices}${all_faces}element edge -1\nproperty int vertex1\n" "${data}")
-bad_ply(strips "line 7: triangle strips are not supported" "${all_vertices}element tristrips 20\n${corners}" "${data}")
 bad_ply(keyword "line 7: the keyword 'elment' is unknown" "${all_vertices}elment face 20\n${corners}" "${data}")
 bad_ply(formats "line 3: there is a second format" "format ascii 1.0\n${all_vertices}${all_faces}" "${data}")
 file(WRITE ${WORK}/format.ply "ply\n${all_vertices}${all_faces}end_header\n${data}")

@@ -75,8 +75,10 @@ void read_element(Text_cursor& text, Ply_header& header)
   for(const Ply_element& other : header.elements)
     if(other.name == element.name)
       throw on_line(text, "there is a second element " + name);
-  if(element.name == "tristrips")
-    throw on_line(text, "triangle strips are not supported");
+  if(std::any_of(header.elements.begin(), header.elements.end(), [&](const Ply_element& other) {
+       return (other.is_face() && element.is_strips()) || (other.is_strips() && element.is_face());
+     }))
+    throw on_line(text, "both faces and triangle strips");
   header.elements.push_back(element);
 }
 
@@ -137,7 +139,7 @@ void check(const Ply_header& header)
     has_vertices = has_vertices || element.is_vertex();
     if(element.is_vertex())
       check_vertex(element);
-    else if(element.is_face())
+    else if(element.is_face() || element.is_strips())
       check_face(element);
   }
   if(!has_vertices)

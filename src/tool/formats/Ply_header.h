@@ -39,6 +39,7 @@ struct Ply_element
 
   bool is_vertex() const { return name == "vertex"; }
   bool is_face() const { return name == "face"; }
+  bool is_strips() const { return name == "tristrips"; } // of triangles
 
   // The element `index` of this type, for messages.
   Element operator[](const std::size_t index) const
@@ -50,7 +51,7 @@ struct Ply_element
 // Index of the coordinate given by a property of a vertex; 3 if it is not a coordinate.
 std::size_t coordinate_of(const Ply_property& property);
 
-// Whether a property of a face is the list of its vertices.
+// Whether a property of a face, or of strips, is the list of its vertices.
 bool is_list_of_vertices(const Ply_property& property);
 
 // Which of u and v a property of a vertex is, by the names of Blender, MeshLab, Open3D and others; 2 if it is none.

@@ -310,6 +310,7 @@ void load_ply(const std::string& bytes, const std::string& path, const Face_list
     appearance.texture_coordinates = at_corners(of_vertices, faces);
   if(has_normals)
     appearance.normals = at_corners(normals, faces);
+  texture_of_face.resize(faces.size()); // strips have the first texture
   if(!appearance.texture_coordinates.empty())
     load_textures_of_ply(bytes, path, texture_of_face, appearance);
 }

@@ -61,6 +61,8 @@ private:
         const std::vector<double> values = read_list(property, e);
         if(element.is_face() && is_list_of_vertices(property))
           add_face(values, e);
+        if(element.is_strips() && is_list_of_vertices(property))
+          add_strips(values, e);
       }
       else
         point[coordinate_of(property)] = read_number(property.value, e);
@@ -81,6 +83,22 @@ private:
       m_corners.push_back(static_cast<long long>(corner));
     }
     m_ends.push_back(m_corners.size());
+  }
+
+  // -1 ends a strip. Triangles with a vertex twice lead from one strip to another.
+  void add_strips(const std::vector<double>& vertices, const Element& e)
+  {
+    std::size_t first = 0;
+    for(std::size_t i = 0; i < vertices.size(); ++i)
+      if(vertices[i] == -1)
+        first = i + 1;
+      else if(i >= first + 2)
+      {
+        const double a = vertices[i - 2], b = vertices[i - 1], c = vertices[i];
+        const bool is_odd = (i - first) % 2 == 1;
+        if(a != b && b != c && c != a)
+          add_face({is_odd ? b : a, is_odd ? a : b, c}, e);
+      }
   }
 
   std::vector<double> read_list(const Ply_property& property, const Element& e)

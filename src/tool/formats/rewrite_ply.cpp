@@ -266,7 +266,7 @@ std::vector<std::string> attributes_of_ply(const std::string& bytes)
   Text_cursor text(bytes);
   std::vector<std::string> result;
   for(const Ply_element& element : read_ply_header(text).elements)
-    if(!element.is_vertex() && !element.is_face())
+    if(!element.is_vertex() && !element.is_face() && !element.is_strips())
       result.push_back("the element " + element.name);
     else
       for(const Ply_property& property : element.properties)
