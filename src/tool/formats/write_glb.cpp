@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "Gltf_builder.h"
+#include "Gltf_frame.h"
 #include "Gltf_materials.h"
 #include "Shown_surface.h"
 #include "Split_surface.h"
@@ -31,13 +32,6 @@ template <class Number>
 using Rows = Gltf_builder::Rows<Number>;
 using Use = Gltf_builder::Use;
 
-const double LARGEST_FLOAT = (std::numeric_limits<float>::max)();
-
-float to_float(const double x)
-{
-  return static_cast<float>((std::min)((std::max)(x, -LARGEST_FLOAT), LARGEST_FLOAT));
-}
-
 // Colors of glTF are linear.
 double linear(const unsigned char of_srgb)
 {
@@ -54,13 +48,6 @@ Point_matrix matrix_of(const Mesh_file& mesh)
   return points;
 }
 
-// Where a file has its origin, and its unit of length.
-struct Frame
-{
-  Eigen::RowVector3d center = Eigen::RowVector3d::Zero();
-  double unit = 1;
-};
-
 class Glb_writer
 {
 public:
@@ -75,7 +62,7 @@ public:
       throw std::invalid_argument("glTF holds surfaces with at least one face");
     if(m_split.copies.size() > LARGEST_VERTEX_OF_ATTRIBUTES && !m_surface.origins.empty())
       throw std::invalid_argument("there are more vertices than the attribute _VERTEX can count");
-    choose_frame();
+    m_frame = frame_of(m_points, m_surface.other_shapes, m_is_quantized);
     add_vertices();
     add_triangles();
     add_node();
@@ -95,32 +82,6 @@ public:
 private:
   static constexpr std::size_t LARGEST_UNQUANTIZED = 250000;
   static constexpr std::size_t LARGEST_VERTEX_OF_ATTRIBUTES = 16777216; // of float
-  static constexpr double LARGEST_SHORT = 32767;
-
-  // The origin is moved only if the surface is far from it, where single precision is coarse.
-  void choose_frame()
-  {
-    const Eigen::RowVector3d low = m_points.colwise().minCoeff(),
-                             high = m_points.colwise().maxCoeff();
-    const Eigen::RowVector3d center = 0.5 * low + 0.5 * high;
-    const double radius = (0.5 * high - 0.5 * low).maxCoeff();
-    const double many_radii = 8;
-    if(m_is_quantized || center.cwiseAbs().maxCoeff() > many_radii * radius)
-      m_frame.center = center;
-    const double largest = (m_points.rowwise() - m_frame.center).cwiseAbs().maxCoeff();
-    const double least_radius
-      = (std::numeric_limits<float>::min)() / std::numeric_limits<float>::epsilon();
-    if(!(largest <= LARGEST_FLOAT) || (radius > 0 && radius < least_radius))
-      throw std::invalid_argument(
-        "the surface is too large or too small for glTF, which has single precision");
-    if(!m_is_quantized)
-      return;
-    double farthest = 0;
-    for(const Other_shape& shape : m_surface.other_shapes)
-      farthest = (std::max)(farthest, (shape.points - m_points).cwiseAbs().maxCoeff());
-    if(farthest > 0)
-      m_frame.unit = farthest / LARGEST_SHORT;
-  }
 
   // A row per copy of a vertex.
   template <class Number, class Function>
@@ -134,12 +95,6 @@ private:
         result(i, k) = value(copy, k);
     }
     return result;
-  }
-
-  // A coordinate in the unit of the file.
-  double stored(const Point_matrix& points, const std::size_t vertex, const int k) const
-  {
-    return (points(static_cast<Eigen::Index>(vertex), k) - m_frame.center[k]) / m_frame.unit;
   }
 
   void add_vertices()
@@ -165,13 +120,13 @@ private:
   // Some viewers read positions in single precision only, whatever they read of differences.
   float position(const std::size_t vertex, const int k) const
   {
-    return to_float(stored(m_points, vertex, k));
+    return to_float(m_frame.stored(m_points, vertex, k));
   }
 
   void add_shape(const Other_shape& shape)
   {
     const auto difference = [&](const Vertex_copy& c, const int k) {
-      return stored(shape.points, c.vertex, k) - static_cast<double>(position(c.vertex, k));
+      return m_frame.stored(shape.points, c.vertex, k) - static_cast<double>(position(c.vertex, k));
     };
     std::map<std::string, int> target;
     target["POSITION"]
@@ -409,7 +364,7 @@ private:
   const Point_matrix m_points;
   const Split_surface m_split;
   const bool m_is_quantized;
-  Frame m_frame;
+  Gltf_frame m_frame;
   Gltf_builder m_builder;
   Gltf_materials m_materials{m_builder};
   tinygltf::Primitive m_primitive; // what those of all materials have in common
