@@ -313,8 +313,8 @@ TEST(Gltf, unsupported_content_is_refused_by_name)
   const std::string primitive = "/meshes/0/primitives/0/";
   expect_refusal("/extensionsRequired", {"KHR_draco_mesh_compression"},
                  "the extension 'KHR_draco_mesh_compression' is required, but not supported");
-  expect_refusal(primitive + "mode", 5,
-                 "the primitive consists of triangle strips, but triangles are needed");
+  expect_refusal(primitive + "mode", 3,
+                 "the primitive consists of line strips, but triangles are needed");
   expect_refusal(primitive + "mode", 9, "unknown mode 9");
   expect_refusal(primitive + "indices", 77, "out of bounds");
   expect_refusal(primitive + "attributes", {{"POSITION", 77}},
@@ -689,6 +689,40 @@ TEST(Gltf, materials_of_scenes)
     EXPECT_EQ(written_colors[3], 13107);
     EXPECT_EQ(written_colors[7], 65535);
   }
+}
+
+// With a vertex twice in the strip, and without indices; the pose has triangles.
+TEST(Gltf, strips_and_fans)
+{
+  const Mesh_file mesh = mesh_of(Canonical_pose_test::boundary(
+    {{{{0, 0, 0}}, {{1, 0, 0}}, {{0, 1, 0}}, {{0, 0, 1}}}, {{{0, 1, 2, 3}}}}));
+  using Faces = std::vector<std::vector<std::size_t>>;
+  const auto faces = [](const Mesh_file& read) {
+    Faces result;
+    for(const Face_list::Face face : read.faces)
+      result.emplace_back(face.begin(), face.end());
+    return result;
+  };
+  const auto with = [&](const int mode, const std::vector<std::uint16_t>& indices) {
+    std::string bytes = written(mesh);
+    json model = json_of(bytes);
+    json& primitive = model["meshes"][0]["primitives"][0];
+    primitive["mode"] = mode;
+    primitive.erase("indices");
+    if(!indices.empty())
+      primitive["indices"] = add_accessor(bytes, model, "SCALAR", 5123, indices, indices.size());
+    return with_json(bytes, model);
+  };
+  const Faces strip = {{0, 1, 2}, {2, 1, 3}}, fan = {{0, 1, 2}, {0, 2, 3}};
+  EXPECT_EQ(faces(read(with(5, {}))), strip);
+  EXPECT_EQ(faces(read(with(6, {}))), fan);
+  EXPECT_EQ(faces(read(with(5, {0, 1, 2, 2, 3, 0}))), (Faces{{0, 1, 2}, {3, 2, 0}}));
+  EXPECT_TRUE(read(with(5, {0, 1})).faces.empty());
+  EXPECT_THROW_WITH(read(with(6, {0, 1, 2, 4})), std::invalid_argument, "face 1 names vertex 4");
+  const Mesh_file shown = read_shown_mesh_file(written_file("fan.glb", with(6, {})));
+  EXPECT_FALSE(is_rewritable(shown, Format::GLB));
+  EXPECT_EQ(shown.appearance.normals.size(), 6u);
+  EXPECT_EQ(faces(read(written(shown))), fan);
 }
 
 // Indices that no vertex of the primitive has are refused, but for the list of all defects, where they are not vertices of

@@ -41,13 +41,13 @@ void check_extensions(const Model& model)
 
 void check_primitive(const Primitive& primitive)
 {
-  static const std::array<const char*, 7> modes
-    = {"points",    "lines",           "line loops",   "line strips",
-       "triangles", "triangle strips", "triangle fans"};
-  if(primitive.mode < 0 || static_cast<std::size_t>(primitive.mode) >= modes.size())
+  static const std::array<const char*, 4> modes
+    = {"points", "lines", "line loops",
+       "line strips"}; // before triangles, and strips and fans of them
+  if(primitive.mode < 0 || primitive.mode > TINYGLTF_MODE_TRIANGLE_FAN)
     throw std::invalid_argument("the primitive has the unknown mode "
                                 + std::to_string(primitive.mode));
-  if(primitive.mode != TINYGLTF_MODE_TRIANGLES)
+  if(primitive.mode < TINYGLTF_MODE_TRIANGLES)
     throw std::invalid_argument(std::string("the primitive consists of ")
                                 + modes[static_cast<std::size_t>(primitive.mode)]
                                 + ", but triangles are needed");
@@ -77,11 +77,27 @@ struct Vertices
   bool is_mirrored;
 };
 
+// The triangles of a strip or fan. Those with a vertex twice lead from one strip to another.
+std::vector<std::size_t> corners_of_strip(const std::vector<std::size_t>& vertices,
+                                          const bool is_fan)
+{
+  std::vector<std::size_t> corners;
+  for(std::size_t i = 2; i < vertices.size(); ++i)
+  {
+    const std::size_t a = vertices[is_fan ? 0 : i - 2], b = vertices[i - 1], c = vertices[i];
+    const bool is_odd = !is_fan && i % 2 == 1;
+    if(a != b && b != c && c != a)
+      corners.insert(corners.end(), {is_odd ? b : a, is_odd ? a : b, c});
+  }
+  return corners;
+}
+
 // The vertices of the triangles of a primitive, counted from 0. `face`: the index in `mesh` of the first triangle.
 std::vector<std::size_t> corners_of(const Model& model, const Primitive& primitive,
                                     const std::size_t count, const bool is_mirrored,
                                     const Mesh_file& mesh, const std::size_t face)
 {
+  const bool is_strip = primitive.mode != TINYGLTF_MODE_TRIANGLES;
   std::vector<std::size_t> corners(count);
   std::iota(corners.begin(), corners.end(), std::size_t(0));
   if(primitive.indices != -1)
@@ -91,9 +107,12 @@ std::vector<std::size_t> corners_of(const Model& model, const Primitive& primiti
       throw std::invalid_argument("the indices are not unsigned integers");
     corners.resize(numbers.count());
     for(std::size_t i = 0; i < corners.size(); ++i)
-      corners[i] = vertex_index(mesh, static_cast<long long>(numbers(i, 0)), count,
-                                Element{"face", face + i / 3});
+      corners[i] = vertex_index(
+        mesh, static_cast<long long>(numbers(i, 0)), count,
+        Element{"face", face + (is_strip ? (std::max)(i, std::size_t(2)) - 2 : i / 3)});
   }
+  if(is_strip)
+    corners = corners_of_strip(corners, primitive.mode == TINYGLTF_MODE_TRIANGLE_FAN);
   if(corners.size() % 3 != 0)
     throw std::invalid_argument("the number of corners, " + std::to_string(corners.size())
                                 + ", is no multiple of 3");

@@ -298,7 +298,7 @@ try
                   .count()
                 != count)
           return false;
-      if(primitive.attributes.count("_VERTEX") > 0)
+      if(primitive.attributes.count("_VERTEX") > 0 || primitive.mode != TINYGLTF_MODE_TRIANGLES)
         return false;
     }
   }
