@@ -69,7 +69,7 @@ py::tuple pose(const py::object& vertices, const py::object& faces, const py::ob
   Stage_clock clock;
   Result result = without_lock([&] { return tool::compute_pose(input, options); });
   return py::make_tuple(std::move(result.pose), std::move(*result.target),
-                        report_of(result.summary, clock.total()));
+                        report_of(result.summary, clock.total(), result.skeleton));
 }
 
 py::tuple target(const py::object& vertices, const py::object& faces, const py::dict& keywords)

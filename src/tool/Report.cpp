@@ -23,6 +23,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Diagnosis_3 = CGAL::Canonical_pose_3::Diagnosis_3;
 using Registration_summary = CGAL::Canonical_pose_3::Registration_summary;
+using Skeleton_3 = CGAL::Canonical_pose_3::Skeleton_3;
 
 Json input_of(const Diagnosis_3& d)
 {
@@ -97,6 +98,21 @@ std::size_t peak_memory_bytes()
 #endif
 }
 
+Json skeleton_of(const std::optional<Skeleton_3>& skeleton)
+{
+  if(!skeleton)
+    return {};
+  Json joints = Json::array();
+  for(const Skeleton_3::Joint& joint : skeleton->joints)
+    joints.push_back({{"name", joint.name},
+                      {"parent", skeleton->joints[joint.parent].name},
+                      {"position", {joint.position[0], joint.position[1], joint.position[2]}},
+                      {"radius", joint.radius}});
+  return {{"kind", skeleton->kind == Skeleton_3::Kind::PERSON ? "person" : "four-legged"},
+          {"is_front_certain", skeleton->is_front_certain},
+          {"joints", joints}};
+}
+
 Json versions()
 {
   const CGAL::Canonical_pose_3::Library_configuration c
@@ -128,7 +144,7 @@ void write(std::ostream& out, Json report, const std::vector<Registration_summar
 } // namespace
 
 void write_report(std::ostream& out, const Registration_summary& summary,
-                  const double total_seconds)
+                  const double total_seconds, const std::optional<Skeleton_3>& skeleton)
 {
   const Json body = {{"kind", summary.body.kind},
                      {"vertices", summary.body.vertices},
@@ -140,6 +156,7 @@ void write_report(std::ostream& out, const Registration_summary& summary,
          {"target", target_of(summary)},
          {"rounds", rounds_of(summary)},
          {"registration", registration_of(summary)},
+         {"skeleton", skeleton_of(skeleton)},
          {"solver", summary.solver},
          {"warnings", summary.warnings}},
         summary.stages, total_seconds);

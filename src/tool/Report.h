@@ -6,6 +6,7 @@
 
 #include <CGAL/Canonical_pose_3/Registration_summary.h>
 #include <CGAL/Canonical_pose_3/Segmentation_tree_3.h>
+#include <CGAL/Canonical_pose_3/Skeleton_3.h>
 #include <CGAL/Canonical_pose_3/Surface_match_3.h>
 #include <CGAL/Canonical_pose_3/segmentation_parts.h>
 
@@ -48,7 +49,8 @@ private:
 
 // Writes the report (JSON) of a pose.
 void write_report(std::ostream& out, const CGAL::Canonical_pose_3::Registration_summary& summary,
-                  double total_seconds);
+                  double total_seconds,
+                  const std::optional<CGAL::Canonical_pose_3::Skeleton_3>& skeleton = std::nullopt);
 
 // Writes the report (JSON) of a diagnosis.
 void write_report(std::ostream& out, const CGAL::Canonical_pose_3::Diagnosis_3& diagnosis,

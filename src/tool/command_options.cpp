@@ -219,7 +219,7 @@ void add_constraints(Command_options& o)
 void add_method_options(Command_options& o)
 {
   for(const Method_option& option : method_options())
-    if(option.name != "threads" && option.name != "frame")
+    if(option.name != "threads" && option.name != "stance" && option.name != "frame")
       add_method_option(o, option.name);
   Options& options = o.arguments.options;
   o.app.add_option("--paper-weights", o.raw.paper_weights,

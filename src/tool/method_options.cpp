@@ -116,9 +116,10 @@ const std::vector<Method_option>& method_options()
     choice("body", BODIES, MEMBER(body), "elastic body inside a surface"),
     number("spacing", Options::SMALLEST_LATTICE_SPACING, 1, MEMBER(lattice_spacing),
            "spacing of the lattice, as a fraction of the largest geodesic distance"),
-    choice("target-mode", TARGET_MODES, MEMBER(target_mode),
-           "target by scaling of distances, or by moving vertices away from each other, which needs "
-           "none"),
+    choice(
+      "target-mode", TARGET_MODES, MEMBER(target_mode),
+      "target by scaling of distances, or by moving vertices away from each other, which needs "
+      "none"),
     choice("kernel", KERNELS, MEMBER(kernel), "kernel of the target"),
     integer("landmarks", std::size_t(1), MEMBER(number_of_landmarks), "number of landmarks"),
     number("detail-length", R::SMALLEST_DETAIL_LENGTH, R::LARGEST_DETAIL_LENGTH,
@@ -128,9 +129,10 @@ const std::vector<Method_option>& method_options()
            "weight that keeps an iterate close to the previous one"),
     integer("iterations", 1, MEMBER(registration.number_of_iterations),
             "maximum number of iterations"),
-    integer("rounds", 0, MEMBER(number_of_rounds),
-            "maximum number of times that distances are measured again on the pose; default: 3, or 0 "
-            "with a given target, paper weights, unfolding or the uncentered kernel"),
+    integer(
+      "rounds", 0, MEMBER(number_of_rounds),
+      "maximum number of times that distances are measured again on the pose; default: 3, or 0 "
+      "with a given target, paper weights, unfolding or the uncentered kernel"),
     choice("components", COMPONENTS, MEMBER(components),
            "treatment of several connected components"),
     choice("contacts", CONTACTS, MEMBER(contacts),
@@ -140,8 +142,12 @@ const std::vector<Method_option>& method_options()
             "seed that draws the first landmark; 0: the vertex farthest from the centroid"),
     integer("threads", 0, MEMBER(number_of_threads),
             "maximum number of threads; 0: all processors"),
+    choice("stance", STANCES, MEMBER(stance),
+           "canonical, or for persons t, a or vitruvian, for animals with four legs stand"),
     choice("frame", FRAMES, MEMBER(frame),
-           "position of the pose: near the input, or canonical: principal axes")};
+           "position of the pose: near the input, canonical: principal axes, or body: upright, the "
+           "front "
+           "toward +z; auto: body with a stance, input otherwise")};
   return options;
 }
 

@@ -40,8 +40,10 @@ inline const Option_values<Options::Components> COMPONENTS
 inline const Option_values<Options::Contacts> CONTACTS
   = {{"keep", Options::Contacts::KEEP}, {"cut", Options::Contacts::CUT}};
 
-inline const Option_values<Options::Frame> FRAMES
-  = {{"input", Options::Frame::INPUT}, {"canonical", Options::Frame::CANONICAL}};
+inline const Option_values<Options::Frame> FRAMES = {{"auto", Options::Frame::AUTOMATIC},
+                                                     {"input", Options::Frame::INPUT},
+                                                     {"canonical", Options::Frame::CANONICAL},
+                                                     {"body", Options::Frame::BODY}};
 
 inline const Option_values<Options::Kernel> KERNELS
   = {{"classical", Options::Kernel::CLASSICAL},
@@ -51,6 +53,12 @@ inline const Option_values<Options::Kernel> KERNELS
 inline const Option_values<Options::Solver> SOLVERS = {{"auto", Options::Solver::AUTOMATIC},
                                                        {"eigen", Options::Solver::EIGEN},
                                                        {"cholmod", Options::Solver::CHOLMOD}};
+
+inline const Option_values<Options::Stance> STANCES = {{"canonical", Options::Stance::CANONICAL},
+                                                       {"t", Options::Stance::T},
+                                                       {"a", Options::Stance::A},
+                                                       {"vitruvian", Options::Stance::VITRUVIAN},
+                                                       {"stand", Options::Stance::STAND}};
 
 inline const Option_values<Options::Target_mode> TARGET_MODES
   = {{"mds", Options::Target_mode::MDS}, {"unfold", Options::Target_mode::UNFOLDING}};

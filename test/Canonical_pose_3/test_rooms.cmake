@@ -4,7 +4,7 @@
 # Called with -DROOT=<the folder of the package>.
 
 cmake_minimum_required(VERSION 3.18...3.31)
-set(rooms match pipeline segmentation descriptors registration injective energy target lattice body wavefront heat intrinsic surface linear_algebra
+set(rooms match pipeline stance segmentation descriptors registration injective energy target lattice body wavefront heat intrinsic surface linear_algebra
   support)
 # Public headers that any folder may include.
 set(data_types Face_list point_matrix Options Registration_options Registration_progress Registration_summary Unfolding Diagnosis_3
@@ -12,6 +12,7 @@ set(data_types Face_list point_matrix Options Registration_options Registration_
 # Additional public headers per folder. The pipeline combines the public parts. The default solver is a public class.
 set(also_in_match Body_deformer_3 Elastic_body_3 Prepared_surface_3 Surface_body_3 Tetrahedral_arap_registrar_3 pose_steps Coarse_surface_3
   canonical_frame repair_surface call_with_threads Match_options Matchable_surface_3 Surface_match_3 transfer_attributes)
+set(also_in_stance Coarse_surface_3 Skeleton_3)
 set(also_in_body Embedded_body_3 Tetrahedral_complex_traits_3 Conforming_body_3)
 set(also_in_segmentation Coarse_surface_3 Segmentation_options Segmentation_tree_3 repair_surface)
 set(also_in_descriptors Coarse_surface_3 repair_surface)

@@ -143,10 +143,24 @@ struct Method_options
   /// them, see `cut_contacts()`. The latter requires the lattice, or a body of `make_body`.
   enum class Contacts { KEEP, CUT };
 
-  /// position of the result: as near as possible to the input, or in the `canonical_frame()` of the
-  /// pose, with the areas of the input as weights, so that poses of several shapes can be compared or
-  /// shown without alignment.
-  enum class Frame { INPUT, CANONICAL };
+  /// position of the result.
+  /// - `AUTOMATIC`: that of `INPUT` for the canonical pose, that of `BODY` for another `Stance`.
+  /// - `INPUT`: as near as possible to the input.
+  /// - `CANONICAL`: in the `canonical_frame()` of the pose, with the areas of the input as weights, so that poses
+  ///   of several shapes can be compared or shown without alignment.
+  /// - `BODY`: upright, see `Skeleton_3::frame`. Only for shapes that are recognized, see `Stance`.
+  enum class Frame { AUTOMATIC, INPUT, CANONICAL, BODY };
+
+  /// which pose is computed.
+  /// - `CANONICAL`: the canonical pose.
+  /// - `T`, `A`, `VITRUVIAN`: a person with straight limbs: the arms level, or 45 degrees downward, and the legs
+  ///   parallel, or apart for `VITRUVIAN`; feet point to the front.
+  /// - `STAND`: an animal with its four legs straight downward.
+  ///
+  /// The canonical pose tells what the limbs are: a head, two arms and two legs, or four legs. Then trunk and
+  /// limbs are moved rigidly to their directions, which is the target of another registration, with all details.
+  /// Other shapes are refused, stating how many limbs were found.
+  enum class Stance { CANONICAL, T, A, VITRUVIAN, STAND };
 
   /// how the target is computed: by multidimensional scaling of geodesic distances, see `mds_target()`, or by
   /// unfolding, without distances, see `unfolded_target()`.
@@ -254,9 +268,12 @@ struct Method_options
   /// \name Result
   /// @{
 
+  /// which pose is computed.
+  Stance stance = Stance::CANONICAL;
+
   /// the position of the pose and the followers. Targets, whether given or returned, and constraints
   /// refer to the frame of the input in any case; `Result::motion` leads from there to the pose.
-  Frame frame = Frame::INPUT;
+  Frame frame = Frame::AUTOMATIC;
 
   /// @}
 

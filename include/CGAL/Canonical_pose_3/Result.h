@@ -6,10 +6,12 @@
 
 #include <CGAL/Canonical_pose_3/Options.h>
 #include <CGAL/Canonical_pose_3/Registration_summary.h>
+#include <CGAL/Canonical_pose_3/Skeleton_3.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <Eigen/Geometry>
 
+#include <optional>
 #include <ostream>
 #include <string>
 
@@ -39,8 +41,11 @@ struct Result : Intermediate_results
   Point_matrix pose_of_followers;
 
   /// the rigid motion from the frame of the input, to which the target refers, to that of the pose:
-  /// the `canonical_frame()` for `Method_options::Frame::CANONICAL`, otherwise the identity.
+  /// the identity if it is positioned near the input.
   Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
+
+  /// the joints of the largest component, for a `Method_options::Stance` or `Method_options::Frame::BODY`.
+  std::optional<Skeleton_3> skeleton;
 
   /// returns whether there is a pose.
   bool is_usable() const { return summary.is_usable(); }

@@ -3,7 +3,7 @@
 
 #include "Coarse_match.h"
 #include "Deformable_pose.h"
-#include "Point_search.h"
+#include "../support/Point_search.h"
 
 #include <CGAL/Canonical_pose_3/internal/support/for_each_block.h>
 #include <CGAL/Canonical_pose_3/internal/support/values_at.h>

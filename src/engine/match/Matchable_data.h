@@ -4,7 +4,7 @@
 #ifndef CANONICAL_POSE_3_ENGINE_MATCH_MATCHABLE_DATA_H
 #define CANONICAL_POSE_3_ENGINE_MATCH_MATCHABLE_DATA_H
 
-#include "Point_search.h"
+#include "../support/Point_search.h"
 
 #include <CGAL/Canonical_pose_3/Coarse_surface_3.h>
 #include <CGAL/Canonical_pose_3/Face_list.h>

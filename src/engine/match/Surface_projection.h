@@ -5,7 +5,7 @@
 #define CANONICAL_POSE_3_ENGINE_MATCH_SURFACE_PROJECTION_H
 
 #include "Matchable_data.h"
-#include "Point_search.h"
+#include "../support/Point_search.h"
 
 #include <CGAL/Canonical_pose_3/Surface_match_3.h>
 #include <CGAL/Canonical_pose_3/internal/support/Buckets.h>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "pose_rotations.h"
-#include "Point_search.h"
+#include "../support/Point_search.h"
 
 #include <Eigen/LU>
 

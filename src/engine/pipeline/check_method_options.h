@@ -29,7 +29,8 @@ inline void check_method_options(const Method_options& options)
   require_lattice_spacing(options.lattice_spacing);
   require_enumerator("components", options.components, O::Components::EACH);
   require_enumerator("contacts", options.contacts, O::Contacts::CUT);
-  require_enumerator("frame", options.frame, O::Frame::CANONICAL);
+  require_enumerator("stance", options.stance, O::Stance::STAND);
+  require_enumerator("frame", options.frame, O::Frame::BODY);
   options.registration.check();
   if(options.paper_weights)
   {

@@ -7,6 +7,7 @@
 #include "describe_fields.h"
 #include "fields_of_function.h"
 #include "interpolated_fields.h"
+#include "pose_in_stance.h"
 #include "timed.h"
 #include "../support/in_parallel.h"
 
@@ -97,6 +98,9 @@ Result pose_of_component(const Surface_component_3& surface, const Component_opt
     return unfolded;
   });
   Result result = registered_pose(surface, coarse, fields, target, body, options);
+  if(result.is_usable()
+     && (options.stance != Options::Stance::CANONICAL || options.frame == Options::Frame::BODY))
+    result = pose_in_stance(surface, coarse, body, options, std::move(result));
   for(const Registration_summary::Stage& stage : result.summary.stages)
     times.add_seconds(stage.first, stage.second);
   result.summary.stages = std::move(times.stages);
@@ -146,13 +150,18 @@ inline Eigen::VectorXd shares_of_vertices(const Prepared_surface_3& prepared)
   return shares.head(static_cast<Eigen::Index>(n));
 }
 
-inline void move_to_canonical_frame(const Prepared_surface_3& prepared, Result& result)
+inline void move(const Eigen::Isometry3d& motion, Result& result)
 {
-  result.motion = canonical_frame(result.pose, shares_of_vertices(prepared));
+  result.motion = motion;
   for(Point_matrix* points : {&result.pose, &result.pose_of_followers})
     *points = ((*points * result.motion.linear().transpose()).rowwise()
                + result.motion.translation().transpose())
                 .eval();
+  if(!result.skeleton)
+    return;
+  for(Skeleton_3::Joint& joint : result.skeleton->joints)
+    joint.position = (motion * joint.position.transpose()).transpose();
+  result.skeleton->frame = result.skeleton->frame * motion.inverse();
 }
 
 // Whether options contain functions or models of the user, which may have a state.
@@ -238,12 +247,16 @@ Result pose_of_components(const Prepared_surface_3& prepared, const Options& opt
   Result result = joined_result(prepared, results);
   if(result.is_usable())
   {
+    if(const Result& largest = results.front(); largest.skeleton)
+      result.skeleton = with_weights_at(result.pose, largest.pose, *largest.skeleton);
     if(options.given.target && result.summary.rounds.empty())
       result.target = options.given.target;
     if(options.given.landmark_fields && options.return_landmark_fields)
       result.landmark_fields = options.given.landmark_fields;
     if(options.frame == Options::Frame::CANONICAL)
-      move_to_canonical_frame(prepared, result);
+      move(canonical_frame(result.pose, shares_of_vertices(prepared)), result);
+    else if(options.frame != Options::Frame::INPUT && result.skeleton)
+      move(result.skeleton->frame, result);
   }
   return result;
 }

@@ -164,7 +164,7 @@ def save(path, vertices, faces=None, *, cells=None, like=None):
 def pose(vertices, faces=None, *, cells=None, return_target=False, progress=None,
          detail_length=0.1, landmarks=80, rounds=None, body="auto", spacing=None,
          geodesics="heat", target_mode="mds", kernel="classical", tikhonov=0., iterations=500,
-         paper_weights=None, injective=None, frame="input", components="auto", contacts="keep",
+         paper_weights=None, injective=None, stance="canonical", frame="auto", components="auto", contacts="keep",
          solver="auto", seed=0, threads=0, matching_weights=None, stiffness=None, given_target=None,
          given_distances=None, spring=None, direction=None, handle=None, symmetric=None):
     """Bring a shape into its canonical pose.
@@ -211,9 +211,14 @@ def pose(vertices, faces=None, *, cells=None, return_target=False, progress=None
         `detail_length` and `tikhonov`.
     injective : bool
         Whether no cell may be inverted. By default, true except with `paper_weights`.
-    frame : "input" or "canonical"
-        The position of the pose: near the input, or in the principal axes of the pose. Targets,
-        given or returned, are near the input in any case.
+    stance : "canonical", "t", "a", "vitruvian" or "stand"
+        The canonical pose; or, of a person, arms level ("t", "vitruvian") or 45 degrees downward
+        ("a"), legs parallel or apart ("vitruvian"); or, of an animal, four legs straight downward
+        ("stand"). Shapes without such limbs are refused.
+    frame : "auto", "input", "canonical" or "body"
+        The position of the pose: near the input; in the principal axes of the pose; or upright, the
+        front toward +z and the feet on y = 0. By default, the last one for a stance, else the first
+        one. Targets, given or returned, are near the input in any case.
     components : "auto", "refuse", "largest" or "each"
         What to do if there is more than one connected component. By default, what is small, inside
         or in contact follows the largest one, and other components are refused; see the item
@@ -253,9 +258,10 @@ def pose(vertices, faces=None, *, cells=None, return_target=False, progress=None
         ``"input"``, numbers of elements and of defects; ``"body"``, its ``"kind"`` and size;
         ``"followers"``, the components without a pose of their own; ``"target"``, among others
         ``"max_geodesic"``, the largest distance; ``"rounds"``; ``"registration"``, with
-        ``"iterations"``, ``"converged"`` and energies; ``"solver"``; ``"warnings"``; ``"stages"``, dicts
-        of ``"name"`` ("diagnosis", "geodesics", "target", "body", "factorization", "local_steps" or
-        "global_steps") and ``"seconds"``; ``"total_seconds"``, ``"peak_memory_bytes"`` and
+        ``"iterations"``, ``"converged"`` and energies; ``"skeleton"``, None without a stance, else
+        ``"kind"``, ``"is_front_certain"`` and ``"joints"``; ``"solver"``; ``"warnings"``; ``"stages"``, dicts
+        of ``"name"`` ("diagnosis", "geodesics", "target", "body", "factorization", "local_steps",
+        "global_steps" or "stance") and ``"seconds"``; ``"total_seconds"``, ``"peak_memory_bytes"`` and
         ``"versions"``.
     target : array, n x 3
         Only if `return_target`. For a tetrahedral mesh, that of the vertices of its boundary.
@@ -277,8 +283,8 @@ def pose(vertices, faces=None, *, cells=None, return_target=False, progress=None
         detail_length=detail_length, landmarks=landmarks, rounds=rounds, body=body,
         spacing=spacing, geodesics=geodesics, target_mode=target_mode, kernel=kernel,
         tikhonov=tikhonov, iterations=iterations, paper_weights=paper_weights, injective=injective,
-        frame=frame, components=components, contacts=contacts, solver=solver, seed=seed,
-        threads=threads,
+        stance=stance, frame=frame, components=components, contacts=contacts, solver=solver,
+        seed=seed, threads=threads,
         matching_weights=matching_weights, stiffness=stiffness, given_target=given_target,
         given_distances=given_distances, spring=spring, direction=direction, handle=handle,
         symmetric=symmetric))
@@ -820,7 +826,7 @@ class Registrar:
     faces : array of integers, m x k, or sequence of sequences
         The faces.
     **options
-        As for `pose`, but for constraints, `rounds`, `frame` and `paper_weights`.
+        As for `pose`, but for constraints, `rounds`, `stance`, `frame` and `paper_weights`.
 
     Copies and pickles are prepared anew, with the current detail length, and start at rest.
 
@@ -844,7 +850,7 @@ class Registrar:
     """
 
     def __init__(self, vertices, faces, **options):
-        for name in ("rounds", "frame", "paper_weights", "spring", "direction", "handle", "symmetric",
+        for name in ("rounds", "stance", "frame", "paper_weights", "spring", "direction", "handle", "symmetric",
                      "progress"):
             if name in options:
                 raise TypeError(f"a registrar has no option {name}")

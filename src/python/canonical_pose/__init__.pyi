@@ -18,7 +18,8 @@ _Body = Literal["auto", "lattice", "tetgen", "mesh"]
 _Geodesics = Literal["heat", "wavefront", "exact"]
 _Kernel = Literal["classical", "gaussian", "gaussian-uncentred"]
 _TargetMode = Literal["mds", "unfold"]
-_Frame = Literal["input", "canonical"]
+_Frame = Literal["auto", "input", "canonical", "body"]
+_Stance = Literal["canonical", "t", "a", "vitruvian", "stand"]
 _Components = Literal["auto", "refuse", "largest", "each"]
 _Contacts = Literal["keep", "cut"]
 _Solver = Literal["auto", "eigen", "cholmod"]
@@ -95,6 +96,17 @@ class _Registration(TypedDict):
     volume_ratio: float
     median_edge_strain: float
 
+class _Joint(TypedDict):
+    name: str
+    parent: str
+    position: list[float]
+    radius: float
+
+class _Skeleton(TypedDict):
+    kind: Literal["person", "four-legged"]
+    is_front_certain: bool
+    joints: list[_Joint]
+
 class _Stage(TypedDict):
     name: str
     seconds: float
@@ -121,6 +133,7 @@ class _PoseReport(_Run):
     target: _Target
     rounds: list[_Round]
     registration: _Registration
+    skeleton: _Skeleton | None
     solver: str
     warnings: list[str]
 
@@ -243,6 +256,7 @@ class _RecordedOptions(_OptionsButLandmarks, total=False):
     landmarks: int
 
 class _OptionsOfInput(TypedDict, total=False):
+    stance: _Stance
     frame: _Frame
     matching_weights: ArrayLike | None
     stiffness: ArrayLike | None

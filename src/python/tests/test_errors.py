@@ -181,7 +181,7 @@ def test_cells(cells, message):
     ({"geodesics": "mmp"}, "option geodesics is 'mmp', but must be one of exact, heat, wavefront"),
     ({"body": "soul"}, "option body is 'soul'"),
     ({"components": "all"}, "option components is 'all'"),
-    ({"frame": "none"}, "option frame is 'none', but must be one of canonical, input"),
+    ({"frame": "none"}, "option frame is 'none', but must be one of auto, body, canonical, input"),
     ({"solver": "lu"}, "option solver is 'lu'"),
     ({"paper_weights": (0, 1)}, "option paper_weights.alpha is 0, but must be > 0"),
     ({"matching_weights": [1, 2]}, "2 numbers are given as matching weight, but it takes 240"),

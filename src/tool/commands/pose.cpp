@@ -87,6 +87,7 @@ void add_pose_options(Command_options& o)
   add_path(o, "--given-distances", o.arguments.given_distances,
            "take these geodesic distances, as geodesics writes them, for the first target");
   add_constraints(o);
+  add_method_option(o, "stance");
   add_method_option(o, "frame");
   add_report(o);
   add_method_options(o);
@@ -161,8 +162,9 @@ int run_pose(Arguments& arguments)
   files.write(arguments.scene,
               [&](std::ostream& out) { write_glb(out, shown_pose(input, result)); });
   summary.add_seconds("write", clock.lap());
-  files.write(arguments.report,
-              [&](std::ostream& out) { write_report(out, summary, clock.total()); });
+  files.write(arguments.report, [&](std::ostream& out) {
+    write_report(out, summary, clock.total(), result.skeleton);
+  });
   files.commit();
   arguments.say("");
   if(!arguments.quiet)

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CANONICAL_POSE_3_ENGINE_MATCH_POINT_SEARCH_H
-#define CANONICAL_POSE_3_ENGINE_MATCH_POINT_SEARCH_H
+#ifndef CANONICAL_POSE_3_ENGINE_SUPPORT_POINT_SEARCH_H
+#define CANONICAL_POSE_3_ENGINE_SUPPORT_POINT_SEARCH_H
 
 #include <CGAL/Canonical_pose_3/internal/support/for_each_block.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
@@ -86,4 +86,4 @@ private:
 } // namespace Canonical_pose_3
 } // namespace CGAL
 
-#endif // CANONICAL_POSE_3_ENGINE_MATCH_POINT_SEARCH_H
+#endif // CANONICAL_POSE_3_ENGINE_SUPPORT_POINT_SEARCH_H

@@ -1,0 +1,172 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "pose_in_stance.h"
+#include "timed.h"
+#include "../stance/Body_plan.h"
+#include "../stance/skeleton_of_body.h"
+#include "../stance/stance_target.h"
+#include "../support/Point_search.h"
+
+#include <CGAL/Canonical_pose_3/Landmark_fields_3.h>
+#include <CGAL/Canonical_pose_3/Options.h>
+#include <CGAL/Canonical_pose_3/Registration_summary.h>
+#include <CGAL/Canonical_pose_3/Target_3.h>
+#include <CGAL/Canonical_pose_3/align_target.h>
+#include <CGAL/Canonical_pose_3/internal/support/values_at.h>
+#include <CGAL/Canonical_pose_3/pose_steps.h>
+
+#include <CGAL/number_type_config.h>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+namespace internal {
+namespace {
+
+// The registration to a stance: no vertex near a joint is matched, and nothing is refined.
+Component_options options_in_stance(const Component_options& options, const Surface_body_3& body,
+                                    const Eigen::VectorXd& weights,
+                                    const Eigen::Index number_of_rows)
+{
+  constexpr double share_of_detail_length = .5;
+  Component_options result = options;
+  result.number_of_rounds = 0;
+  result.registration.detail_length
+    = (std::max)(share_of_detail_length * options.registration.detail_length,
+                 Registration_options::SMALLEST_DETAIL_LENGTH);
+  result.volume_ratio_limit.reset();
+  Eigen::VectorXd factors = Eigen::VectorXd::Zero(number_of_rows);
+  for(std::size_t i = 0; i < body.surface_vertices.size(); ++i)
+    factors[static_cast<Eigen::Index>(body.surface_vertices[i])]
+      = weights[static_cast<Eigen::Index>(i)];
+  result.matching_weights = options.matching_weights.size() == 0
+                              ? factors
+                              : options.matching_weights.cwiseProduct(factors).eval();
+  return result;
+}
+
+// Names the limbs that are far from their directions, since something was in the way. `to_body`: from the pose to the frame of
+// the body.
+std::optional<std::string> warning_of_directions(const Body_plan& plan, const Point_matrix& pose,
+                                                 const std::array<Eigen::Vector3d, 4>& directions,
+                                                 const Eigen::Isometry3d& to_body)
+{
+  constexpr double largest_angle = 15, share_of_joint = .25;
+  const bool is_person = plan.kind() == Skeleton_3::Kind::PERSON;
+  const std::array<std::string, 4> names
+    = {is_person ? "left arm" : "left front leg", is_person ? "right arm" : "right front leg",
+       is_person ? "left leg" : "left hind leg", is_person ? "right leg" : "right hind leg"};
+  std::string list;
+  for(std::size_t i = 0; i < directions.size(); ++i)
+  {
+    const Limb& limb = plan.limbs()[i];
+    const Eigen::Vector3d direction
+      = to_body.linear()
+        * (plan.center(pose, limb, limb.end)
+           - plan.center(pose, limb, limb.root + share_of_joint * (limb.end - limb.root)))
+            .transpose();
+    const double angle
+      = std::atan2(direction.cross(directions[i]).norm(), direction.dot(directions[i])) * 180
+        / CGAL_PI;
+    if(angle > largest_angle)
+      list += (list.empty() ? "" : ", ") + names[i] + " by "
+              + std::to_string(static_cast<int>(std::round(angle))) + " degrees";
+  }
+  if(list.empty())
+    return std::nullopt;
+  return "limbs are off their directions in the stance: " + list;
+}
+
+} // namespace
+
+Skeleton_3 with_weights_at(const Point_matrix& others, const Point_matrix& points,
+                           Skeleton_3 skeleton)
+{
+  const auto nearest = Point_search(points).nearest(others, 1);
+  std::vector<Eigen::Triplet<double>> entries;
+  for(std::size_t i = 0; i < nearest.size(); ++i)
+    for(Eigen::SparseMatrix<double, Eigen::RowMajor>::InnerIterator entry(
+          skeleton.weights, static_cast<Eigen::Index>(nearest[i][0]));
+        entry; ++entry)
+      entries.emplace_back(static_cast<int>(i), static_cast<int>(entry.col()), entry.value());
+  skeleton.weights.resize(others.rows(), skeleton.weights.cols());
+  skeleton.weights.setFromTriplets(entries.begin(), entries.end());
+  return skeleton;
+}
+
+Result pose_in_stance(const Surface_component_3& surface, const Coarse_surface_3& coarse,
+                      const Surface_body_3& body, const Component_options& options,
+                      Result canonical)
+{
+  Registration_summary& summary = canonical.summary;
+  if(summary.termination == Registration_summary::CANCELED)
+    return canonical;
+  Method_options distances = options;
+  distances.number_of_landmarks = Method_options().number_of_landmarks;
+  distances.random_seed = 0;
+  const Body_plan plan = timed(summary, "stance", [&] {
+    return Body_plan(
+      surface, coarse, rows_at(canonical.pose, body.surface_vertices),
+      [&](const Surface_component_3& measured, const std::vector<std::size_t>& sources) {
+        return sources.empty() ? landmark_fields(measured, distances)
+                               : landmark_fields(measured, sources, distances);
+      });
+  });
+  Result result;
+  Point_matrix upright = plan.upright();
+  std::optional<std::array<Eigen::Vector3d, 4>> directions;
+  if(options.stance == Options::Stance::CANONICAL)
+    result = std::move(canonical);
+  else
+  {
+    Target_3 target;
+    target.is_given = true;
+    target.summary = summary.target;
+    const Stance_target stance
+      = timed(summary, "stance", [&] { return stance_target(plan, options.stance); });
+    upright = stance.points;
+    directions = stance.directions;
+    target.points = align_target(stance.points, surface.points, plan.shares());
+    result = registered_pose(
+      surface, coarse, Landmark_fields_3{{}, Eigen::MatrixXd(coarse.surface.points.rows(), 0), 0},
+      target, body, options_in_stance(options, body, stance.weights, canonical.pose.rows()));
+    for(const Registration_summary::Stage& stage : summary.stages)
+      result.summary.add_seconds(stage.first, stage.second);
+    for(const std::string& warning : summary.warnings)
+      if(std::find(result.summary.warnings.begin(), result.summary.warnings.end(), warning)
+         == result.summary.warnings.end())
+        result.summary.warnings.push_back(warning);
+    result.summary.rounds = summary.rounds;
+    result.summary.iterations += summary.iterations;
+  }
+  if(!result.is_usable())
+    return result;
+  const Point_matrix pose = rows_at(result.pose, body.surface_vertices);
+  result.skeleton = with_weights_at(result.pose, pose, skeleton_of_body(plan, pose, upright));
+  if(directions)
+    if(const auto warning = warning_of_directions(plan, pose, *directions, result.skeleton->frame))
+      result.summary.warnings.push_back(*warning);
+  if(!plan.is_certain())
+    result.summary.warnings.push_back(
+      plan.kind() == Skeleton_3::Kind::PERSON
+        ? "front and back of the body may be confused: the toes hardly tell them apart"
+        : "the back and the belly of the animal may be confused: its legs hardly tell them apart");
+  return result;
+}
+
+} // namespace internal
+} // namespace Canonical_pose_3
+} // namespace CGAL

@@ -1,0 +1,370 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "Body_plan.h"
+#include "closest_rotation_of_points.h"
+#include "extremities.h"
+#include "limb_pairs.h"
+#include "../surface/root_of_area.h"
+
+#include <CGAL/Canonical_pose_3/Coarse_surface_3.h>
+#include <CGAL/Canonical_pose_3/Landmark_fields_3.h>
+#include <CGAL/Canonical_pose_3/Surface_component_3.h>
+#include <CGAL/Canonical_pose_3/point_matrix.h>
+#include <CGAL/Canonical_pose_3/surface_measures.h>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+namespace internal {
+namespace {
+
+// The prominent extremities, but only one of those that are close to each other, such as the ears. `distances`: a column for
+// each of them.
+std::vector<std::size_t> without_neighbors(const std::vector<Extremity>& extremities,
+                                           const Eigen::MatrixXd& distances)
+{
+  constexpr double least_distance = .41; // by the median
+  const auto between = [&](const std::size_t i, const std::size_t j) {
+    return distances(static_cast<Eigen::Index>(extremities[i].vertex),
+                     static_cast<Eigen::Index>(j));
+  };
+  std::vector<double> all;
+  for(std::size_t i = 0; i < extremities.size(); ++i)
+    for(std::size_t j = i + 1; j < extremities.size(); ++j)
+      all.push_back(between(i, j));
+  if(all.empty())
+    return {};
+  const auto middle = all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2);
+  std::nth_element(all.begin(), middle, all.end());
+  std::vector<std::size_t> result;
+  for(std::size_t i = 0; i < extremities.size(); ++i)
+    if(std::none_of(result.begin(), result.end(),
+                    [&](const std::size_t j) { return between(i, j) < least_distance * *middle; }))
+      result.push_back(i);
+  return result;
+}
+
+// The area of a ring, by its width: the girth.
+double girth_at(const Eigen::VectorXd& distances, const Eigen::VectorXd& shares,
+                const double distance)
+{
+  constexpr double width = .04;
+  double area = 0;
+  for(Eigen::Index v = 0; v < distances.size(); ++v)
+    if(std::abs(distances[v] - distance) <= width)
+      area += shares[v];
+  return area / (2 * width);
+}
+
+// Where a limb ends at the trunk: where its girth exceeds twice the median of that before.
+double distance_of_root(const Eigen::VectorXd& distances, const Eigen::VectorXd& shares)
+{
+  constexpr double step = .02, first = .06, least = .2, largest = 1.6, factor = 2;
+  std::vector<double> girths;
+  for(double distance = first; distance < largest; distance += step)
+  {
+    const double value = girth_at(distances, shares, distance);
+    girths.push_back(value);
+    if(distance < least)
+      continue;
+    std::vector<double> sorted = girths;
+    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+    std::nth_element(sorted.begin(), middle, sorted.end());
+    if(value > factor * *middle)
+      return distance;
+  }
+  return largest;
+}
+
+// Where hand or foot begins: where the limb is thinnest.
+double distance_of_end(const Limb& limb, const Eigen::VectorXd& shares)
+{
+  constexpr double step = .02, first = .12, last = .36;
+  const double least = (std::min)(first, .3 * limb.root),
+               largest = (std::max)((std::min)(last, .5 * limb.root), 1.2 * least);
+  double result = least, smallest = girth_at(limb.distances, shares, least);
+  for(double distance = least + step; distance < largest; distance += step)
+    if(const double value = girth_at(limb.distances, shares, distance); value < smallest)
+    {
+      smallest = value;
+      result = distance;
+    }
+  return result;
+}
+
+Eigen::RowVector3d orthogonal(const Eigen::RowVector3d& direction, const Eigen::RowVector3d& axis)
+{
+  return (direction - direction.dot(axis) * axis).normalized();
+}
+
+} // namespace
+
+Body_plan::Body_plan(const Surface_component_3& surface, const Coarse_surface_3& coarse,
+                     const Point_matrix& pose, const Measure_distances& measure)
+  : m_unit(root_of_area(pose, surface.triangles)),
+    m_unit_of_rest(root_of_area(surface.points, surface.triangles)),
+    m_rest(surface.points / m_unit_of_rest), m_pose(pose / m_unit),
+    m_shares(vertex_area_shares(pose, surface.triangles))
+{
+  m_shares /= m_shares.sum();
+  find_limbs(coarse, measure);
+  set_joints();
+  set_frames(coarse, measure);
+}
+
+double Body_plan::girth(const Limb& limb, const double distance) const
+{
+  return girth_at(limb.distances, m_shares, distance);
+}
+
+Eigen::RowVector3d Body_plan::center(const Point_matrix& points, const Limb& limb,
+                                     const double distance, double width) const
+{
+  for(;; width *= 2)
+  {
+    double sum = 0;
+    Eigen::RowVector3d result = Eigen::RowVector3d::Zero();
+    for(Eigen::Index v = 0; v < points.rows(); ++v)
+      if(std::abs(limb.distances[v] - distance) <= width)
+      {
+        sum += m_shares[v];
+        result += m_shares[v] * points.row(v);
+      }
+    if(sum > 0)
+      return result / sum;
+  }
+}
+
+double Body_plan::relative_length_of_rest(const Limb& limb) const
+{
+  constexpr int number_of_sections = 8;
+  const auto length = [&](const Point_matrix& points) {
+    double sum = 0;
+    Eigen::RowVector3d before = center(points, limb, limb.end);
+    for(int k = 1; k <= number_of_sections; ++k)
+    {
+      const Eigen::RowVector3d next
+        = center(points, limb, limb.end + (limb.root - limb.end) * k / number_of_sections);
+      sum += (next - before).norm();
+      before = next;
+    }
+    return sum;
+  };
+  return length(m_rest) * m_unit_of_rest / (length(m_pose) * m_unit);
+}
+
+void Body_plan::find_limbs(const Coarse_surface_3& coarse, const Measure_distances& measure)
+{
+  constexpr double least_prominence = .15;
+  constexpr std::size_t most_limbs = 16;
+  const Surface_component_3 posed = coarse.posed(m_pose);
+  const std::vector<Extremity> all = extremities(posed, measure(posed, {}));
+  std::vector<Extremity> limbs;
+  for(const Extremity& extremity : all)
+    if(extremity.prominence > least_prominence && limbs.size() < most_limbs)
+      limbs.push_back(extremity);
+  std::vector<std::size_t> tips;
+  for(const Extremity& limb : limbs)
+    tips.push_back(limb.vertex);
+  Eigen::MatrixXd distances = measure(posed, tips).distances;
+  const std::vector<std::size_t> kept = without_neighbors(limbs, distances);
+  Eigen::MatrixXd distances_of_kept(distances.rows(), static_cast<Eigen::Index>(kept.size()));
+  std::vector<Extremity> kept_limbs;
+  for(std::size_t i = 0; i < kept.size(); ++i)
+  {
+    kept_limbs.push_back(limbs[kept[i]]);
+    distances_of_kept.col(static_cast<Eigen::Index>(i))
+      = distances.col(static_cast<Eigen::Index>(kept[i]));
+  }
+  Eigen::VectorXd shares = vertex_area_shares(posed.points, posed.triangles);
+  shares /= shares.sum();
+  const Limb_pairs pairs = limb_pairs(kept_limbs, all, distances_of_kept, shares);
+  const auto limb = [&](const std::size_t i) {
+    Limb result;
+    result.distances
+      = coarse.interpolated(Eigen::VectorXd(distances_of_kept.col(static_cast<Eigen::Index>(i))));
+    result.tip = coarse.vertices[kept_limbs[i].vertex];
+    result.root = distance_of_root(result.distances, m_shares);
+    return result;
+  };
+  m_limbs = {limb(pairs.arms[0]), limb(pairs.arms[1]), limb(pairs.legs[0]), limb(pairs.legs[1])};
+  for(std::size_t i = 0; i < kept.size(); ++i)
+    if(i != pairs.arms[0] && i != pairs.arms[1] && i != pairs.legs[0] && i != pairs.legs[1])
+      m_others.insert(i == pairs.head ? m_others.begin() : m_others.end(), limb(i));
+}
+
+// Both limbs of a pair are as long; the way from one tip to the other leads past both joints.
+void Body_plan::set_joints()
+{
+  constexpr double least_cosine = .6, length_of_legs = .97;
+  const auto between = [&](const Limb& limb, const Limb& other) {
+    return (limb.distances[static_cast<Eigen::Index>(other.tip)]
+            + other.distances[static_cast<Eigen::Index>(limb.tip)])
+           / 2;
+  };
+  for(const std::size_t i : {0, 2})
+  {
+    Limb &limb = m_limbs[i], &other = m_limbs[i + 1];
+    limb.root = other.root = (std::min)((limb.root + other.root) / 2, between(limb, other) / 2);
+  }
+  const auto joint
+    = [&](const std::size_t i) { return center(m_pose, m_limbs[i], m_limbs[i].root); };
+  const auto tip
+    = [&](const std::size_t i) { return m_pose.row(static_cast<Eigen::Index>(m_limbs[i].tip)); };
+  const Eigen::RowVector3d axis = (joint(0) + joint(1) - joint(2) - joint(3)).normalized(),
+                           arms = orthogonal(tip(0) - tip(1) + joint(0) - joint(1), axis),
+                           legs = orthogonal(tip(2) - tip(3) + joint(2) - joint(3), axis);
+  // The canonical pose of a person is twisted: its four limbs are as long as the trunk, and keep away from each other.
+  m_kind = std::abs(arms.dot(legs)) < least_cosine ? Skeleton_3::Kind::PERSON
+                                                   : Skeleton_3::Kind::FOUR_LEGGED;
+  if(m_kind == Skeleton_3::Kind::PERSON)
+    for(const std::size_t i : {2, 3})
+      m_limbs[i].root = length_of_legs * between(m_limbs[2], m_limbs[3]) / 2;
+  for(Limb& limb : m_limbs)
+    limb.end = distance_of_end(limb, m_shares);
+  for(Limb& limb : m_others)
+    limb.end = distance_of_end(limb, m_shares);
+}
+
+// Whether the first leg is on the side of the second arm: the way along the surface of the input is shorter on the same side.
+bool Body_plan::are_legs_on_other_sides(const Coarse_surface_3& coarse,
+                                        const Measure_distances& measure) const
+{
+  constexpr double width = .03;
+  constexpr std::size_t most_sources = 12;
+  Surface_component_3 rest = coarse.surface;
+  rest.points /= m_unit_of_rest;
+  const auto ring = [&](const Limb& limb, const double distance) {
+    for(double w = width;; w *= 2)
+    {
+      std::vector<std::size_t> result;
+      for(std::size_t i = 0; i < coarse.vertices.size(); ++i)
+        if(std::abs(limb.distances[static_cast<Eigen::Index>(coarse.vertices[i])] - distance) <= w)
+          result.push_back(i);
+      if(!result.empty())
+        return result;
+    }
+  };
+  std::vector<std::size_t> sources;
+  std::array<std::size_t, 3> first = {0, 0, 0};
+  for(std::size_t arm = 0; arm < 2; ++arm)
+  {
+    const std::vector<std::size_t> all = ring(m_limbs[arm], m_limbs[arm].root);
+    const std::size_t step = all.size() / most_sources + 1;
+    for(std::size_t i = 0; i < all.size(); i += step)
+      sources.push_back(all[i]);
+    first[arm + 1] = sources.size();
+  }
+  const Eigen::MatrixXd distances = measure(rest, sources).distances;
+  const auto mean = [&](const std::size_t arm, const std::size_t leg) {
+    const std::vector<std::size_t> targets = ring(m_limbs[leg], m_limbs[leg].root - width);
+    double sum = 0;
+    for(const std::size_t v : targets)
+      sum += distances
+               .block(static_cast<Eigen::Index>(v), static_cast<Eigen::Index>(first[arm]), 1,
+                      static_cast<Eigen::Index>(first[arm + 1] - first[arm]))
+               .minCoeff();
+    return sum / static_cast<double>(targets.size());
+  };
+  return mean(0, 3) + mean(1, 2) < mean(0, 2) + mean(1, 3);
+}
+
+// From the ankle in the input, relative to the shin, as it is in the pose.
+Eigen::Vector3d Body_plan::direction_of_toes(const Limb& limb) const
+{
+  constexpr double length = .2;
+  const Eigen::VectorXd weights
+    = ((limb.distances.array() > limb.end && limb.distances.array() < limb.end + length)
+         .cast<double>()
+       * m_shares.array())
+        .matrix();
+  const Eigen::Matrix3d rotation = closest_rotation_of_points(m_pose, m_rest, weights);
+  const Eigen::Vector3d toes
+    = rotation.transpose()
+      * (m_rest.row(static_cast<Eigen::Index>(limb.tip)) - center(m_rest, limb, limb.end))
+          .transpose();
+  const Eigen::Vector3d shin
+    = (center(m_pose, limb, limb.end) - center(m_pose, limb, limb.end + .75 * length))
+        .normalized()
+        .transpose();
+  return toes - toes.dot(shin) * shin;
+}
+
+// From its joint in the input, relative to the trunk, as it is in the pose.
+Eigen::Vector3d Body_plan::direction_of_leg(const Limb& limb) const
+{
+  constexpr double length_of_head = .3;
+  Eigen::VectorXd weights = m_shares;
+  for(Eigen::Index v = 0; v < weights.size(); ++v)
+  {
+    const auto is_inside
+      = [v](const Limb& other, const double length) { return other.distances[v] <= length; };
+    if(std::any_of(m_limbs.begin(), m_limbs.end(),
+                   [&](const Limb& other) { return is_inside(other, other.root); })
+       || std::any_of(m_others.begin(), m_others.end(),
+                      [&](const Limb& other) { return is_inside(other, length_of_head); }))
+      weights[v] = 0;
+  }
+  return closest_rotation_of_points(m_pose, m_rest, weights).transpose()
+         * (center(m_rest, limb, limb.end) - center(m_rest, limb, limb.root)).transpose();
+}
+
+void Body_plan::set_frames(const Coarse_surface_3& coarse, const Measure_distances& measure)
+{
+  constexpr double least_evidence = .05;
+  const bool is_person = m_kind == Skeleton_3::Kind::PERSON;
+  const auto joint
+    = [&](const std::size_t i) { return center(m_pose, m_limbs[i], m_limbs[i].root); };
+  m_origin = (joint(2) + joint(3)) / 2;
+  m_axis = (joint(0) + joint(1)) / 2 - m_origin;
+  m_length_of_trunk = m_axis.norm();
+  m_axis /= m_length_of_trunk;
+  if(are_legs_on_other_sides(coarse, measure))
+    std::swap(m_limbs[2], m_limbs[3]);
+  const auto to_first = [&](const std::size_t i) {
+    const auto tip = [&](const std::size_t limb) {
+      return m_pose.row(static_cast<Eigen::Index>(m_limbs[limb].tip));
+    };
+    return Eigen::RowVector3d(orthogonal(tip(i) - tip(i + 1) + joint(i) - joint(i + 1), m_axis));
+  };
+  std::array<Eigen::RowVector3d, 2> left = {to_first(0), to_first(2)};
+  // The front of a person, or the back of an animal, if the first limbs are on the left.
+  const auto third = [&](const Eigen::RowVector3d& side) {
+    return Eigen::RowVector3d(is_person ? side.cross(m_axis) : m_axis.cross(side));
+  };
+  double evidence = 0;
+  if(is_person)
+    for(const std::size_t i : {2, 3})
+      evidence += third(left[1]).dot(direction_of_toes(m_limbs[i]));
+  else
+    for(std::size_t i = 0; i < 4; ++i)
+      evidence -= third(left[i / 2]).dot(direction_of_leg(m_limbs[i])) / 2;
+  m_is_certain = std::abs(evidence) >= least_evidence;
+  if(evidence < 0)
+  {
+    std::swap(m_limbs[0], m_limbs[1]);
+    std::swap(m_limbs[2], m_limbs[3]);
+    for(Eigen::RowVector3d& side : left)
+      side = -side;
+  }
+  for(std::size_t i = 0; i < 2; ++i)
+    if(is_person)
+      m_frames[i] << left[i], m_axis, third(left[i]);
+    else
+      m_frames[i] << left[i], third(left[i]), m_axis;
+}
+
+} // namespace internal
+} // namespace Canonical_pose_3
+} // namespace CGAL

@@ -1,0 +1,112 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CANONICAL_POSE_3_ENGINE_STANCE_BODY_PLAN_H
+#define CANONICAL_POSE_3_ENGINE_STANCE_BODY_PLAN_H
+
+#include <CGAL/Canonical_pose_3/Coarse_surface_3.h>
+#include <CGAL/Canonical_pose_3/Landmark_fields_3.h>
+#include <CGAL/Canonical_pose_3/Skeleton_3.h>
+#include <CGAL/Canonical_pose_3/Surface_component_3.h>
+#include <CGAL/Canonical_pose_3/point_matrix.h>
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+namespace internal {
+
+// Measures distances on a surface: from the given sources, or from landmarks that are spread over it.
+using Measure_distances = std::function<Landmark_fields_3(const Surface_component_3& surface,
+                                                          const std::vector<std::size_t>& sources)>;
+
+// A limb in the canonical pose. Distances are measured from its tip.
+struct Limb
+{
+  Eigen::VectorXd distances; // one per vertex
+  std::size_t tip;           // the vertex with the smallest distance
+  double end;                // the distance of wrist or ankle
+  double root;               // that of shoulder or hip
+};
+
+// What is known of a body with two arms and two legs, or four legs: limbs, and a frame whose axes are left, up and front. Lengths
+// are relative to the root of the area.
+class Body_plan
+{
+public:
+  // Throws std::invalid_argument if the shape has no such limbs. `pose`: one row per vertex of the surface.
+  Body_plan(const Surface_component_3& surface, const Coarse_surface_3& coarse,
+            const Point_matrix& pose, const Measure_distances& measure);
+
+  Skeleton_3::Kind kind() const { return m_kind; }
+
+  // Whether front and back, or up and down, can be told apart.
+  bool is_certain() const { return m_is_certain; }
+
+  double unit() const { return m_unit; } // the root of the area of the pose
+  const Point_matrix& pose() const { return m_pose; }
+  const Eigen::VectorXd& shares() const { return m_shares; } // of the area
+
+  // Left and right arms (or front legs), left and right legs (or hind legs).
+  const std::array<Limb, 4>& limbs() const { return m_limbs; }
+
+  const Limb& head() const { return m_others.front(); }
+  const Limb* tail() const { return m_others.size() > 1 ? &m_others[1] : nullptr; }
+
+  // Between the joints of the legs, and the distance from there to those of the arms.
+  const Eigen::RowVector3d& origin() const { return m_origin; }
+  double length_of_trunk() const { return m_length_of_trunk; }
+
+  // The direction of the head.
+  const Eigen::RowVector3d& axis() const { return m_axis; }
+
+  // Rows: left, up, front, where the arms are (0), and where the legs are (1).
+  const std::array<Eigen::Matrix3d, 2>& frames() const { return m_frames; }
+
+  // The pose in the frame of the legs, with the origin between their joints.
+  Point_matrix upright() const
+  {
+    return m_unit * (m_pose.rowwise() - m_origin) * m_frames[1].transpose();
+  }
+
+  // The length around a limb at a distance.
+  double girth(const Limb& limb, double distance) const;
+
+  // The mean position of the vertices at a distance along a limb.
+  Eigen::RowVector3d center(const Point_matrix& points, const Limb& limb, double distance,
+                            double width = .04) const;
+
+  // The length of the center line of a limb in the input, relative to that in the pose.
+  double relative_length_of_rest(const Limb& limb) const;
+
+private:
+  void find_limbs(const Coarse_surface_3& coarse, const Measure_distances& measure);
+  void set_joints();
+  void set_frames(const Coarse_surface_3& coarse, const Measure_distances& measure);
+  bool are_legs_on_other_sides(const Coarse_surface_3& coarse,
+                               const Measure_distances& measure) const;
+  Eigen::Vector3d direction_of_toes(const Limb& limb) const;
+  Eigen::Vector3d direction_of_leg(const Limb& limb) const;
+
+  double m_unit, m_unit_of_rest;
+  Point_matrix m_rest, m_pose;
+  Eigen::VectorXd m_shares;
+  Skeleton_3::Kind m_kind = Skeleton_3::Kind::PERSON;
+  bool m_is_certain = false;
+  std::array<Limb, 4> m_limbs;
+  std::vector<Limb> m_others; // head and tail
+  Eigen::RowVector3d m_origin, m_axis;
+  double m_length_of_trunk = 0;
+  std::array<Eigen::Matrix3d, 2> m_frames;
+};
+
+} // namespace internal
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CANONICAL_POSE_3_ENGINE_STANCE_BODY_PLAN_H

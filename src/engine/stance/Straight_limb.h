@@ -1,0 +1,121 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CANONICAL_POSE_3_ENGINE_STANCE_STRAIGHT_LIMB_H
+#define CANONICAL_POSE_3_ENGINE_STANCE_STRAIGHT_LIMB_H
+
+#include "Body_plan.h"
+
+#include <CGAL/Canonical_pose_3/point_matrix.h>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+namespace internal {
+
+// A limb that is straightened in a direction, from its root: sections move with their centers, and are rotated such that the
+// center line becomes straight, from one section to the next about the axis in which it is bent there.
+class Straight_limb
+{
+public:
+  // `points`: the vertices of the body, of which the limb is a part. `stretch`: of its length. `direction_of_tip`: from the end
+  // to the tip, if hand or foot is rotated.
+  Straight_limb(const Body_plan& body, const Limb& limb, const Point_matrix& points,
+                const Eigen::Vector3d& direction, const double stretch,
+                const std::optional<Eigen::Vector3d>& direction_of_tip)
+    : m_distances(limb.distances), m_end(limb.end), m_root(limb.root),
+      m_width_of_end((std::min)(.05, .1 * limb.root))
+  {
+    constexpr double length_of_section = .05, width = .035;
+    const auto number
+      = static_cast<std::size_t>((std::max)(2., std::round((m_root - m_end) / length_of_section)));
+    m_length = (m_root - m_end) / static_cast<double>(number);
+    for(std::size_t k = 0; k <= number; ++k)
+      m_centers.emplace_back(
+        body.center(points, limb, m_end + m_length * static_cast<double>(k), width));
+    for(int pass = 0; pass < 2; ++pass)
+    {
+      const std::vector<Eigen::Vector3d> before = m_centers;
+      for(std::size_t k = 1; k < number; ++k)
+        m_centers[k] = (before[k - 1] + 2 * before[k] + before[k + 1]) / 4;
+    }
+    m_rotations.resize(number);
+    m_positions.resize(number + 1);
+    m_positions[number] = m_centers[number];
+    for(std::size_t k = number; k-- > 0;)
+    {
+      m_rotations[k]
+        = k + 1 == number
+            ? Eigen::Quaterniond::FromTwoVectors(tangent(k), direction)
+            : m_rotations[k + 1] * Eigen::Quaterniond::FromTwoVectors(tangent(k), tangent(k + 1));
+      m_positions[k]
+        = m_positions[k + 1] + stretch * (m_centers[k] - m_centers[k + 1]).norm() * direction;
+    }
+    if(direction_of_tip)
+    {
+      const Eigen::Vector3d tip
+        = straightened(points.row(static_cast<Eigen::Index>(limb.tip)).transpose(), 0);
+      m_rotation_of_tip
+        = Eigen::Quaterniond::FromTwoVectors(tip - m_positions[0], *direction_of_tip);
+    }
+  }
+
+  // Where a vertex of the limb is moved.
+  Eigen::Vector3d operator()(const Eigen::Vector3d& point, const Eigen::Index vertex) const
+  {
+    const double distance = m_distances[vertex];
+    const Eigen::Vector3d moved = straightened(point, distance);
+    if(!m_rotation_of_tip || distance > m_end + m_width_of_end)
+      return moved;
+    const double share = (m_end + m_width_of_end - distance) / (2 * m_width_of_end);
+    return m_positions[0]
+           + Eigen::Quaterniond::Identity().slerp((std::min)(share, 1.), *m_rotation_of_tip)
+               * (moved - m_positions[0]);
+  }
+
+  // Whether a vertex is in wrist or ankle, where the tip is rotated.
+  bool is_in_end(const Eigen::Index vertex) const
+  {
+    return m_rotation_of_tip && std::abs(m_distances[vertex] - m_end) < m_width_of_end;
+  }
+
+private:
+  Eigen::Vector3d tangent(const std::size_t k) const { return m_centers[k] - m_centers[k + 1]; }
+
+  Eigen::Vector3d straightened(const Eigen::Vector3d& point, const double distance) const
+  {
+    const double last = static_cast<double>(m_rotations.size()),
+                 at = std::clamp((distance - m_end) / m_length, 0., last);
+    const auto k = static_cast<std::size_t>((std::min)(at, last - 1));
+    const double share = at - static_cast<double>(k);
+    // Rotations are those of the middles of sections.
+    const double between = std::clamp(at - .5, 0., last - 1);
+    const auto r = static_cast<std::size_t>((std::min)(between, (std::max)(last - 2, 0.)));
+    const Eigen::Quaterniond rotation = m_rotations[r].slerp(
+      between - static_cast<double>(r), m_rotations[(std::min)(r + 1, m_rotations.size() - 1)]);
+    const auto mixed = [&](const std::vector<Eigen::Vector3d>& values) {
+      return Eigen::Vector3d((1 - share) * values[k] + share * values[k + 1]);
+    };
+    return mixed(m_positions) + rotation * (point - mixed(m_centers));
+  }
+
+  const Eigen::VectorXd& m_distances;
+  double m_end, m_root, m_width_of_end, m_length;
+  std::vector<Eigen::Vector3d> m_centers, m_positions; // from the end to the root
+  std::vector<Eigen::Quaterniond> m_rotations;         // of the sections between them
+  std::optional<Eigen::Quaterniond> m_rotation_of_tip;
+};
+
+} // namespace internal
+} // namespace Canonical_pose_3
+} // namespace CGAL
+
+#endif // CANONICAL_POSE_3_ENGINE_STANCE_STRAIGHT_LIMB_H

@@ -1,0 +1,127 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "stance_target.h"
+#include "Straight_limb.h"
+#include "smooth_step.h"
+
+#include <CGAL/Canonical_pose_3/Options.h>
+#include <CGAL/Canonical_pose_3/Skeleton_3.h>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <stdexcept>
+
+namespace CGAL {
+namespace Canonical_pose_3 {
+namespace internal {
+namespace {
+
+using Stance = Method_options::Stance;
+
+// Directions of the limbs on the left, and of the feet; of arms, hands are straight.
+struct Directions
+{
+  Eigen::Vector3d arms, legs, feet;
+  bool are_arms_legs; // which have feet
+};
+
+Directions directions_of(const Stance stance, const Skeleton_3::Kind kind)
+{
+  const bool is_person = kind == Skeleton_3::Kind::PERSON;
+  if(is_person == (stance == Stance::STAND))
+    throw std::invalid_argument(
+      is_person ? "standing is a stance of animals with four legs, but the shape is like a person"
+                : "the stance is one of persons, but the shape is like an animal with four legs");
+  const Eigen::Vector3d level(1, 0, 0), down(0, -1, 0), foot(0, -.35, 1), paw(0, -1, 1);
+  switch(stance)
+  {
+  case Stance::A:
+    return {{1, -1, 0}, {.03, -1, 0}, foot, false};
+  case Stance::VITRUVIAN:
+    return {level, {.4, -1, 0}, foot, false};
+  case Stance::STAND:
+    return {down, down, paw, true};
+  default:
+    return {level, {.03, -1, 0}, foot, false};
+  }
+}
+
+// The trunk, straight: what is near the arms turns about its axis, so that these are level, and what is near the legs.
+Stance_target trunk(const Body_plan& body)
+{
+  constexpr double first = .2, last = .8, least = .1; // of the length of the trunk
+  const Eigen::Matrix3d &chest = body.frames()[0], &hips = body.frames()[1];
+  const Eigen::Vector3d axis = hips * body.axis().transpose();
+  const Eigen::AngleAxisd twist(Eigen::Quaterniond(chest * hips.transpose()));
+  const double angle = twist.angle() * (twist.axis().dot(axis) < 0 ? -1 : 1);
+  Stance_target result = {(body.pose().rowwise() - body.origin()) * hips.transpose(),
+                          Eigen::VectorXd::Ones(body.pose().rows()),
+                          {}};
+  for(Eigen::Index v = 0; v < result.points.rows(); ++v)
+  {
+    const double height = result.points.row(v).dot(axis) / body.length_of_trunk(),
+                 share = smooth_step((height - first) / (last - first));
+    result.points.row(v)
+      = (Eigen::AngleAxisd(share * angle, axis) * Eigen::Vector3d(result.points.row(v).transpose()))
+          .transpose();
+    if(body.kind() == Skeleton_3::Kind::PERSON && share > least && share < 1 - least)
+      result.weights[v] = 0;
+  }
+  return result;
+}
+
+} // namespace
+
+Stance_target stance_target(const Body_plan& body, const Stance stance)
+{
+  constexpr double largest_width = .1, width_by_length = .1, least_share = .03, least_stretch = .85,
+                   largest_stretch = 1.1;
+  const Directions directions = directions_of(stance, body.kind());
+  Stance_target result = trunk(body);
+  const Point_matrix straight = result.points;
+  // The canonical pose is stretched; both limbs of a pair are as long as in the input, where it is not bent too much to tell.
+  std::array<double, 2> stretches;
+  for(std::size_t pair = 0; pair < 2; ++pair)
+    stretches[pair] = std::clamp((body.relative_length_of_rest(body.limbs()[2 * pair])
+                                  + body.relative_length_of_rest(body.limbs()[2 * pair + 1]))
+                                   / 2,
+                                 least_stretch, largest_stretch);
+  for(std::size_t i = 0; i < body.limbs().size(); ++i)
+  {
+    const Limb& limb = body.limbs()[i];
+    const bool is_arm = i < 2, has_foot = !is_arm || directions.are_arms_legs;
+    const Eigen::Matrix3d& frame = body.frames()[is_arm ? 0 : 1];
+    const Point_matrix points = (body.pose().rowwise() - body.origin()) * frame.transpose();
+    Eigen::Vector3d direction = is_arm ? directions.arms : directions.legs;
+    if(i % 2 == 1)
+      direction[0] *= -1;
+    result.directions[i] = direction.normalized();
+    const Straight_limb moved(body, limb, points, result.directions[i], stretches[i / 2],
+                              has_foot ? std::optional(directions.feet) : std::nullopt);
+    const double width = (std::min)(largest_width, width_by_length * limb.root);
+    for(Eigen::Index v = 0; v < points.rows(); ++v)
+    {
+      const double share = smooth_step((limb.root - limb.distances[v]) / (2 * width));
+      if(share == 0)
+        continue;
+      result.points.row(v)
+        = share * moved(points.row(v).transpose(), v).transpose() + (1 - share) * straight.row(v);
+      const bool is_in_joint = share > least_share && share < 1 - least_share;
+      if(is_in_joint || moved.is_in_end(v))
+        result.weights[v] = 0;
+    }
+  }
+  result.points *= body.unit();
+  return result;
+}
+
+} // namespace internal
+} // namespace Canonical_pose_3
+} // namespace CGAL

@@ -1,0 +1,289 @@
+// Copyright (c) 2026 The Canonical_pose_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Stances of figures whose limbs are known.
+
+#include "../../examples/Canonical_pose_3/Articulated_animal.h"
+#include "../../examples/Canonical_pose_3/Articulated_figure.h"
+
+#include <CGAL/Canonical_pose_3/pose_difference.h>
+#include <CGAL/canonical_pose_3.h>
+
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <Eigen/Geometry>
+
+#include <gtest/gtest.h>
+
+#include "matchers.h"
+#include "shapes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace test_stances {
+
+namespace CP = CGAL::Canonical_pose_3;
+using Canonical_pose_examples::Articulated_animal;
+using Canonical_pose_examples::Articulated_figure;
+using Canonical_pose_examples::Landmark;
+using Canonical_pose_test::to_matrix;
+using CP::Options;
+using CP::Point_matrix;
+using CP::Result;
+using CP::Skeleton_3;
+using Stance = Options::Stance;
+using Kernel = CGAL::Simple_cartesian<double>;
+
+constexpr std::size_t NUMBER_OF_VERTICES = 4000;
+
+Options in_stance(const Stance stance)
+{
+  Options options;
+  options.stance = stance;
+  return options;
+}
+
+template <class Triangles>
+Result result_of(const Point_matrix& points, const Triangles& triangles, const Options& options)
+{
+  std::vector<Kernel::Point_3> input, pose;
+  for(Eigen::Index i = 0; i < points.rows(); ++i)
+    input.emplace_back(points(i, 0), points(i, 1), points(i, 2));
+  return CGAL::canonical_pose_3(input, triangles, pose, options);
+}
+
+const Skeleton_3::Joint& joint(const Skeleton_3& skeleton, const std::string& name)
+{
+  const auto found
+    = std::find_if(skeleton.joints.begin(), skeleton.joints.end(),
+                   [&](const Skeleton_3::Joint& candidate) { return candidate.name == name; });
+  if(found == skeleton.joints.end())
+    throw std::out_of_range("there is no joint " + name);
+  return *found;
+}
+
+// In degrees, between the bone from the middle to the end of a limb and a direction.
+double angle_of(const Skeleton_3& skeleton, const std::string& from, const std::string& to,
+                const Eigen::Vector3d& direction)
+{
+  const Eigen::Vector3d bone
+    = (joint(skeleton, to).position - joint(skeleton, from).position).transpose();
+  return std::acos(bone.normalized().dot(direction.normalized())) * 180 / CGAL_PI;
+}
+
+Eigen::RowVector3d at(const Result& result, const std::size_t vertex)
+{
+  return result.pose.row(static_cast<Eigen::Index>(vertex));
+}
+
+// Exact: directions of limbs, left, up and front. The figure stands with its front toward +z, so its left hand has x > 0; the
+// postures hide nothing of that.
+TEST(Stances, person_from_any_posture)
+{
+  const Articulated_figure figure(NUMBER_OF_VERTICES);
+  const std::size_t left_hand = figure.landmark(Landmark::LEFT_HAND),
+                    right_hand = figure.landmark(Landmark::RIGHT_HAND),
+                    left_foot = figure.landmark(Landmark::LEFT_FOOT),
+                    head = figure.landmark(Landmark::HEAD);
+  std::vector<Point_matrix> poses;
+  for(const auto& posture : Articulated_figure::named_poses())
+  {
+    SCOPED_TRACE(posture.name);
+    const Point_matrix points = to_matrix(figure.points(posture.angles));
+    const Result result = result_of(points, figure.triangles(), in_stance(Stance::T));
+    ASSERT_TRUE(result.is_usable());
+    EXPECT_EQ(result.summary.inverted, 0u);
+    EXPECT_LT(result.summary.median_edge_strain, .08);
+    EXPECT_EQ(result.summary.warnings, std::vector<std::string>());
+    const Skeleton_3& skeleton = *result.skeleton;
+    EXPECT_EQ(skeleton.kind, Skeleton_3::Kind::PERSON);
+    EXPECT_TRUE(skeleton.is_front_certain);
+    constexpr double largest_angle = 7;
+    EXPECT_LT(angle_of(skeleton, "left elbow", "left wrist", {1, 0, 0}), largest_angle);
+    EXPECT_LT(angle_of(skeleton, "right elbow", "right wrist", {-1, 0, 0}), largest_angle);
+    EXPECT_LT(angle_of(skeleton, "left knee", "left ankle", {0, -1, 0}), largest_angle);
+    EXPECT_LT(angle_of(skeleton, "right knee", "right ankle", {0, -1, 0}), largest_angle);
+    // Nothing is farther to the left than the fingers of the left hand, nothing higher than the head; toes point to the front.
+    const double size = result.pose.col(1).maxCoeff();
+    EXPECT_NEAR(result.pose.col(1).minCoeff(), 0, 1e-9 * size);
+    EXPECT_GT(at(result, left_hand)[0], result.pose.col(0).maxCoeff() - .1 * size);
+    EXPECT_LT(at(result, right_hand)[0], result.pose.col(0).minCoeff() + .1 * size);
+    EXPECT_GT(at(result, head)[1], .95 * size);
+    EXPECT_GT(at(result, left_foot)[2], joint(skeleton, "left ankle").position[2] + .05 * size);
+    poses.push_back(result.pose);
+  }
+  for(std::size_t i = 1; i < poses.size(); ++i)
+    EXPECT_LT(CP::pose_difference(poses[0], poses[i]), .06) << i;
+}
+
+TEST(Stances, directions_of_all_stances)
+{
+  const Articulated_figure figure(NUMBER_OF_VERTICES);
+  const Point_matrix points = to_matrix(figure.points(Articulated_figure::named_poses()[0].angles));
+  struct Expected
+  {
+    Stance stance;
+    Eigen::Vector3d arm, leg;
+  };
+  for(const Expected& expected :
+      {Expected{Stance::A, {1, -1, 0}, {0, -1, 0}}, {Stance::VITRUVIAN, {1, 0, 0}, {.4, -1, 0}}})
+  {
+    const Result result = result_of(points, figure.triangles(), in_stance(expected.stance));
+    EXPECT_LT(angle_of(*result.skeleton, "left elbow", "left wrist", expected.arm), 6);
+    EXPECT_LT(angle_of(*result.skeleton, "left knee", "left ankle", expected.leg), 6);
+  }
+}
+
+// Exact: the axes; which of the legs are those in front follows from the rest shape of the animal, which looks toward +z.
+TEST(Stances, animal_from_any_posture)
+{
+  const Articulated_animal animal(NUMBER_OF_VERTICES);
+  const Point_matrix rest = to_matrix(animal.points());
+  Eigen::Index front, left;
+  rest.col(2).maxCoeff(&front);
+  rest.col(0).maxCoeff(&left);
+  for(const auto& posture : Articulated_animal::named_poses())
+  {
+    SCOPED_TRACE(posture.name);
+    const Point_matrix points = to_matrix(animal.points(posture.angles));
+    const Result result = result_of(points, animal.triangles(), in_stance(Stance::STAND));
+    ASSERT_TRUE(result.is_usable());
+    EXPECT_EQ(result.summary.inverted, 0u);
+    EXPECT_LT(result.summary.median_edge_strain, .08);
+    const Skeleton_3& skeleton = *result.skeleton;
+    EXPECT_EQ(skeleton.kind, Skeleton_3::Kind::FOUR_LEGGED);
+    EXPECT_TRUE(skeleton.is_front_certain);
+    for(const std::string side : {"left ", "right "})
+      for(const auto& [from, to] :
+          std::map<std::string, std::string>{{"elbow", "wrist"}, {"knee", "ankle"}})
+        EXPECT_LT(angle_of(skeleton, side + from, side + to, {0, -1, 0}), 12) << side << to;
+    const double size = result.pose.col(1).maxCoeff();
+    EXPECT_GT(result.pose(front, 2), joint(skeleton, "chest").position[2] + .1 * size);
+    EXPECT_GT(result.pose(left, 0), joint(skeleton, "hips").position[0]);
+    EXPECT_GT(joint(skeleton, "left wrist").position[0],
+              joint(skeleton, "right wrist").position[0]);
+  }
+}
+
+// Exact: in the frame of the body, the stance of a moved and scaled copy is the scaled one.
+TEST(Stances, motion_and_scale)
+{
+  const Articulated_figure figure(NUMBER_OF_VERTICES);
+  const Point_matrix points = to_matrix(figure.points(Articulated_figure::named_poses()[1].angles));
+  constexpr double scale = 100;
+  const Eigen::Matrix3d rotation
+    = Eigen::AngleAxisd(2, Eigen::Vector3d(1, -2, 3).normalized()).toRotationMatrix();
+  Point_matrix moved = scale * points * rotation.transpose();
+  moved.rowwise() += Eigen::RowVector3d(7, -8, 9);
+  const Result result = result_of(points, figure.triangles(), in_stance(Stance::T)),
+               result_of_moved = result_of(moved, figure.triangles(), in_stance(Stance::T));
+  EXPECT_LT((result_of_moved.pose / scale - result.pose).cwiseAbs().maxCoeff(),
+            1e-4 * result.pose.col(1).maxCoeff());
+  // Near the input, it is the same up to a motion.
+  Options options = in_stance(Stance::T);
+  options.frame = Options::Frame::INPUT;
+  const Result near_input = result_of(points, figure.triangles(), options);
+  EXPECT_LT(CP::pose_difference(near_input.pose, result.pose), 1e-9);
+  EXPECT_TRUE(near_input.motion.isApprox(Eigen::Isometry3d::Identity()));
+  const Point_matrix upright
+    = (near_input.skeleton->frame * near_input.pose.transpose()).transpose();
+  EXPECT_LT((upright - result.pose).cwiseAbs().maxCoeff(), 1e-9);
+}
+
+// Exact: weights are a partition of unity, and the tips of limbs follow the last joints alone.
+TEST(Stances, weights_of_the_skeleton)
+{
+  const Articulated_figure figure(NUMBER_OF_VERTICES);
+  Options options;
+  options.frame = Options::Frame::BODY;
+  const Result result = result_of(to_matrix(figure.points()), figure.triangles(), options);
+  const Skeleton_3& skeleton = *result.skeleton;
+  ASSERT_EQ(skeleton.weights.rows(), result.pose.rows());
+  ASSERT_EQ(skeleton.weights.cols(), static_cast<Eigen::Index>(skeleton.joints.size()));
+  for(Eigen::Index v = 0; v < skeleton.weights.rows(); ++v)
+  {
+    double sum = 0;
+    int number = 0;
+    for(Eigen::SparseMatrix<double, Eigen::RowMajor>::InnerIterator entry(skeleton.weights, v);
+        entry; ++entry, ++number)
+    {
+      EXPECT_GE(entry.value(), 0);
+      sum += entry.value();
+    }
+    EXPECT_NEAR(sum, 1, 1e-12);
+    EXPECT_LE(number, 4);
+  }
+  for(std::size_t j = 0; j < skeleton.joints.size(); ++j)
+    EXPECT_LE(skeleton.joints[j].parent, j);
+  const std::map<Landmark, std::string> last = {{Landmark::LEFT_HAND, "left wrist"},
+                                                {Landmark::RIGHT_HAND, "right wrist"},
+                                                {Landmark::LEFT_FOOT, "left ankle"},
+                                                {Landmark::RIGHT_FOOT, "right ankle"},
+                                                {Landmark::HEAD, "neck"}};
+  for(const auto& [landmark, name] : last)
+    EXPECT_NEAR(skeleton.weights.coeff(static_cast<Eigen::Index>(figure.landmark(landmark)),
+                                       &joint(skeleton, name) - skeleton.joints.data()),
+                1, 1e-12)
+      << name;
+  EXPECT_NEAR(result.pose.col(1).minCoeff(), 0, 1e-9);
+  EXPECT_TRUE(skeleton.frame.isApprox(Eigen::Isometry3d::Identity(), 1e-9));
+}
+
+// The canonical pose itself is not changed by a frame.
+TEST(Stances, canonical_pose_in_the_frame_of_the_body)
+{
+  const Articulated_animal animal(NUMBER_OF_VERTICES);
+  const Point_matrix points = to_matrix(animal.points());
+  Options options;
+  const Result near_input = result_of(points, animal.triangles(), options);
+  EXPECT_FALSE(near_input.skeleton);
+  options.frame = Options::Frame::BODY;
+  const Result upright = result_of(points, animal.triangles(), options);
+  const Point_matrix moved = (upright.motion * near_input.pose.transpose()).transpose();
+  EXPECT_LT((moved - upright.pose).cwiseAbs().maxCoeff(), 1e-9);
+}
+
+TEST(Stances, other_shapes_are_refused)
+{
+  const Articulated_figure figure(NUMBER_OF_VERTICES);
+  const Articulated_animal animal(NUMBER_OF_VERTICES);
+  EXPECT_THROW_WITH(
+    result_of(to_matrix(figure.points()), figure.triangles(), in_stance(Stance::STAND)),
+    std::invalid_argument, "the shape is like a person");
+  EXPECT_THROW_WITH(result_of(to_matrix(animal.points()), animal.triangles(), in_stance(Stance::A)),
+                    std::invalid_argument, "the shape is like an animal with four legs");
+  const auto tube = Canonical_pose_test::tube_soup(20, 12, 5, .5);
+  EXPECT_THROW_WITH(result_of(to_matrix(tube.points), tube.triangles, in_stance(Stance::T)),
+                    std::invalid_argument, "no head and four limbs were found, but 2 limbs");
+  const auto ball = Canonical_pose_test::icosphere_soup(2, 1);
+  EXPECT_THROW_WITH(result_of(to_matrix(ball.points), ball.triangles, in_stance(Stance::T)),
+                    std::invalid_argument, "no head and four limbs were found");
+}
+
+// The same for two models of a face graph, whatever the number of threads.
+TEST(Stances, face_graphs_and_threads)
+{
+  using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+  using Polyhedron = CGAL::Polyhedron_3<Kernel>;
+  const Articulated_figure figure(2000);
+  Mesh mesh = figure.make_mesh<Mesh>();
+  Polyhedron polyhedron = figure.make_mesh<Polyhedron>();
+  Options options = in_stance(Stance::A);
+  options.number_of_threads = 1;
+  const Result result = CGAL::canonical_pose_3(mesh, get(CGAL::vertex_point, mesh), options);
+  options.number_of_threads = 2;
+  const Result of_polyhedron
+    = CGAL::canonical_pose_3(polyhedron, get(CGAL::vertex_point, polyhedron), options);
+  EXPECT_EQ(result.pose, of_polyhedron.pose);
+}
+
+} // namespace test_stances
