@@ -269,6 +269,28 @@ TEST(Stances, other_shapes_are_refused)
                     std::invalid_argument, "no head and four limbs were found");
 }
 
+// The prism over a star with five points, all alike: none is a head.
+TEST(Stances, limbs_that_are_all_alike)
+{
+  constexpr std::size_t n = 10;
+  Point_matrix points(2 * n, 3);
+  std::vector<std::vector<std::size_t>> faces(2);
+  for(std::size_t i = 0; i < n; ++i)
+  {
+    const double angle = 2 * CGAL_PI * static_cast<double>(i) / static_cast<double>(n),
+                 radius = i % 2 == 0 ? 5 : 1;
+    for(std::size_t side = 0; side < 2; ++side)
+      points.row(static_cast<Eigen::Index>(side * n + i)) << radius * std::cos(angle),
+        radius * std::sin(angle), side == 0 ? -.3 : .3;
+    const std::size_t next = (i + 1) % n;
+    faces[0].insert(faces[0].begin(), i);
+    faces[1].push_back(n + i);
+    faces.push_back({i, next, n + next, n + i});
+  }
+  EXPECT_THROW_WITH(result_of(points, faces, in_stance(Stance::T)), std::invalid_argument,
+                    "no head and four limbs were found, but limbs that are all alike");
+}
+
 // The same for two models of a face graph, whatever the number of threads.
 TEST(Stances, face_graphs_and_threads)
 {

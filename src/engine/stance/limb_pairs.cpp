@@ -93,21 +93,29 @@ std::vector<Eigen::Index> best_exchange(const Exchange_cost& cost, const Eigen::
   return best;
 }
 
+// The area around the tip of a limb.
+double area_around(const Eigen::Ref<const Eigen::VectorXd>& distances,
+                   const Eigen::VectorXd& shares)
+{
+  constexpr double radius = .3;
+  double area = 0;
+  for(Eigen::Index v = 0; v < shares.size(); ++v)
+    if(distances[v] < radius)
+      area += shares[v];
+  return area;
+}
+
 // Heads have more details than tails, such as ears, and a larger area.
 double likelihood_of_head(const Extremity& limb, const Eigen::Ref<const Eigen::VectorXd>& distances,
                           const std::vector<Extremity>& details, const Eigen::VectorXd& shares)
 {
-  constexpr double radius = .3, radius_of_details = .4, weight_of_details = 20,
-                   least_prominence = .005;
-  double area = 0, prominence = 0;
-  for(Eigen::Index v = 0; v < shares.size(); ++v)
-    if(distances[v] < radius)
-      area += shares[v];
+  constexpr double radius_of_details = .4, weight_of_details = 20, least_prominence = .005;
+  double prominence = 0;
   for(const Extremity& detail : details)
     if(detail.vertex != limb.vertex && detail.prominence > least_prominence
        && distances[static_cast<Eigen::Index>(detail.vertex)] < radius_of_details)
       prominence += detail.prominence;
-  return area * (1 + weight_of_details * prominence);
+  return area_around(distances, shares) * (1 + weight_of_details * prominence);
 }
 
 } // namespace
@@ -135,14 +143,26 @@ Limb_pairs limb_pairs(const std::vector<Extremity>& limbs, const std::vector<Ext
     else if(other > i)
       pairs.push_back({i, other});
   Limb_pairs result;
+  const auto likelihood = [&](const std::size_t i) {
+    return likelihood_of_head(limbs[i], distances.col(static_cast<Eigen::Index>(i)), details,
+                              shares);
+  };
   result.head = *std::max_element(
-    single.begin(), single.end(), [&](const std::size_t a, const std::size_t b) {
-      const auto likelihood = [&](const std::size_t i) {
-        return likelihood_of_head(limbs[i], distances.col(static_cast<Eigen::Index>(i)), details,
-                                  shares);
-      };
-      return likelihood(a) < likelihood(b);
-    });
+    single.begin(), single.end(),
+    [&](const std::size_t a, const std::size_t b) { return likelihood(a) < likelihood(b); });
+  // A head has two to three and a half times the area of a limb, or details; fingers are all alike, and the back of a chair is
+  // larger.
+  constexpr double least_head = 1.8, largest_head = 4.5;
+  const auto area = [&](const std::size_t i) {
+    return area_around(distances.col(static_cast<Eigen::Index>(i)), shares);
+  };
+  const double mean_area
+    = (area(pairs[0][0]) + area(pairs[0][1]) + area(pairs[1][0]) + area(pairs[1][1])) / 4;
+  if(!(likelihood(result.head) >= least_head * mean_area))
+    throw std::invalid_argument("no head and four limbs were found, but limbs that are all alike");
+  if(!(area(result.head) <= largest_head * mean_area))
+    throw std::invalid_argument(
+      "no head and four limbs were found, but four limbs and a part that is larger than a head");
   const auto to_head = [&](const std::array<std::size_t, 2>& pair) {
     const auto head = static_cast<Eigen::Index>(result.head);
     return between(static_cast<Eigen::Index>(pair[0]), head)
