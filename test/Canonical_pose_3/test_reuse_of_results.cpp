@@ -135,7 +135,7 @@ TEST(Reuse_of_results, in_any_frame)
   for(const Frame to : {Frame::INPUT, Frame::CANONICAL})
   {
     const Result expected = pose_in(to, first[0]);
-    EXPECT_LT((expected.pose - first[int(to)].pose).rowwise().norm().maxCoeff(), 1e-2 * size);
+    EXPECT_LT((expected.pose - first[to == Frame::INPUT ? 0 : 1].pose).rowwise().norm().maxCoeff(), 1e-2 * size);
     for(const Result& from : first)
       for(const Frame between : {Frame::INPUT, Frame::CANONICAL})
       {
