@@ -307,10 +307,10 @@ void Output_files::write_file(const std::string& path, const fs::path& place,
     throw std::runtime_error(cannot_write(path, std::strerror(errno)));
   if(!out)
     throw std::runtime_error(cannot_write(path, "the numbers could not be turned into text"));
-  for(const auto& [name, content] : out.files_beside())
+  for(const auto& [name_beside, content] : out.files_beside())
   {
-    const std::string path_beside = (fs::path(path).parent_path() / name).string();
-    const fs::path place_beside = writable_place_of((place.parent_path() / name).string());
+    const std::string path_beside = (fs::path(path).parent_path() / name_beside).string();
+    const fs::path place_beside = writable_place_of((place.parent_path() / name_beside).string());
     const auto is_there = [&, p = place_beside](const auto& file) { return file.place == p; };
     const auto is_output = [&, p = place_beside](const auto& output) { return output.second == p; };
     if(std::any_of(m_files.begin(), m_files.end(), is_there)

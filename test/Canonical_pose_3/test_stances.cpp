@@ -71,7 +71,7 @@ const Skeleton_3::Joint& joint(const Skeleton_3& skeleton, const std::string& na
   return *found;
 }
 
-// In degrees, between the bone from the middle to the end of a limb and a direction.
+// In degrees, between the bone from one joint to another and a direction.
 double angle_of(const Skeleton_3& skeleton, const std::string& from, const std::string& to,
                 const Eigen::Vector3d& direction)
 {
@@ -83,6 +83,17 @@ double angle_of(const Skeleton_3& skeleton, const std::string& from, const std::
 Eigen::RowVector3d at(const Result& result, const std::size_t vertex)
 {
   return result.pose.row(static_cast<Eigen::Index>(vertex));
+}
+
+// The skeleton of a body of this kind, whose pose is as good as a pose should be.
+const Skeleton_3& checked_skeleton(const Result& result, const Skeleton_3::Kind kind)
+{
+  EXPECT_EQ(result.summary.inverted, 0u);
+  EXPECT_LT(result.summary.median_edge_strain, .08);
+  const Skeleton_3& skeleton = result.skeleton.value();
+  EXPECT_EQ(skeleton.kind, kind);
+  EXPECT_TRUE(skeleton.is_front_certain);
+  return skeleton;
 }
 
 // Exact: directions of limbs, left, up and front. The figure stands with its front toward +z, so its left hand has x > 0; the
@@ -101,12 +112,8 @@ TEST(Stances, person_from_any_posture)
     const Point_matrix points = to_matrix(figure.points(posture.angles));
     const Result result = result_of(points, figure.triangles(), in_stance(Stance::T));
     ASSERT_TRUE(result.is_usable());
-    EXPECT_EQ(result.summary.inverted, 0u);
-    EXPECT_LT(result.summary.median_edge_strain, .08);
     EXPECT_EQ(result.summary.warnings, std::vector<std::string>());
-    const Skeleton_3& skeleton = *result.skeleton;
-    EXPECT_EQ(skeleton.kind, Skeleton_3::Kind::PERSON);
-    EXPECT_TRUE(skeleton.is_front_certain);
+    const Skeleton_3& skeleton = checked_skeleton(result, Skeleton_3::Kind::PERSON);
     constexpr double largest_angle = 7;
     EXPECT_LT(angle_of(skeleton, "left elbow", "left wrist", {1, 0, 0}), largest_angle);
     EXPECT_LT(angle_of(skeleton, "right elbow", "right wrist", {-1, 0, 0}), largest_angle);
@@ -157,11 +164,7 @@ TEST(Stances, animal_from_any_posture)
     const Point_matrix points = to_matrix(animal.points(posture.angles));
     const Result result = result_of(points, animal.triangles(), in_stance(Stance::STAND));
     ASSERT_TRUE(result.is_usable());
-    EXPECT_EQ(result.summary.inverted, 0u);
-    EXPECT_LT(result.summary.median_edge_strain, .08);
-    const Skeleton_3& skeleton = *result.skeleton;
-    EXPECT_EQ(skeleton.kind, Skeleton_3::Kind::FOUR_LEGGED);
-    EXPECT_TRUE(skeleton.is_front_certain);
+    const Skeleton_3& skeleton = checked_skeleton(result, Skeleton_3::Kind::FOUR_LEGGED);
     for(const std::string side : {"left ", "right "})
       for(const auto& [from, to] :
           std::map<std::string, std::string>{{"elbow", "wrist"}, {"knee", "ankle"}})

@@ -1,7 +1,11 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "../../examples/Canonical_pose_3/Articulated_figure.h"
+
+#include <CGAL/Canonical_pose_3/Indexed_tetrahedra_3.h>
 #include <CGAL/Canonical_pose_3/tetgen_body.h>
+#include <CGAL/canonical_pose_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
@@ -11,6 +15,9 @@
 
 #include "matchers.h"
 #include "shapes.h"
+
+#include <algorithm>
+#include <vector>
 
 namespace test_tetgen_body {
 
@@ -54,6 +61,39 @@ TEST(Tetgen_body, refuses_what_tetgen_dies_of)
     = CGAL::ORIGIN - 3 * (mesh.point(Mesh::Vertex_index(0)) - CGAL::ORIGIN);
   EXPECT_THROW_WITH(CP::tetgen_body(mesh, mesh.points()), std::invalid_argument,
                     "intersects itself");
+}
+
+// Exact: directions, as of the surface. Vertices in the interior have weights, too.
+TEST(Tetgen_body, stance_of_the_complex)
+{
+  using Canonical_pose_examples::Articulated_figure;
+  using Canonical_pose_examples::Landmark;
+  using Point_3 = Mesh::Point;
+  const Articulated_figure figure(2000);
+  const CP::Conforming_body_3 body = CP::tetgen_body(figure.make_mesh<Mesh>());
+  CP::Indexed_tetrahedra_3<Point_3> complex;
+  for(Eigen::Index v = 0; v < body.points().rows(); ++v)
+    complex.points.emplace_back(body.points()(v, 0), body.points()(v, 1), body.points()(v, 2));
+  for(const auto& cell : body.cells())
+  {
+    auto& indices = complex.cells.emplace_back();
+    std::copy(cell.begin(), cell.end(), indices.begin());
+  }
+  CP::Options options;
+  options.stance = CP::Options::Stance::T;
+  std::vector<Point_3> pose = complex.points;
+  const CP::Result result = CGAL::canonical_pose_3(complex, CGAL::make_property_map(pose), options);
+  ASSERT_TRUE(result.is_usable());
+  EXPECT_EQ(result.summary.inverted, 0u);
+  const auto hand = static_cast<Eigen::Index>(figure.landmark(Landmark::LEFT_HAND));
+  const double size = result.pose.col(1).maxCoeff();
+  EXPECT_GT(result.pose(hand, 0), result.pose.col(0).maxCoeff() - .1 * size);
+  ASSERT_EQ(result.skeleton->weights.rows(), result.pose.rows());
+  EXPECT_LT((result.skeleton->weights * Eigen::VectorXd::Ones(result.skeleton->weights.cols())
+             - Eigen::VectorXd::Ones(result.pose.rows()))
+              .cwiseAbs()
+              .maxCoeff(),
+            1e-12);
 }
 
 } // namespace test_tetgen_body

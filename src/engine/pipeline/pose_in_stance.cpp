@@ -95,6 +95,8 @@ std::optional<std::string> warning_of_directions(const Body_plan& plan, const Po
 Skeleton_3 with_weights_at(const Point_matrix& others, const Point_matrix& points,
                            Skeleton_3 skeleton)
 {
+  if(others.rows() == points.rows() && others == points)
+    return skeleton;
   const auto nearest = Point_search(points).nearest(others, 1);
   std::vector<Eigen::Triplet<double>> entries;
   for(std::size_t i = 0; i < nearest.size(); ++i)

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "Body_plan.h"
-#include "closest_rotation_of_points.h"
 #include "extremities.h"
 #include "limb_pairs.h"
 #include "../surface/root_of_area.h"
+#include "../target/aligning_motion.h"
 
 #include <CGAL/Canonical_pose_3/Coarse_surface_3.h>
 #include <CGAL/Canonical_pose_3/Landmark_fields_3.h>
@@ -101,11 +101,6 @@ double distance_of_end(const Limb& limb, const Eigen::VectorXd& shares)
       result = distance;
     }
   return result;
-}
-
-Eigen::RowVector3d orthogonal(const Eigen::RowVector3d& direction, const Eigen::RowVector3d& axis)
-{
-  return (direction - direction.dot(axis) * axis).normalized();
 }
 
 } // namespace
@@ -204,6 +199,25 @@ void Body_plan::find_limbs(const Coarse_surface_3& coarse, const Measure_distanc
       m_others.insert(i == pairs.head ? m_others.begin() : m_others.end(), limb(i));
 }
 
+// From between the joints of the legs to between those of the arms.
+void Body_plan::set_trunk()
+{
+  m_origin = (joint(m_limbs[2]) + joint(m_limbs[3])) / 2;
+  m_axis = (joint(m_limbs[0]) + joint(m_limbs[1])) / 2 - m_origin;
+  m_length_of_trunk = m_axis.norm();
+  m_axis /= m_length_of_trunk;
+}
+
+// To the first limb of a pair from the second one, orthogonal to the trunk.
+Eigen::RowVector3d Body_plan::direction_across(const std::size_t pair) const
+{
+  const auto ends = [&](const Limb& limb) -> Eigen::RowVector3d {
+    return m_pose.row(static_cast<Eigen::Index>(limb.tip)) + joint(limb);
+  };
+  const Eigen::RowVector3d direction = ends(m_limbs[2 * pair]) - ends(m_limbs[2 * pair + 1]);
+  return (direction - direction.dot(m_axis) * m_axis).normalized();
+}
+
 // Both limbs of a pair are as long; the way from one tip to the other leads past both joints.
 void Body_plan::set_joints()
 {
@@ -218,19 +232,17 @@ void Body_plan::set_joints()
     Limb &limb = m_limbs[i], &other = m_limbs[i + 1];
     limb.root = other.root = (std::min)((limb.root + other.root) / 2, between(limb, other) / 2);
   }
-  const auto joint
-    = [&](const std::size_t i) { return center(m_pose, m_limbs[i], m_limbs[i].root); };
-  const auto tip
-    = [&](const std::size_t i) { return m_pose.row(static_cast<Eigen::Index>(m_limbs[i].tip)); };
-  const Eigen::RowVector3d axis = (joint(0) + joint(1) - joint(2) - joint(3)).normalized(),
-                           arms = orthogonal(tip(0) - tip(1) + joint(0) - joint(1), axis),
-                           legs = orthogonal(tip(2) - tip(3) + joint(2) - joint(3), axis);
+  set_trunk();
   // The canonical pose of a person is twisted: its four limbs are as long as the trunk, and keep away from each other.
-  m_kind = std::abs(arms.dot(legs)) < least_cosine ? Skeleton_3::Kind::PERSON
-                                                   : Skeleton_3::Kind::FOUR_LEGGED;
+  m_kind = std::abs(direction_across(0).dot(direction_across(1))) < least_cosine
+             ? Skeleton_3::Kind::PERSON
+             : Skeleton_3::Kind::FOUR_LEGGED;
   if(m_kind == Skeleton_3::Kind::PERSON)
+  {
     for(const std::size_t i : {2, 3})
       m_limbs[i].root = length_of_legs * between(m_limbs[2], m_limbs[3]) / 2;
+    set_trunk();
+  }
   for(Limb& limb : m_limbs)
     limb.end = distance_of_end(limb, m_shares);
   for(Limb& limb : m_others)
@@ -289,7 +301,7 @@ Eigen::Vector3d Body_plan::direction_of_toes(const Limb& limb) const
          .cast<double>()
        * m_shares.array())
         .matrix();
-  const Eigen::Matrix3d rotation = closest_rotation_of_points(m_pose, m_rest, weights);
+  const Eigen::Matrix3d rotation = aligning_motion(m_pose, m_rest, weights).linear();
   const Eigen::Vector3d toes
     = rotation.transpose()
       * (m_rest.row(static_cast<Eigen::Index>(limb.tip)) - center(m_rest, limb, limb.end))
@@ -316,7 +328,7 @@ Eigen::Vector3d Body_plan::direction_of_leg(const Limb& limb) const
                       [&](const Limb& other) { return is_inside(other, length_of_head); }))
       weights[v] = 0;
   }
-  return closest_rotation_of_points(m_pose, m_rest, weights).transpose()
+  return aligning_motion(m_pose, m_rest, weights).linear().transpose()
          * (center(m_rest, limb, limb.end) - center(m_rest, limb, limb.root)).transpose();
 }
 
@@ -324,21 +336,9 @@ void Body_plan::set_frames(const Coarse_surface_3& coarse, const Measure_distanc
 {
   constexpr double least_evidence = .05;
   const bool is_person = m_kind == Skeleton_3::Kind::PERSON;
-  const auto joint
-    = [&](const std::size_t i) { return center(m_pose, m_limbs[i], m_limbs[i].root); };
-  m_origin = (joint(2) + joint(3)) / 2;
-  m_axis = (joint(0) + joint(1)) / 2 - m_origin;
-  m_length_of_trunk = m_axis.norm();
-  m_axis /= m_length_of_trunk;
   if(are_legs_on_other_sides(coarse, measure))
     std::swap(m_limbs[2], m_limbs[3]);
-  const auto to_first = [&](const std::size_t i) {
-    const auto tip = [&](const std::size_t limb) {
-      return m_pose.row(static_cast<Eigen::Index>(m_limbs[limb].tip));
-    };
-    return Eigen::RowVector3d(orthogonal(tip(i) - tip(i + 1) + joint(i) - joint(i + 1), m_axis));
-  };
-  std::array<Eigen::RowVector3d, 2> left = {to_first(0), to_first(2)};
+  std::array<Eigen::RowVector3d, 2> left = {direction_across(0), direction_across(1)};
   // The front of a person, or the back of an animal, if the first limbs are on the left.
   const auto third = [&](const Eigen::RowVector3d& side) {
     return Eigen::RowVector3d(is_person ? side.cross(m_axis) : m_axis.cross(side));

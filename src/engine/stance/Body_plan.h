@@ -4,6 +4,8 @@
 #ifndef CANONICAL_POSE_3_ENGINE_STANCE_BODY_PLAN_H
 #define CANONICAL_POSE_3_ENGINE_STANCE_BODY_PLAN_H
 
+#include "smooth_step.h"
+
 #include <CGAL/Canonical_pose_3/Coarse_surface_3.h>
 #include <CGAL/Canonical_pose_3/Landmark_fields_3.h>
 #include <CGAL/Canonical_pose_3/Skeleton_3.h>
@@ -12,6 +14,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <functional>
@@ -58,9 +61,8 @@ public:
   const Limb& head() const { return m_others.front(); }
   const Limb* tail() const { return m_others.size() > 1 ? &m_others[1] : nullptr; }
 
-  // Between the joints of the legs, and the distance from there to those of the arms.
+  // Between the joints of the legs.
   const Eigen::RowVector3d& origin() const { return m_origin; }
-  double length_of_trunk() const { return m_length_of_trunk; }
 
   // The direction of the head.
   const Eigen::RowVector3d& axis() const { return m_axis; }
@@ -74,6 +76,23 @@ public:
     return m_unit * (m_pose.rowwise() - m_origin) * m_frames[1].transpose();
   }
 
+  // From 0 at the root of a limb, and outside of it, to 1 beyond the joint.
+  double share_of_limb(const Limb& limb, const Eigen::Index vertex) const
+  {
+    return smooth_step((limb.root - limb.distances[vertex]) / (2 * width_of_joint(limb)));
+  }
+
+  // Of the trunk: from 0 at the hips to 1 at the chest.
+  double share_of_chest(const Eigen::Index vertex) const
+  {
+    constexpr double first = .2, last = .8; // of the length of the trunk
+    const double height = (m_pose.row(vertex) - m_origin).dot(m_axis) / m_length_of_trunk;
+    return smooth_step((height - first) / (last - first));
+  }
+
+  // Half of the width in which joints of a limb are blended.
+  static double width_of_joint(const Limb& limb) { return .1 * (std::min)(limb.root, 1.); }
+
   // The length around a limb at a distance.
   double girth(const Limb& limb, double distance) const;
 
@@ -86,10 +105,13 @@ public:
 
 private:
   void find_limbs(const Coarse_surface_3& coarse, const Measure_distances& measure);
+  void set_trunk();
   void set_joints();
   void set_frames(const Coarse_surface_3& coarse, const Measure_distances& measure);
   bool are_legs_on_other_sides(const Coarse_surface_3& coarse,
                                const Measure_distances& measure) const;
+  Eigen::RowVector3d joint(const Limb& limb) const { return center(m_pose, limb, limb.root); }
+  Eigen::RowVector3d direction_across(std::size_t pair) const;
   Eigen::Vector3d direction_of_toes(const Limb& limb) const;
   Eigen::Vector3d direction_of_leg(const Limb& limb) const;
 

@@ -31,13 +31,12 @@ public:
   Straight_limb(const Body_plan& body, const Limb& limb, const Point_matrix& points,
                 const Eigen::Vector3d& direction, const double stretch,
                 const std::optional<Eigen::Vector3d>& direction_of_tip)
-    : m_distances(limb.distances), m_end(limb.end), m_root(limb.root),
-      m_width_of_end((std::min)(.05, .1 * limb.root))
+    : m_distances(limb.distances), m_end(limb.end), m_width_of_end((std::min)(.05, .1 * limb.root))
   {
     constexpr double length_of_section = .05, width = .035;
-    const auto number
-      = static_cast<std::size_t>((std::max)(2., std::round((m_root - m_end) / length_of_section)));
-    m_length = (m_root - m_end) / static_cast<double>(number);
+    const auto number = static_cast<std::size_t>(
+      (std::max)(2., std::round((limb.root - m_end) / length_of_section)));
+    m_length = (limb.root - m_end) / static_cast<double>(number);
     for(std::size_t k = 0; k <= number; ++k)
       m_centers.emplace_back(
         body.center(points, limb, m_end + m_length * static_cast<double>(k), width));
@@ -108,7 +107,7 @@ private:
   }
 
   const Eigen::VectorXd& m_distances;
-  double m_end, m_root, m_width_of_end, m_length;
+  double m_end, m_width_of_end, m_length;              // the last one: of a section
   std::vector<Eigen::Vector3d> m_centers, m_positions; // from the end to the root
   std::vector<Eigen::Quaterniond> m_rotations;         // of the sections between them
   std::optional<Eigen::Quaterniond> m_rotation_of_tip;

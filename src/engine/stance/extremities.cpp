@@ -3,6 +3,7 @@
 
 #include "extremities.h"
 
+#include <CGAL/Canonical_pose_3/internal/support/Disjoint_sets.h>
 #include <CGAL/Canonical_pose_3/surface_measures.h>
 
 #include <Eigen/Core>
@@ -11,6 +12,7 @@
 #include <cstddef>
 #include <limits>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -51,30 +53,29 @@ std::vector<Extremity> extremities(const Surface_component_3& surface,
     return height_of(a) > height_of(b);
   });
 
-  // From the highest vertex downward; each set has its maximum as root.
-  constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
-  std::vector<std::size_t> parents(n, none);
-  const auto root = [&](std::size_t v) {
-    while(parents[v] != v)
-      v = parents[v] = parents[parents[v]];
-    return v;
-  };
+  // From the highest vertex downward, sets grow around maxima.
+  Disjoint_sets sets(n);
+  std::vector<std::size_t> maximum_of_set(n);
+  std::iota(maximum_of_set.begin(), maximum_of_set.end(), std::size_t(0));
+  std::vector<bool> is_reached(n, false);
   const double range
     = (std::max)(height.maxCoeff() - height.minCoeff(), (std::numeric_limits<double>::min)());
   std::vector<Extremity> result;
   for(const std::size_t v : order)
   {
-    parents[v] = v;
+    is_reached[v] = true;
     for(const std::size_t neighbor : neighbors[v])
     {
-      if(parents[neighbor] == none)
+      if(!is_reached[neighbor])
         continue;
-      std::size_t lower = root(v), higher = root(neighbor);
+      std::size_t lower = maximum_of_set[sets.representative(v)],
+                  higher = maximum_of_set[sets.representative(neighbor)];
       if(lower == higher)
         continue;
       if(lower != v && height_of(lower) > height_of(higher))
         std::swap(lower, higher);
-      parents[lower] = higher;
+      sets.unite(v, neighbor);
+      maximum_of_set[sets.representative(v)] = higher;
       if(lower != v)
         result.push_back({lower, (height_of(lower) - height_of(v)) / range});
     }

@@ -43,7 +43,8 @@ public:
     for(Eigen::Index i = 0; i < between.rows(); ++i)
       for(Eigen::Index j = 0; j < between.cols(); ++j)
         m_differences(i, j)
-          = (rings.col(i) - rings.col(j)).cwiseAbs().sum() / (rings.col(i) + rings.col(j)).sum();
+          = (rings.col(i) - rings.col(j)).cwiseAbs().sum()
+            / (std::max)((rings.col(i) + rings.col(j)).sum(), (std::numeric_limits<double>::min)());
   }
 
   double operator()(const std::vector<Eigen::Index>& image) const

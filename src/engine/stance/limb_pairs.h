@@ -4,7 +4,6 @@
 #ifndef CANONICAL_POSE_3_ENGINE_STANCE_LIMB_PAIRS_H
 #define CANONICAL_POSE_3_ENGINE_STANCE_LIMB_PAIRS_H
 
-#include "Body_plan.h"
 #include "extremities.h"
 
 #include <Eigen/Core>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "skeleton_of_body.h"
-#include "closest_rotation_of_points.h"
 #include "smooth_step.h"
+#include "../target/aligning_motion.h"
 
 #include <CGAL/Canonical_pose_3/Skeleton_3.h>
 
@@ -21,13 +21,6 @@ namespace CGAL {
 namespace Canonical_pose_3 {
 namespace internal {
 namespace {
-
-// Half of the width of a joint, relative to the distance of a limb's root.
-double width_of_joint(const Limb& limb)
-{
-  constexpr double largest = .1, by_length = .1;
-  return (std::min)(largest, by_length * limb.root);
-}
 
 using Weight = std::pair<double, Eigen::Index>; // of a joint
 
@@ -125,9 +118,9 @@ private:
   // Blended at joints: of the trunk along its axis, of limbs by the distance from the tip.
   std::vector<Weight> weights_of(const Eigen::Index v) const
   {
-    constexpr double first = .2, last = .8; // of the trunk
     const auto beyond = [v](const Limb& limb, const double distance) {
-      return smooth_step((distance - limb.distances[v]) / (2 * width_of_joint(limb)) + .5);
+      return smooth_step((distance - limb.distances[v]) / (2 * Body_plan::width_of_joint(limb))
+                         + .5);
     };
     std::vector<Weight> result;
     double trunk = 1;
@@ -138,8 +131,7 @@ private:
     for(std::size_t i = 0; i < m_body.limbs().size(); ++i)
     {
       const Limb& limb = m_body.limbs()[i];
-      double rest
-        = trunk * smooth_step((limb.root - limb.distances[v]) / (2 * width_of_joint(limb)));
+      double rest = trunk * m_body.share_of_limb(limb, v);
       if(rest == 0)
         continue;
       trunk -= rest;
@@ -150,9 +142,7 @@ private:
     split_off(trunk, beyond(m_body.head(), m_body.head().end), NECK);
     if(m_body.tail())
       split_off(trunk, beyond(*m_body.tail(), m_body.tail()->root), m_tail);
-    const double height
-      = (m_body.pose().row(v) - m_body.origin()).dot(m_body.axis()) / m_body.length_of_trunk();
-    split_off(trunk, smooth_step((height - first) / (last - first)), CHEST);
+    split_off(trunk, m_body.share_of_chest(v), CHEST);
     split_off(trunk, 1, HIPS);
     return result;
   }
@@ -170,11 +160,7 @@ Skeleton_3 skeleton_of_body(const Body_plan& body, const Point_matrix& pose,
                             const Point_matrix& upright)
 {
   Skeleton_3 result = Skeleton_of_body(body, pose).result();
-  const Eigen::RowVector3d center = body.shares().transpose() * pose,
-                           upright_center = body.shares().transpose() * upright;
-  result.frame.linear() = closest_rotation_of_points(pose, upright, body.shares());
-  result.frame.translation()
-    = upright_center.transpose() - result.frame.linear() * center.transpose();
+  result.frame = aligning_motion(pose, upright, body.shares());
   result.frame.translation()[1] -= (result.frame * pose.transpose()).row(1).minCoeff();
   return result;
 }

@@ -3,7 +3,6 @@
 
 #include "stance_target.h"
 #include "Straight_limb.h"
-#include "smooth_step.h"
 
 #include <CGAL/Canonical_pose_3/Options.h>
 #include <CGAL/Canonical_pose_3/Skeleton_3.h>
@@ -56,7 +55,7 @@ Directions directions_of(const Stance stance, const Skeleton_3::Kind kind)
 // The trunk, straight: what is near the arms turns about its axis, so that these are level, and what is near the legs.
 Stance_target trunk(const Body_plan& body)
 {
-  constexpr double first = .2, last = .8, least = .1; // of the length of the trunk
+  constexpr double least = .1;
   const Eigen::Matrix3d &chest = body.frames()[0], &hips = body.frames()[1];
   const Eigen::Vector3d axis = hips * body.axis().transpose();
   const Eigen::AngleAxisd twist(Eigen::Quaterniond(chest * hips.transpose()));
@@ -66,8 +65,7 @@ Stance_target trunk(const Body_plan& body)
                           {}};
   for(Eigen::Index v = 0; v < result.points.rows(); ++v)
   {
-    const double height = result.points.row(v).dot(axis) / body.length_of_trunk(),
-                 share = smooth_step((height - first) / (last - first));
+    const double share = body.share_of_chest(v);
     result.points.row(v)
       = (Eigen::AngleAxisd(share * angle, axis) * Eigen::Vector3d(result.points.row(v).transpose()))
           .transpose();
@@ -81,8 +79,7 @@ Stance_target trunk(const Body_plan& body)
 
 Stance_target stance_target(const Body_plan& body, const Stance stance)
 {
-  constexpr double largest_width = .1, width_by_length = .1, least_share = .03, least_stretch = .85,
-                   largest_stretch = 1.1;
+  constexpr double least_share = .03, least_stretch = .85, largest_stretch = 1.1;
   const Directions directions = directions_of(stance, body.kind());
   Stance_target result = trunk(body);
   const Point_matrix straight = result.points;
@@ -105,10 +102,9 @@ Stance_target stance_target(const Body_plan& body, const Stance stance)
     result.directions[i] = direction.normalized();
     const Straight_limb moved(body, limb, points, result.directions[i], stretches[i / 2],
                               has_foot ? std::optional(directions.feet) : std::nullopt);
-    const double width = (std::min)(largest_width, width_by_length * limb.root);
     for(Eigen::Index v = 0; v < points.rows(); ++v)
     {
-      const double share = smooth_step((limb.root - limb.distances[v]) / (2 * width));
+      const double share = body.share_of_limb(limb, v);
       if(share == 0)
         continue;
       result.points.row(v)

@@ -1,14 +1,11 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "aligning_motion.h"
 #include "../support/precondition.h"
 
 #include <CGAL/Canonical_pose_3/align_target.h>
-#include <CGAL/Canonical_pose_3/internal/support/rotation_by_traits.h>
-#include <CGAL/Canonical_pose_3/internal/support/weighted_product.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
-
-#include <CGAL/Deformation_Eigen_closest_rotation_traits_3.h>
 
 #include <Eigen/Dense>
 
@@ -26,15 +23,8 @@ Point_matrix align_target(const Point_matrix& target, const Point_matrix& points
   Point_matrix moved = target.rowwise() - target_mean;
   if(mirrored)
     moved.col(2) *= -1;
-  const Eigen::Matrix3d covariance
-    = internal::weighted_product(points.rowwise() - point_mean, share, moved);
-  // Normalized, since the models compare determinants and entries to absolute bounds.
-  const double size = covariance.cwiseAbs().maxCoeff();
-  const Eigen::Matrix3d rotation
-    = size > 0 ? internal::rotation_by_traits<Deformation_Eigen_closest_rotation_traits_3>(
-        covariance / size)
-               : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
-  moved = moved * rotation.transpose();
+  moved
+    = moved * internal::aligning_rotation(moved, points.rowwise() - point_mean, share).transpose();
   moved.rowwise() += point_mean;
   return moved;
 }

@@ -164,9 +164,10 @@ def save(path, vertices, faces=None, *, cells=None, like=None):
 def pose(vertices, faces=None, *, cells=None, return_target=False, progress=None,
          detail_length=0.1, landmarks=80, rounds=None, body="auto", spacing=None,
          geodesics="heat", target_mode="mds", kernel="classical", tikhonov=0., iterations=500,
-         paper_weights=None, injective=None, stance="canonical", frame="auto", components="auto", contacts="keep",
-         solver="auto", seed=0, threads=0, matching_weights=None, stiffness=None, given_target=None,
-         given_distances=None, spring=None, direction=None, handle=None, symmetric=None):
+         paper_weights=None, injective=None, stance="canonical", frame="auto",
+         components="auto", contacts="keep", solver="auto", seed=0, threads=0,
+         matching_weights=None, stiffness=None, given_target=None, given_distances=None,
+         spring=None, direction=None, handle=None, symmetric=None):
     """Bring a shape into its canonical pose.
 
     Parameters
@@ -850,8 +851,8 @@ class Registrar:
     """
 
     def __init__(self, vertices, faces, **options):
-        for name in ("rounds", "stance", "frame", "paper_weights", "spring", "direction", "handle", "symmetric",
-                     "progress"):
+        for name in ("rounds", "stance", "frame", "paper_weights", "spring", "direction", "handle",
+                     "symmetric", "progress"):
             if name in options:
                 raise TypeError(f"a registrar has no option {name}")
         self._core = _core.Registrar(vertices, faces, options)
