@@ -30,6 +30,7 @@
 #include "Child_process.h"
 #include "enclosed_volume.h"
 #include "median.h"
+#include "mesh_files.h"
 #include "setting.h"
 #include "take_options.h"
 
@@ -101,43 +102,6 @@ const char* name(const Result::Outcome outcome)
   return names[outcome];
 }
 
-bool has_known_format(const Path& file)
-{
-  try
-  {
-    Tool::format_of(file.string());
-    return true;
-  }
-  catch(const std::invalid_argument&)
-  {
-    return false;
-  }
-}
-
-std::vector<Path> files_of(const std::vector<std::string>& places, const std::regex& filter)
-{
-  std::vector<Path> result;
-  for(const Path place : places)
-  {
-    std::vector<Path> files;
-    if(std::filesystem::is_directory(place))
-      for(const auto& entry : std::filesystem::directory_iterator(place))
-      {
-        if(has_known_format(entry.path()))
-          files.push_back(entry.path());
-      }
-    else if(std::filesystem::exists(place))
-      files.push_back(place);
-    else
-      throw std::invalid_argument("there is no " + place.string());
-    std::sort(files.begin(), files.end());
-    for(const Path& file : files)
-      if(std::regex_search(file.filename().string(), filter))
-        result.push_back(file);
-  }
-  return result;
-}
-
 Arguments parse(const int argc, char** argv)
 {
   Argument_list list(argc, argv);
@@ -153,7 +117,7 @@ Arguments parse(const int argc, char** argv)
     result.options.number_of_threads
       = (std::max)(1, static_cast<int>(std::thread::hardware_concurrency() / result.jobs));
   const std::regex filter(list.take_text("--filter"));
-  result.files = files_of(list.rest(), filter);
+  result.files = Canonical_pose_benchmark::mesh_files(list.rest(), filter);
   if(result.files.empty())
     throw std::invalid_argument("there is no mesh to run");
   return result;
