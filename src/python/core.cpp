@@ -324,14 +324,14 @@ std::vector<std::string> save(const std::string& path, const py::object& vertice
                                     : "a surface cannot be written as .mesh or .vtu");
     tool::check_format_holds(format, mesh);
     tool::Output_files files({path});
-    files.write(path, [&](std::ostream& out) {
+    files.write_with_files(path, [&](std::ostream& out, tool::Companion_files* const beside) {
       if(tool::is_rewritable(mesh, format))
-        return tool::rewrite_mesh(out, mesh, points, {});
+        return tool::rewrite_mesh(out, mesh, points, {}, beside);
       tool::load_appearance(mesh);
       Mesh_file written = mesh;
       written.points = points;
       tool::turn_normals(written, mesh.points);
-      tool::write_mesh(out, format, written);
+      tool::write_mesh(out, format, written, beside);
     });
     files.commit();
     return tool::losses(mesh, format, tool::is_rewritable(mesh, format),

@@ -3,7 +3,7 @@
 
 #include "Output_files.h"
 #include "Command_line.h"
-#include "formats/File_stream.h"
+#include "formats/Companion_files.h"
 #include "formats/Mesh_file.h"
 #include "formats/gzip.h"
 
@@ -271,12 +271,17 @@ Output_files::~Output_files()
 void Output_files::write(const std::string& path,
                          const std::function<void(std::ostream&)>& write_to)
 {
+  write_with_files(path, [&](std::ostream& out, Companion_files*) { write_to(out); });
+}
+
+void Output_files::write_with_files(const std::string& path, const Write_with_files& write_to)
+{
   if(path.empty())
     return;
   if(is_standard_stream(path))
   {
     std::ostringstream out;
-    write_to(out);
+    write_to(out, nullptr);
     m_standard_output = out.str();
     return;
   }
@@ -284,7 +289,7 @@ void Output_files::write(const std::string& path,
 }
 
 void Output_files::write_file(const std::string& path, const fs::path& place,
-                              const std::function<void(std::ostream&)>& write_to)
+                              const Write_with_files& write_to)
 {
   int descriptor = -1;
   const fs::path name = make_beside(place, [&](const char* const candidate) {
@@ -294,20 +299,21 @@ void Output_files::write_file(const std::string& path, const fs::path& place,
     throw std::runtime_error(cannot_write(path, std::strerror(errno)));
   m_files.push_back({path, place, name});
   Descriptor_buffer buffer(descriptor);
-  File_stream out(&buffer, place);
+  std::ostream out(&buffer);
+  Companion_files beside{place};
   if(is_compressed(path))
   {
     std::ostringstream content;
-    write_to(content);
+    write_to(content, nullptr);
     out << compressed(content.str());
   }
   else
-    write_to(out);
+    write_to(out, &beside);
   if(!buffer.close())
     throw std::runtime_error(cannot_write(path, std::strerror(errno)));
   if(!out)
     throw std::runtime_error(cannot_write(path, "the numbers could not be turned into text"));
-  for(const auto& [name_beside, content] : out.files_beside())
+  for(const auto& [name_beside, content] : beside.contents)
   {
     const std::string path_beside = (fs::path(path).parent_path() / name_beside).string();
     const fs::path place_beside = writable_place_of((place.parent_path() / name_beside).string());
@@ -317,7 +323,7 @@ void Output_files::write_file(const std::string& path, const fs::path& place,
        || std::any_of(m_places.begin(), m_places.end(), is_output))
       throw std::runtime_error(cannot_write(path_beside, "another output has the same name"));
     write_file(path_beside, place_beside,
-               [&, bytes = &content](std::ostream& file) { file << *bytes; });
+               [&, bytes = &content](std::ostream& file, Companion_files*) { file << *bytes; });
   }
 }
 

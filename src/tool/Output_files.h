@@ -14,6 +14,8 @@
 
 namespace Canonical_pose_tool {
 
+struct Companion_files;
+
 // On SIGINT, SIGTERM, SIGHUP, SIGPIPE and SIGXFSZ, unless they are ignored: removes the files that are not
 // committed, and exits with 128 plus the number of the signal. A signal during commit() waits for its end.
 void remove_files_on_signals();
@@ -42,9 +44,12 @@ public:
   Output_files(const Output_files&) = delete;
   Output_files& operator=(const Output_files&) = delete;
 
-  // Writes the temporary file for `path`, one of those that were checked; an empty path is ignored. Unless it is compressed, or
-  // the standard output, it is written through a File_stream, and so are the files beside it.
-  // Throws std::runtime_error on failure.
+  // Writes the temporary file for `path`, one of those that were checked; an empty path is ignored. The files beside it
+  // are written, too; null if it is compressed, or the standard output. Throws std::runtime_error on failure.
+  using Write_with_files = std::function<void(std::ostream&, Companion_files*)>;
+  void write_with_files(const std::string& path, const Write_with_files& write_to);
+
+  // The same, of a file that has none beside it.
   void write(const std::string& path, const std::function<void(std::ostream&)>& write_to);
 
   // Moves all files to their final paths.
@@ -62,7 +67,7 @@ private:
   };
 
   void write_file(const std::string& path, const std::filesystem::path& place,
-                  const std::function<void(std::ostream&)>& write_to);
+                  const Write_with_files& write_to);
   void keep_what_is_there();
   void undo(std::size_t number_of_renamed_files);
 

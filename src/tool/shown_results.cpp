@@ -172,10 +172,11 @@ std::vector<std::string> loss_warnings(const Mesh_file& input, const std::string
 }
 
 void write_pose(std::ostream& out, const Format format, const Mesh_file& input,
-                const Point_matrix& pose)
+                const Point_matrix& pose, Companion_files* const beside)
 {
   if(is_rewritable(input, format))
-    rewrite_mesh(out, input, with_points(input, pose).points, {{"strain", strains(input, pose)}});
+    rewrite_mesh(out, input, with_points(input, pose).points, {{"strain", strains(input, pose)}},
+                 beside);
   else if(format == Format::VTU)
     write_vtu(out, with_points(input, pose), {{"strain", strains(input, pose)}});
   else if(format == Format::PLY)
@@ -186,7 +187,7 @@ void write_pose(std::ostream& out, const Format format, const Mesh_file& input,
     write_ply(out, surface);
   }
   else
-    write_mesh(out, format, with_points(input, pose));
+    write_mesh(out, format, with_points(input, pose), beside);
 }
 
 } // namespace Canonical_pose_tool

@@ -54,7 +54,7 @@ std::vector<std::string> loss_warnings(const Mesh_file& input, const std::string
 
 // Writes a pose; with the strain of its vertices if the format has values.
 void write_pose(std::ostream& out, Format format, const Mesh_file& input,
-                const CGAL::Canonical_pose_3::Point_matrix& pose);
+                const CGAL::Canonical_pose_3::Point_matrix& pose, Companion_files* beside);
 
 } // namespace Canonical_pose_tool
 

@@ -5,7 +5,7 @@
 
 #include "written_file.h"
 
-#include "formats/File_stream.h"
+#include "formats/Companion_files.h"
 #include "formats/Mesh_file.h"
 #include "formats/Shown_surface.h"
 
@@ -80,12 +80,12 @@ std::set<Corner> corners_of(const Mesh_file& mesh, const bool with_materials,
 // Writes a mesh with the files beside it. Returns their names.
 std::set<std::string> write_with_files_beside(const Mesh_file& mesh, const std::string& path)
 {
-  std::stringbuf buffer;
-  File_stream out(&buffer, path);
-  write_mesh(out, format_of(path, Use::WRITE), mesh);
-  std::ofstream(path, std::ios::binary) << buffer.str();
+  std::ostringstream out;
+  Companion_files beside{path};
+  write_mesh(out, format_of(path, Use::WRITE), mesh, &beside);
+  std::ofstream(path, std::ios::binary) << out.str();
   std::set<std::string> result;
-  for(const auto& [name, content] : out.files_beside())
+  for(const auto& [name, content] : beside.contents)
   {
     std::ofstream(std::filesystem::path(path).parent_path() / name, std::ios::binary) << content;
     result.insert(name);
@@ -396,13 +396,13 @@ TEST(Appearance, files_beside_poses)
   fs::remove_all(folder);
   fs::create_directories(folder);
   const auto rewritten = [&](const std::string& path, const Mesh_file& of_file) {
-    std::stringbuf buffer;
-    File_stream out(&buffer, path);
-    rewrite_mesh(out, of_file, of_file.points, {});
-    std::ofstream(path, std::ios::binary) << buffer.str();
-    for(const auto& [name, content] : out.files_beside())
+    std::ostringstream out;
+    Companion_files beside{path};
+    rewrite_mesh(out, of_file, of_file.points, {}, &beside);
+    std::ofstream(path, std::ios::binary) << out.str();
+    for(const auto& [name, content] : beside.contents)
       std::ofstream(fs::path(path).parent_path() / name, std::ios::binary) << content;
-    return out.files_beside();
+    return beside.contents;
   };
   const std::string materials = fs::path(*mesh.appearance.files.begin()).filename().string();
   EXPECT_TRUE(rewritten(testing::TempDir() + "same_folder.obj", mesh).empty());

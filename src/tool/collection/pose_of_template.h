@@ -44,7 +44,9 @@ inline void write_pose_of_template(const Arguments& arguments, const std::string
   {
     throw std::runtime_error("the template '" + path + "': " + error.what());
   }
-  files.write(file, [&](std::ostream& out) { write_pose(out, format_of(file), mesh, pose); });
+  files.write_with_files(file, [&](std::ostream& out, Companion_files* const beside) {
+    write_pose(out, format_of(file), mesh, pose, beside);
+  });
   files.commit();
 }
 

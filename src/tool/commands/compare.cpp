@@ -174,8 +174,9 @@ int run_compare(Arguments& arguments)
   std::vector<std::string> warnings;
   if(!mean.empty())
     warnings = loss_warnings(first, mean, "the mean");
-  files.write(mean, [&](std::ostream& out) {
-    write_pose(out, format_of(mean), first, CGAL::Canonical_pose_3::mean_pose(std::move(poses)));
+  files.write_with_files(mean, [&](std::ostream& out, Companion_files* const beside) {
+    write_pose(out, format_of(mean), first, CGAL::Canonical_pose_3::mean_pose(std::move(poses)),
+               beside);
   });
   files.write(arguments.report,
               [&](std::ostream& out) { write_pairs(out, arguments.poses, pairs); });

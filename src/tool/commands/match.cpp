@@ -331,15 +331,17 @@ int run_match(Arguments& arguments)
                                            : match.interpolated(matrix_of(points_of(other)));
   if(transfer == Transfer::POSE)
     stages.emplace_back("transfer", clock.lap());
-  files.write(output, [&](std::ostream& out) {
+  files.write_with_files(output, [&](std::ostream& out, Companion_files* const beside) {
     if(is_input_rewritten(arguments))
-      return write_pose(out, format_of(output), input, positions);
+      return write_pose(out, format_of(output), input, positions, beside);
     if(transfer == Transfer::NONE)
       return write_locations(out, match);
     if(transfer == Transfer::COLORS)
-      return write_mesh(out, format_of(output), colored(without_source(input), other, match));
+      return write_mesh(out, format_of(output), colored(without_source(input), other, match),
+                        beside);
     if(transfer == Transfer::TEXTURE)
-      return write_mesh(out, format_of(output), textured(without_source(input), other, match));
+      return write_mesh(out, format_of(output), textured(without_source(input), other, match),
+                        beside);
     const std::vector<std::size_t> labels_of_input = transferred(labels, input, other, match);
     if(is_shown(output))
       return write_shown(out, format_of(output), shown_parts(input, labels_of_input));

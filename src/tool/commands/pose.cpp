@@ -150,12 +150,12 @@ int run_pose(Arguments& arguments)
   clock.lap();
 
   arguments.say("writing " + arguments.output);
-  files.write(arguments.output, [&](std::ostream& out) {
-    write_pose(out, format_of(arguments.output), input, result.pose);
+  files.write_with_files(arguments.output, [&](std::ostream& out, Companion_files* const beside) {
+    write_pose(out, format_of(arguments.output), input, result.pose, beside);
   });
-  files.write(arguments.target, [&](std::ostream& out) {
+  files.write_with_files(arguments.target, [&](std::ostream& out, Companion_files* const beside) {
     const Mesh_file surface = input.is_tetrahedral ? boundary_of(input) : input;
-    write_mesh(out, format_of(arguments.target), with_points(surface, *result.target));
+    write_mesh(out, format_of(arguments.target), with_points(surface, *result.target), beside);
   });
   for(std::string& warning : loss_warnings(input, arguments.output, "the pose"))
     summary.warnings.push_back(std::move(warning));

@@ -135,9 +135,10 @@ void write_parts(const Mesh_file& input, const std::vector<std::size_t>& parts,
   paths.insert(paths.end(), removed.begin(), removed.end()); // are neither an input nor an output
   Output_files files(paths, inputs_of(arguments));
   for(std::size_t i = 0; i < outputs.size(); ++i)
-    files.write(outputs[i], [&](std::ostream& out) {
+    files.write_with_files(outputs[i], [&](std::ostream& out, Companion_files* const beside) {
       if(has_folder)
-        write_mesh(out, written_format(format_of(arguments.input)), part_of(input, parts, i));
+        write_mesh(out, written_format(format_of(arguments.input)), part_of(input, parts, i),
+                   beside);
       else if(is_shown(outputs[i]))
         write_shown(out, format_of(outputs[i]), shown_parts(input, parts));
       else

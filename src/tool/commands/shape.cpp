@@ -60,8 +60,8 @@ int run_shape(Arguments& arguments)
     options.number_of_threads = arguments.options.number_of_threads;
     parts = CP::consensus_segmentation_tree(shape.points, input.faces, shape.pose, options).parts();
   }
-  files.write(arguments.output, [&](std::ostream& out) {
-    write_pose(out, format_of(arguments.output), input, shape.pose);
+  files.write_with_files(arguments.output, [&](std::ostream& out, Companion_files* const beside) {
+    write_pose(out, format_of(arguments.output), input, shape.pose, beside);
   });
   files.commit();
 

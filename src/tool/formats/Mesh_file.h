@@ -20,7 +20,7 @@ namespace Canonical_pose_tool {
 
 using CGAL::Canonical_pose_3::Face_list;
 
-class File_stream;
+struct Companion_files;
 
 enum class Format { OFF, OBJ, PLY, STL, MEDIT, GLB, GLTF, VTU };
 
@@ -155,7 +155,7 @@ std::vector<File_beside> files_beside(const Mesh_file& mesh);
 bool is_copied(const Mesh_file& mesh, const File_beside& file, const std::string& path);
 
 // Adds the files that are not there yet.
-void copy_files_beside(const Mesh_file& mesh, File_stream& out);
+void copy_files_beside(const Mesh_file& mesh, Companion_files& beside);
 
 // What of the file of a mesh its pose in this format lacks, whether it is written by rewrite_mesh() or not, and whether
 // there are files beside it.
@@ -170,11 +170,12 @@ inline std::vector<std::string> losses(const Mesh_file& mesh, const Format forma
 void check_format_holds(Format format, const Mesh_file& mesh);
 
 // Writes a mesh. Numbers in text have enough digits for the same numbers to be read. Materials of OBJ are files beside it,
-// if `out` is a File_stream.
-void write_mesh(std::ostream& out, Format format, const Mesh_file& mesh);
+// if it can have such.
+void write_mesh(std::ostream& out, Format format, const Mesh_file& mesh,
+                Companion_files* beside = nullptr);
 
 // With colors of the vertices, texture coordinates and normals of the corners, and materials, if there are.
-void write_obj(std::ostream& out, const Mesh_file& mesh);
+void write_obj(std::ostream& out, const Mesh_file& mesh, Companion_files* beside);
 
 } // namespace Canonical_pose_tool
 

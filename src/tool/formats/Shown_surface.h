@@ -63,10 +63,10 @@ struct Shown_surface
 
 // Writes the file of a mesh with other positions. Normals turn with their faces; colors, texture coordinates, materials,
 // groups, comments, encoding, and what else there is, stay. Values of vertices are properties of PLY: they replace those
-// of the same name.
+// of the same name. Files that it names are copied, if it can have files beside it.
 void rewrite_mesh(std::ostream& out, const Mesh_file& mesh,
                   const std::vector<std::array<double, 3>>& points,
-                  const std::vector<Vertex_values>& values);
+                  const std::vector<Vertex_values>& values, Companion_files* beside = nullptr);
 
 // Writes a surface as PLY, with its values, colors and parts as properties.
 void write_ply(std::ostream& out, const Shown_surface& surface);

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "File_stream.h"
+#include "Companion_files.h"
 #include "Mesh_file.h"
 #include "Ply_header.h"
 #include "Text_cursor.h"
@@ -82,13 +82,13 @@ bool is_copied(const Mesh_file& mesh, const File_beside& file, const std::string
          && (is_there(copy, file) || (has_files_beside(path) && !fs::exists(copy, error)));
 }
 
-void copy_files_beside(const Mesh_file& mesh, File_stream& out)
+void copy_files_beside(const Mesh_file& mesh, Companion_files& beside)
 {
   for(const File_beside& file : files_beside(mesh))
     if(const std::string name = name_in_folder(mesh, file);
-       is_copied(mesh, file, out.path().string())
-       && !is_there(out.path().parent_path() / name, file))
-      out.add_file_beside(name, file.content);
+       is_copied(mesh, file, beside.path.string())
+       && !is_there(beside.path.parent_path() / name, file))
+      beside.contents[name] = file.content;
 }
 
 } // namespace Canonical_pose_tool

@@ -1,7 +1,6 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "File_stream.h"
 #include "Shown_surface.h"
 #include "Vertex_rotations.h"
 #include "readers.h"
@@ -125,10 +124,10 @@ std::vector<std::string> losses(const Mesh_file& mesh, const Format format, cons
 }
 
 void rewrite_mesh(std::ostream& out, const Mesh_file& mesh, const Points& points,
-                  const std::vector<Vertex_values>& values)
+                  const std::vector<Vertex_values>& values, Companion_files* const beside)
 {
-  if(auto* const file = dynamic_cast<File_stream*>(&out))
-    copy_files_beside(mesh, *file);
+  if(beside)
+    copy_files_beside(mesh, *beside);
   const std::string& bytes = mesh.source->bytes;
   if(mesh.source->has_byte_order_mark && mesh.source->format != Format::GLB)
     out << BYTE_ORDER_MARK;

@@ -86,7 +86,8 @@ void check_format_holds(const Format format, const Mesh_file& mesh)
   }
 }
 
-void write_mesh(std::ostream& out, const Format format, const Mesh_file& mesh)
+void write_mesh(std::ostream& out, const Format format, const Mesh_file& mesh,
+                Companion_files* const beside)
 {
   using Point = CGAL::Simple_cartesian<double>::Point_3;
   use_shortest_numbers(out);
@@ -109,7 +110,7 @@ void write_mesh(std::ostream& out, const Format format, const Mesh_file& mesh)
   if(format == Format::OFF)
     return write_off(out, mesh);
   if(format == Format::OBJ)
-    return write_obj(out, mesh);
+    return write_obj(out, mesh, beside);
   std::vector<Point> points;
   for(const std::array<double, 3>& p : mesh.points)
     points.emplace_back(p[0], p[1], p[2]);

@@ -3,7 +3,7 @@
 
 // OBJ, with an MTL file and images beside it.
 
-#include "File_stream.h"
+#include "Companion_files.h"
 #include "Mesh_file.h"
 #include "Shortest_numbers.h"
 
@@ -43,8 +43,8 @@ std::map<Value, std::size_t> write_values(const std::vector<Value>& values, cons
 class Material_library
 {
 public:
-  Material_library(File_stream& file, const Appearance& appearance)
-    : m_file(file), m_appearance(appearance), m_stem(plain(file.path().stem().string())),
+  Material_library(Companion_files& beside, const Appearance& appearance)
+    : m_beside(beside), m_appearance(appearance), m_stem(plain(beside.path.stem().string())),
       m_used(appearance.material_of_face.begin(), appearance.material_of_face.end())
   {
     std::set<std::string> names;
@@ -63,9 +63,9 @@ public:
       write(text, m);
     // That of the shape itself may be replaced, but none of those that were read.
     std::string name = m_stem + ".mtl";
-    for(int number = 0; is_read(m_file.path().parent_path() / name); ++number)
+    for(int number = 0; is_read(m_beside.path.parent_path() / name); ++number)
       name = numbered(number, ".mtl");
-    m_file.add_file_beside(name, text.str());
+    m_beside.contents[name] = text.str();
     return name;
   }
 
@@ -100,7 +100,7 @@ private:
     const auto [name, is_new] = m_images.emplace(material.image, std::string());
     if(!is_new)
       return name->second;
-    const fs::path folder = m_file.path().parent_path();
+    const fs::path folder = m_beside.path.parent_path();
     std::error_code error;
     const std::string path
       = fs::canonical(material.image_path, error).lexically_proximate(folder).generic_string();
@@ -112,13 +112,12 @@ private:
     for(int number = 0;; ++number) // another image is not replaced
     {
       name->second = numbered(number, extension);
-      const std::string there = content_beside(m_file.path().string(), name->second);
+      const std::string there = content_beside(m_beside.path.string(), name->second);
       if(there == material.image)
         break;
-      if(m_file.files_beside().count(name->second) == 0
-         && !fs::exists(folder / name->second, error))
+      if(m_beside.contents.count(name->second) == 0 && !fs::exists(folder / name->second, error))
       {
-        m_file.add_file_beside(name->second, material.image);
+        m_beside.contents[name->second] = material.image;
         break;
       }
     }
@@ -150,7 +149,7 @@ private:
                        [&](const std::string& file) { return fs::equivalent(file, path, error); });
   }
 
-  File_stream& m_file;
+  Companion_files& m_beside;
   const Appearance& m_appearance;
   const std::string m_stem; // of the names of files
   const std::set<std::size_t> m_used;
@@ -160,13 +159,12 @@ private:
 
 } // namespace
 
-void write_obj(std::ostream& out, const Mesh_file& mesh)
+void write_obj(std::ostream& out, const Mesh_file& mesh, Companion_files* const beside)
 {
   const Appearance& appearance = mesh.appearance;
-  auto* const file = dynamic_cast<File_stream*>(&out);
   std::optional<Material_library> materials;
-  if(file && appearance.has_materials())
-    out << "mtllib " << materials.emplace(*file, appearance).write() << '\n';
+  if(beside && appearance.has_materials())
+    out << "mtllib " << materials.emplace(*beside, appearance).write() << '\n';
   for(std::size_t v = 0; v < mesh.points.size(); ++v)
   {
     out << 'v';

@@ -6,7 +6,7 @@
 
 #include "formats/Cgal_types.h"
 #include "checks.h"
-#include "formats/File_stream.h"
+#include "formats/Companion_files.h"
 #include "formats/Shown_surface.h"
 #include "formats/readers.h"
 
@@ -81,10 +81,10 @@ void check_appearance(Mesh_file mesh)
   for(const Format format : {Format::OFF, Format::OBJ, Format::PLY, Format::GLB})
   {
     losses(mesh, format);
-    std::stringbuf buffer;
-    File_stream out(&buffer, "/nowhere/a.obj"); // with materials beside it
+    std::ostringstream out;
+    Companion_files beside{"/nowhere/a.obj"};
     if(!mesh.is_tetrahedral && CPF::is_accepted([&] { check_format_holds(format, mesh); }))
-      CPF::is_accepted([&] { write_mesh(out, format, mesh); });
+      CPF::is_accepted([&] { write_mesh(out, format, mesh, &beside); });
   }
 }
 
