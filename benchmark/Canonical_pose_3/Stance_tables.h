@@ -6,8 +6,9 @@
 
 #include "Stance_trial.h"
 #include "limb_measures.h"
-#include "mean_difference.h"
 #include "median.h"
+
+#include <CGAL/Canonical_pose_3/pose_difference.h>
 
 #include <algorithm>
 #include <array>
@@ -15,7 +16,6 @@
 #include <cstddef>
 #include <cstdio>
 #include <iterator>
-#include <limits>
 #include <map>
 #include <numeric>
 #include <regex>
@@ -38,31 +38,47 @@ inline double largest(const std::vector<double>& values)
   return *std::max_element(values.begin(), values.end());
 }
 
-/// Over the postures of a shape.
+/// Over the postures of a shape. All vectors have one element per trial, or none if vertices do not
+/// correspond.
 struct Consistency
 {
-  double stance = std::numeric_limits<double>::quiet_NaN(), pose = stance;
-  std::vector<double> names; // one per trial, if vertices correspond
+  double stance = 0, pose = 0;      // mean differences over all pairs
+  std::vector<double> to_others;    // mean difference of a stance from the others
+  std::vector<double> shares_alike; // of the vertices that follow the same limb as in most postures
 
   explicit Consistency(const Trials& trials)
   {
-    std::vector<Point_matrix> stances, poses;
-    for(const Stance_trial* trial : trials)
-    {
-      stances.push_back(trial->pose);
-      poses.push_back(trial->mesh->pose);
-    }
-    stance = mean_difference(stances);
-    pose = mean_difference(poses);
-    if(std::isfinite(stance))
-      set_names(trials);
+    if(trials.size() < 2
+       || std::any_of(trials.begin(), trials.end(), [&](const Stance_trial* trial) {
+            return trial->pose.rows() != trials.front()->pose.rows();
+          }))
+      return;
+    set_differences(trials);
+    set_shares(trials);
   }
 
 private:
-  void set_names(const Trials& trials)
+  void set_differences(const Trials& trials)
+  {
+    using CGAL::Canonical_pose_3::pose_difference;
+    const auto number = static_cast<double>(trials.size());
+    to_others.resize(trials.size());
+    for(std::size_t i = 0; i < trials.size(); ++i)
+      for(std::size_t j = 0; j < i; ++j)
+      {
+        const double difference = pose_difference(trials[i]->pose, trials[j]->pose);
+        for(const std::size_t k : {i, j})
+          to_others[k] += difference / (number - 1);
+        pose += 2 * pose_difference(trials[i]->mesh->pose, trials[j]->mesh->pose)
+                / (number * (number - 1));
+      }
+    stance = mean(to_others);
+  }
+
+  void set_shares(const Trials& trials)
   {
     const std::size_t n = trials.front()->limbs_of_vertices.size();
-    names.resize(trials.size());
+    std::vector<std::size_t> alike(trials.size());
     for(std::size_t v = 0; v < n; ++v)
     {
       std::array<std::size_t, 7> numbers = {};
@@ -71,8 +87,10 @@ private:
       const auto usual = static_cast<std::size_t>(std::max_element(numbers.begin(), numbers.end())
                                                   - numbers.begin());
       for(std::size_t i = 0; i < trials.size(); ++i)
-        names[i] += (trials[i]->limbs_of_vertices[v] == usual ? 1. : 0.) / static_cast<double>(n);
+        alike[i] += trials[i]->limbs_of_vertices[v] == usual;
     }
+    for(const std::size_t number : alike)
+      shares_alike.push_back(static_cast<double>(number) / static_cast<double>(n));
   }
 };
 
@@ -86,7 +104,7 @@ inline void print_header_of_classes()
   std::printf("\n%-22s%-11s%7s%6s%8s%7s%7s%7s%8s%8s%7s%8s%7s%8s%8s%9s%8s%8s%7s%7s%9s%7s%7s\n",
               "class", "stance", "meshes", "found", "refused", "failed", "arms", "legs", "largest",
               "within", "bend", "largest", "l-r", "strain", "largest", "inverted", "stance", "pose",
-              "ratio", "names", "seconds", "pose", "ratio");
+              "ratio", "alike", "seconds", "pose", "ratio");
 }
 
 /// \param found those of them that have a stance.
@@ -181,7 +199,6 @@ private:
   // `all`: of a stance.
   static void print_classes(const Trials& all, std::vector<std::string>& notes)
   {
-    constexpr double least_share_of_names = .8;
     std::vector<std::string> names;
     std::map<std::string, Trials> classes;
     for(const Stance_trial* trial : all)
@@ -197,39 +214,56 @@ private:
       const Trials found = found_ones(classes.at(class_name));
       const Consistency consistency(found);
       Differences differences;
-      if(!consistency.names.empty())
+      if(!consistency.to_others.empty())
       {
-        differences = {{consistency.stance}, {consistency.pose}, {mean(consistency.names)}};
+        differences = {{consistency.stance}, {consistency.pose}, {mean(consistency.shares_alike)}};
         of_classes.stances.push_back(consistency.stance);
         of_classes.poses.push_back(consistency.pose);
-        of_classes.names.push_back(mean(consistency.names));
+        of_classes.names.push_back(mean(consistency.shares_alike));
       }
       print_row(class_name, classes.at(class_name), found, differences);
-      note_worst_limb(found, notes);
-      for(std::size_t i = 0; i < consistency.names.size(); ++i)
-        if(consistency.names[i] < least_share_of_names)
-          notes.push_back("other names of limbs than in most postures: " + found[i]->mesh->name
-                          + ", " + name(found[i]->stance) + ", "
-                          + std::to_string(std::lround(100 * (1 - consistency.names[i])))
-                          + " % of the vertices");
+      if(!found.empty())
+        note_worst(found, consistency, notes);
     }
     if(names.size() > 1)
       print_row("all", all, found_ones(all), of_classes);
   }
 
-  static void note_worst_limb(const Trials& found, std::vector<std::string>& notes)
+  static void note_worst(const Trials& found, const Consistency& consistency,
+                         std::vector<std::string>& notes)
   {
-    if(found.empty())
-      return;
-    const Stance_trial& worst
-      = **std::max_element(found.begin(), found.end(), [](const auto* a, const auto* b) {
-          return a->limbs.angles[a->worst_limb()] < b->limbs.angles[b->worst_limb()];
-        });
-    char angle[32];
-    std::snprintf(angle, sizeof(angle), "%.1f", worst.limbs.angles[worst.worst_limb()]);
-    notes.push_back("worst limb of " + worst.mesh->class_name + ", " + name(worst.stance) + ": "
-                    + worst.mesh->name + ", " + name_of_limb(worst.worst_limb(), worst.stance)
-                    + " by " + angle + " degrees");
+    constexpr double least_share_alike = .8;
+    const Stance stance = found.front()->stance;
+    const std::string of = " of " + found.front()->mesh->class_name + ", " + name(stance) + ": ";
+    const auto note = [&](const char* const what, const std::size_t trial, const std::string& rest,
+                          const double value) {
+      char text[32];
+      std::snprintf(text, sizeof(text), ", %.3g", value);
+      notes.push_back(what + of + found[trial]->mesh->name + rest + text);
+    };
+    const auto note_limb
+      = [&](const char* const what,
+            const std::array<double, number_of_limbs> Limb_measures::*const values) {
+          std::array<std::size_t, 2> worst = {0, 0};
+          for(std::size_t i = 0; i < found.size(); ++i)
+            for(std::size_t k = 0; k < number_of_limbs; ++k)
+              if((found[i]->limbs.*values)[k] > (found[worst[0]]->limbs.*values)[worst[1]])
+                worst = {i, k};
+          note(what, worst[0], std::string(", ") + name_of_limb(worst[1], stance),
+               (found[worst[0]]->limbs.*values)[worst[1]]);
+        };
+    note_limb("largest angle", &Limb_measures::angles);
+    note_limb("largest bend", &Limb_measures::bends);
+    const std::vector<double>& to_others = consistency.to_others;
+    if(!to_others.empty())
+    {
+      const auto farthest = std::max_element(to_others.begin(), to_others.end());
+      note("largest mean difference from the other postures",
+           static_cast<std::size_t>(farthest - to_others.begin()), "", *farthest);
+    }
+    for(std::size_t i = 0; i < consistency.shares_alike.size(); ++i)
+      if(consistency.shares_alike[i] < least_share_alike)
+        note("other limbs than in most postures", i, ", share alike", consistency.shares_alike[i]);
   }
 
   // Equal ones meet: without numbers, of warnings without their details.

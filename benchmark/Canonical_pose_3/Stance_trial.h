@@ -128,12 +128,6 @@ struct Stance_trial : Trial_outcome
     });
   }
 
-  std::size_t worst_limb() const
-  {
-    return static_cast<std::size_t>(std::max_element(limbs.angles.begin(), limbs.angles.end())
-                                    - limbs.angles.begin());
-  }
-
   std::shared_ptr<const Posed_mesh_of_class> mesh;
   Stance stance;
   Limb_measures limbs = {};
