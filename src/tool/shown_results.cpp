@@ -150,25 +150,43 @@ Shown_surface shown_pose(const Mesh_file& input, const CP::Result& result)
   return surface;
 }
 
-std::vector<std::string> loss_warnings(const Mesh_file& input, const std::string& path,
-                                       const std::string& name)
+void add_losses(std::vector<std::string>& warnings, const std::string& result,
+                const std::vector<std::string>& losses, const std::string& owner)
+{
+  std::string list;
+  for(const std::string& name : losses)
+    list += (list.empty() ? "" : ", ") + name;
+  if(!list.empty())
+    warnings.push_back(result + ' ' + list + " of " + owner);
+}
+
+void add_losses_of_file(std::vector<std::string>& warnings, const std::string& result,
+                        const Mesh_file& input, const std::string& path, const bool is_new)
 {
   const Format format = format_of(path);
-  const bool is_rewritten = is_rewritable(input, format);
-  std::vector<std::string> result;
-  std::string lost;
-  for(const std::string& attribute : losses(input, format, is_rewritten, has_files_beside(path)))
-    lost += (lost.empty() ? "" : ", ") + attribute;
-  if(!lost.empty())
-    result.push_back(name + " in "
-                     + (is_standard_stream(path) ? "the standard output" : '\'' + path + '\'')
-                     + " lacks " + lost + " of the input");
+  const bool is_rewritten = !is_new && is_rewritable(input, format);
+  add_losses(warnings,
+             result + " in "
+               + (is_standard_stream(path) ? "the standard output" : '\'' + path + '\'') + " lacks",
+             losses(input, format, is_rewritten, has_files_beside(path)));
   if(is_rewritten && !is_standard_stream(path))
     for(const File_beside& file : files_beside(input))
       if(!is_copied(input, file, path))
-        result.push_back(name + " names '" + file.name
-                         + "', which is beside the input, but not copied");
-  return result;
+        warnings.push_back(result + " names '" + file.name
+                           + "', which is beside the input, but not copied");
+}
+
+void add_losses_of_shown(std::vector<std::string>& warnings, const std::string& result,
+                         const Mesh_file& input, const std::string& path,
+                         const bool has_vertex_colors)
+{
+  if(input.is_tetrahedral)
+    return;
+  const Format format = format_of(path);
+  std::vector<std::string> names = losses(input, format, false, false);
+  if(format == Format::PLY && has_vertex_colors && !input.appearance.vertex_colors.empty())
+    names.insert(names.begin(), "colors");
+  add_losses(warnings, result, names);
 }
 
 void write_pose(std::ostream& out, const Format format, const Mesh_file& input,
@@ -184,7 +202,7 @@ void write_pose(std::ostream& out, const Format format, const Mesh_file& input,
     Shown_surface surface;
     surface.mesh = with_points(input, pose);
     surface.values = {{"strain", strains(input, pose)}};
-    write_ply(out, surface);
+    write_ply(out, surface, beside);
   }
   else
     write_mesh(out, format, with_points(input, pose), beside);

@@ -48,9 +48,17 @@ Shown_surface shown_parts(const Mesh_file& input, const std::vector<std::size_t>
 // INPUT, or its boundary, with target and pose in the frame of the pose. Colors show the strain.
 Shown_surface shown_pose(const Mesh_file& input, const CGAL::Canonical_pose_3::Result& result);
 
-// Tells what INPUT has, and `name`, which write_pose() writes to a path, has not.
-std::vector<std::string> loss_warnings(const Mesh_file& input, const std::string& path,
-                                       const std::string& name);
+// Adds a warning that tells what `owner` has, and `result` has not ("the parts lack"); none if that is nothing.
+void add_losses(std::vector<std::string>& warnings, const std::string& result,
+                const std::vector<std::string>& losses, const std::string& owner = "the input");
+
+// The same for what write_pose() or, if `is_new`, write_mesh() writes to a path.
+void add_losses_of_file(std::vector<std::string>& warnings, const std::string& result,
+                        const Mesh_file& input, const std::string& path, bool is_new = false);
+
+// The same for what write_shown() writes to a path; colors of vertices may be those of results.
+void add_losses_of_shown(std::vector<std::string>& warnings, const std::string& result,
+                         const Mesh_file& input, const std::string& path, bool has_vertex_colors);
 
 // Writes a pose; with the strain of its vertices if the format has values.
 void write_pose(std::ostream& out, Format format, const Mesh_file& input,

@@ -11,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <filesystem>
@@ -78,11 +79,12 @@ std::set<Corner> corners_of(const Mesh_file& mesh, const bool with_materials,
 }
 
 // Writes a mesh with the files beside it. Returns their names.
-std::set<std::string> write_with_files_beside(const Mesh_file& mesh, const std::string& path)
+std::set<std::string> write_with_files_beside(const Mesh_file& mesh, const std::string& path,
+                                              const bool with_files = true)
 {
   std::ostringstream out;
   Companion_files beside{path};
-  write_mesh(out, format_of(path, Use::WRITE), mesh, &beside);
+  write_mesh(out, format_of(path, Use::WRITE), mesh, with_files ? &beside : nullptr);
   std::ofstream(path, std::ios::binary) << out.str();
   std::set<std::string> result;
   for(const auto& [name, content] : beside.contents)
@@ -93,10 +95,10 @@ std::set<std::string> write_with_files_beside(const Mesh_file& mesh, const std::
   return result;
 }
 
-Mesh_file written(const Mesh_file& mesh, const std::string& extension)
+Mesh_file written(const Mesh_file& mesh, const std::string& extension, const bool with_files = true)
 {
   const std::string path = written_file("b" + extension, "");
-  write_with_files_beside(mesh, path);
+  write_with_files_beside(mesh, path, with_files);
   return read_shown_mesh_file(path);
 }
 
@@ -130,7 +132,7 @@ TEST(Appearance, is_carried_to_other_formats)
   {
     EXPECT_EQ(corners_of(written(mesh, extension), false), corners_of(mesh, false)) << extension;
     EXPECT_EQ(losses(mesh, format),
-              format == Format::OBJ ? Names() : (Names{"normals", "materials"}));
+              format == Format::OBJ ? Names() : (Names{"normals", "colors of materials"}));
   }
   EXPECT_EQ(written(mesh, ".off").appearance.vertex_colors, mesh.appearance.vertex_colors);
   EXPECT_EQ(losses(mesh, Format::OFF), (Names{"normals", "texture coordinates", "materials"}));
@@ -139,6 +141,58 @@ TEST(Appearance, is_carried_to_other_formats)
   // From glTF and PLY back to the others.
   EXPECT_EQ(corners_of(written(written(mesh, ".glb"), ".ply"), false), corners_of(mesh, false));
   EXPECT_EQ(corners_of(written(written(mesh, ".ply"), ".glb"), false), corners_of(mesh, false));
+}
+
+std::vector<std::string> attributes_of(const Mesh_file& mesh)
+{
+  const Appearance& appearance = mesh.appearance;
+  std::vector<std::string> result;
+  for(const auto& [name, has] :
+      {std::make_pair("colors", !appearance.vertex_colors.empty()),
+       std::make_pair("normals", !appearance.normals.empty()),
+       std::make_pair("texture coordinates", !appearance.texture_coordinates.empty()),
+       std::make_pair("materials", appearance.has_materials())})
+    if(has)
+      result.push_back(name);
+  return result;
+}
+
+// From each format to each: what is not there afterward is named, once, and nothing else is.
+TEST(Appearance, losses_of_all_pairs_of_formats)
+{
+  const std::string image = name_of(written_file("image.png", IMAGE));
+  const std::string materials
+    = name_of(written_file("a.mtl", "newmtl shown\nmap_Kd " + image + '\n'));
+  const Mesh_file obj = read_shown_mesh_file(written_file(
+    "a.obj", "mtllib " + materials
+               + "\nv 0 0 0 1 0 0\nv 2 0 0 0 1 0\nv 0 2 0 0 0 1\nv 0 0 2 1 1 1\nvt 0 0\nvt 1 0\n"
+               + "vt 1 1\nvn -1 0 0\nvn 0 0 1\nvn 0 1 0\nusemtl shown\nf 1/1/1 3/3/1 2/2/2\nf "
+                 "1/1/1 2/2/2 4/2/3\n"
+               + "f 2/2/2 3/3/1 4/2/3\nf 3/3/1 1/1/1 4/2/3\n"));
+  const std::vector<std::string> extensions = {".obj", ".ply", ".stl", ".off", ".glb"};
+  for(const std::string& from : extensions)
+    for(const bool with_files : {true, false})
+    {
+      const Mesh_file mesh = written(obj, from, with_files);
+      for(const std::string& to : extensions)
+      {
+        SCOPED_TRACE("from " + from + " to " + to);
+        const Mesh_file result = written(mesh, to, with_files);
+        std::vector<std::string> lost;
+        for(const std::string& name : attributes_of(mesh))
+          if(const auto kept = attributes_of(result);
+             std::find(kept.begin(), kept.end(), name) == kept.end())
+            lost.push_back(name);
+        std::vector<std::string> named
+          = losses(mesh, format_of("a" + to, Use::WRITE), false, with_files);
+        std::sort(lost.begin(), lost.end());
+        std::sort(named.begin(), named.end());
+        EXPECT_EQ(named, lost);
+        EXPECT_EQ(result.points.size(), 4u);
+      }
+    }
+  EXPECT_EQ(attributes_of(obj).size(), 4u);
+  EXPECT_EQ(attributes_of(written(obj, ".ply")), attributes_of(obj));
 }
 
 // A cube with a normal per side, to glTF, which splits its vertices: all corners keep theirs. With smooth normals, which PLY
@@ -257,9 +311,9 @@ TEST(Appearance, textures_of_ply)
   EXPECT_EQ(losses(mesh, Format::GLB), Names());
   EXPECT_EQ(losses(mesh, Format::OBJ), Names());
   EXPECT_EQ(losses(mesh, Format::OBJ, false, false), Names{"materials"});
-  const Mesh_file obj = written(mesh, ".obj");
-  for(std::size_t f = 0; f < 4; ++f)
-    EXPECT_EQ(image_of_face(obj, f), image_of_face(mesh, f)) << f;
+  for(const char* const extension : {".obj", ".ply"})
+    for(std::size_t f = 0; f < 4; ++f)
+      EXPECT_EQ(image_of_face(written(mesh, extension), f), image_of_face(mesh, f)) << f;
   const Mesh_file glb = written(mesh, ".glb");
   std::multiset<std::string> images; // of the faces, which are in the order of materials there
   for(std::size_t f = 0; f < 4; ++f)

@@ -57,15 +57,24 @@ expect_refusal("red_target.mtl' cannot be written: it is not a file" ${red} --ta
 expect_files(red_target* red_target.mtl)
 file(REMOVE_RECURSE ${WORK}/red_target.mtl)
 file(RENAME ${WORK}/red.mtl ${WORK}/red_target.mtl)
-file(WRITE ${WORK}/red.obj "mtllib red_target.mtl\nusemtl red\n${text}")
+file(WRITE ${WORK}/red.obj "mtllib red_target.mtl\nusemtl red\ng all\n${text}")
+string(REGEX REPLACE "(v [^\n]*)\n" "\\1 1 0 0\n" colored "${text}")
+file(WRITE ${WORK}/colored.obj "${colored}")
 expect_exit(0 ${red} --target red_target.obj) # the materials of the input are not replaced
 expect_content(red_target.mtl "newmtl red\nKd 1 0 0\n")
 expect_content(red_target_0.mtl "newmtl red\nKd 1 0 0\nd 1\n")
 foreach(parts IN ITEMS 3 2)
   expect_exit(0 segment red.obj --method sweep --parts ${parts} -o out/red_parts/)
 endforeach()
+expect_match("${stdout}" "\nwarning: the parts lack groups of the input\n$")
+expect_exit(0 ${red} --target out/red.ply)
+expect_match("${stdout}" "the pose in 'out/red.off' lacks materials, groups of the input\nwarning: the target in 'out/red.ply' lacks materials, groups of")
+expect_exit(0 geodesics colored.obj --source 0 -o out/red.ply)
+expect_match("${stdout}" "^warning: the distances lack colors of the input\n$")
+expect_exit(0 geodesics colored.obj --source 0 -o out/red.ply --quiet)
+expect_match("${stdout}" "^$")
 expect_files(out/red_parts/* out/red_parts/part_0.mtl out/red_parts/part_0.obj out/red_parts/part_1.mtl out/red_parts/part_1.obj)
-file(REMOVE_RECURSE ${WORK}/out/red_parts)
+file(REMOVE_RECURSE ${WORK}/out/red_parts ${WORK}/out/red.off ${WORK}/out/red.ply)
 
 # ---- standard streams, and compressed files --------------------------------------------------------------------
 

@@ -173,7 +173,7 @@ int run_compare(Arguments& arguments)
   const std::vector<Pair> pairs = differences_of_pairs(arguments.poses, poses);
   std::vector<std::string> warnings;
   if(!mean.empty())
-    warnings = loss_warnings(first, mean, "the mean");
+    add_losses_of_file(warnings, "the mean", first, mean);
   files.write_with_files(mean, [&](std::ostream& out, Companion_files* const beside) {
     write_pose(out, format_of(mean), first, CGAL::Canonical_pose_3::mean_pose(std::move(poses)),
                beside);

@@ -17,7 +17,8 @@
 
 #include <cstdlib>
 #include <ostream>
-#include <stdexcept>
+#include <string>
+#include <vector>
 
 namespace Canonical_pose_tool {
 
@@ -53,6 +54,12 @@ int run_geodesics(Arguments& arguments)
     out << distances.format(Eigen::IOFormat(17, Eigen::DontAlignCols, " ", "\n", "", "", "", "\n"));
   });
   files.commit();
+  std::vector<std::string> warnings;
+  if(is_shown(arguments.output))
+    add_losses_of_shown(warnings, "the distances lack", input, arguments.output, true);
+  if(!arguments.quiet)
+    for(const std::string& warning : warnings)
+      messages_beside({arguments.output}) << "warning: " << warning << '\n';
   return EXIT_SUCCESS;
 }
 

@@ -23,6 +23,7 @@
 #include <cstdlib>
 #include <iostream>
 #include <map>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -253,19 +254,20 @@ std::vector<std::string> warnings_of(const Mesh_file& input, const Mesh_file& ot
   const Transfer transfer = transfer_of(arguments);
   std::vector<std::string> result;
   if(is_input_rewritten(arguments))
-    result = loss_warnings(input, arguments.output, "the surface");
+    add_losses_of_file(result, "the surface", input, arguments.output);
   if(transfer == Transfer::COLORS || transfer == Transfer::TEXTURE)
-    for(const std::string& name : attributes_of_file(input))
-      result.push_back("the surface lacks " + name + " of the input");
+    add_losses(result, "the surface lacks", attributes_of_file(input));
+  if(transfer == Transfer::LABELS && !is_text(arguments.output))
+    add_losses_of_shown(result, "the surface lacks", input, arguments.output, false);
   if(transfer == Transfer::TEXTURE)
   {
-    for(const std::string& name : other.appearance.missing)
-      result.push_back("the surface lacks " + name + " of OTHER");
-    const Format format = format_of(arguments.output);
-    if(other.appearance.has_materials() && format != Format::GLB
-       && (format != Format::OBJ || !has_files_beside(arguments.output)))
-      result.push_back("the surface lacks the materials of OTHER: only .glb, and .obj with files "
-                       "beside it, hold them");
+    std::vector<std::string> lost
+      = losses(other, format_of(arguments.output), false, has_files_beside(arguments.output));
+    std::set<std::string> transferred = other.appearance.missing;
+    transferred.insert({"materials", "colors of materials", "maps of materials other than colors"});
+    const auto is_other = [&](const std::string& name) { return transferred.count(name) == 0; };
+    lost.erase(std::remove_if(lost.begin(), lost.end(), is_other), lost.end());
+    add_losses(result, "the surface lacks", lost, "OTHER");
   }
   if(match.round_trips.mean() > largest_round_trip)
     result.push_back("the surfaces hardly match: points return far from where they were");

@@ -18,7 +18,6 @@
 #include <iostream>
 #include <stdexcept>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace Canonical_pose_tool {
@@ -157,8 +156,11 @@ int run_pose(Arguments& arguments)
     const Mesh_file surface = input.is_tetrahedral ? boundary_of(input) : input;
     write_mesh(out, format_of(arguments.target), with_points(surface, *result.target), beside);
   });
-  for(std::string& warning : loss_warnings(input, arguments.output, "the pose"))
-    summary.warnings.push_back(std::move(warning));
+  add_losses_of_file(summary.warnings, "the pose", input, arguments.output);
+  if(!arguments.target.empty())
+    add_losses_of_file(summary.warnings, "the target", input, arguments.target, true);
+  if(!arguments.scene.empty())
+    add_losses_of_shown(summary.warnings, "the scene lacks", input, arguments.scene, true);
   files.write(arguments.scene,
               [&](std::ostream& out) { write_glb(out, shown_pose(input, result)); });
   summary.add_seconds("write", clock.lap());

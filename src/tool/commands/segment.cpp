@@ -189,13 +189,11 @@ int run_segment(Arguments& arguments)
   report.stages.emplace_back("read", clock.lap());
   arguments.say("dividing the surface into parts");
   const std::vector<std::size_t> parts = parts_of(input, arguments, report, clock);
-  if(!is_text(arguments.output))
-    for(const std::string& name :
-        losses(input,
-               written_format(
-                 format_of(is_folder(arguments.output) ? arguments.input : arguments.output)),
-               false))
-      report.warnings.push_back("the parts lack " + name + " of the input");
+  if(is_folder(arguments.output))
+    add_losses(report.warnings, "the parts lack",
+               losses(input, written_format(format_of(arguments.input)), false));
+  else if(!is_text(arguments.output))
+    add_losses_of_shown(report.warnings, "the parts lack", input, arguments.output, false);
   write_parts(input, parts, report.parts.size(), arguments, report, clock);
   folder.keep();
   arguments.say("");

@@ -64,6 +64,18 @@ struct Appearance
   std::set<std::string> files;   // of materials, which were read
 
   bool has_materials() const { return !material_of_face.empty(); }
+  // Of a face or more.
+  template <class Holds>
+  bool has_material(const Holds& holds) const
+  {
+    return std::any_of(material_of_face.begin(), material_of_face.end(),
+                       [&](const std::size_t m) { return holds(materials[m]); });
+  }
+  bool has_images() const // that are shown
+  {
+    return !texture_coordinates.empty()
+           && has_material([](const Material& m) { return !m.image.empty(); });
+  }
   bool has_other_maps() const
   {
     return std::any_of(materials.begin(), materials.end(), [](const Material& m) {

@@ -169,8 +169,8 @@ inline std::vector<std::string> losses(const Mesh_file& mesh, const Format forma
 // Throws std::invalid_argument if the format is only read, or cannot represent the mesh.
 void check_format_holds(Format format, const Mesh_file& mesh);
 
-// Writes a mesh. Numbers in text have enough digits for the same numbers to be read. Materials of OBJ are files beside it,
-// if it can have such.
+// Writes a mesh. Numbers in text have enough digits for the same numbers to be read. Materials of OBJ, and textures
+// of OBJ and PLY, are files beside it, if it can have such.
 void write_mesh(std::ostream& out, Format format, const Mesh_file& mesh,
                 Companion_files* beside = nullptr);
 

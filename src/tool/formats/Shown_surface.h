@@ -68,8 +68,9 @@ void rewrite_mesh(std::ostream& out, const Mesh_file& mesh,
                   const std::vector<std::array<double, 3>>& points,
                   const std::vector<Vertex_values>& values, Companion_files* beside = nullptr);
 
-// Writes a surface as PLY, with its values, colors and parts as properties.
-void write_ply(std::ostream& out, const Shown_surface& surface);
+// Writes a surface as PLY, with its values, colors and parts as properties. Its textures are files beside it, if it can
+// have such, and nothing else is shown.
+void write_ply(std::ostream& out, const Shown_surface& surface, Companion_files* beside = nullptr);
 
 // Writes a surface as glTF 2.0 (binary). Throws std::invalid_argument if it cannot be represented.
 void write_glb(std::ostream& out, const Shown_surface& surface);

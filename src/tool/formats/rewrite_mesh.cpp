@@ -91,6 +91,9 @@ std::vector<std::string> losses(const Mesh_file& mesh, const Format format, cons
   std::vector<std::string> names = attributes_of_file(mesh);
   const std::set<std::string> always
     = {"animations", "images that are not beside it", "morph targets", "skins", "turned normals"};
+  const bool has_materials
+    = format == Format::GLB || (format == Format::OBJ && has_files_beside)
+      || (format == Format::PLY && has_files_beside && mesh.appearance.has_images());
   const auto is_kept = [&](const std::string& name) {
     if(is_rewritten)
       return always.count(name) == 0;
@@ -106,15 +109,18 @@ std::vector<std::string> losses(const Mesh_file& mesh, const Format format, cons
       return has_colors && !appearance.vertex_colors.empty();
     if(name == "texture coordinates")
       return has_textures && !appearance.texture_coordinates.empty();
-    const bool has_materials = format == Format::GLB || (format == Format::OBJ && has_files_beside);
     return name == "materials" && has_materials && appearance.has_materials();
   };
   names.erase(std::remove_if(names.begin(), names.end(), is_kept), names.end());
   if(!is_rewritten && format == Format::OBJ && !mesh.appearance.vertex_opacities.empty())
     names.push_back("the opacity of colors");
-  if(!is_rewritten && format == Format::OBJ && has_files_beside && mesh.appearance.has_other_maps())
+  const auto is_colored = [](const Material& m) { return m.color != Material().color; };
+  if(!is_rewritten && has_materials && format == Format::PLY
+     && mesh.appearance.has_material(is_colored))
+    names.push_back("colors of materials");
+  if(!is_rewritten && has_materials && format != Format::GLB && mesh.appearance.has_other_maps())
     names.push_back("maps of materials other than colors");
-  if(!is_rewritten && (format == Format::GLB || (format == Format::OBJ && has_files_beside)))
+  if(!is_rewritten && has_materials)
     names.insert(names.end(), mesh.appearance.missing.begin(), mesh.appearance.missing.end());
   std::vector<std::string> result; // each name once
   for(std::string& name : names)

@@ -105,7 +105,7 @@ void write_mesh(std::ostream& out, const Format format, const Mesh_file& mesh,
        || !appearance.normals.empty()) // copies are found again
       for(std::size_t v = 0; v < mesh.points.size(); ++v)
         surface.origins.push_back(v);
-    return format == Format::GLB ? write_glb(out, surface) : write_ply(out, surface);
+    return format == Format::GLB ? write_glb(out, surface) : write_ply(out, surface, beside);
   }
   if(format == Format::OFF)
     return write_off(out, mesh);

@@ -6,10 +6,10 @@
 #include "Companion_files.h"
 #include "Mesh_file.h"
 #include "Shortest_numbers.h"
+#include "Written_images.h"
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <cstddef>
 #include <filesystem>
@@ -44,7 +44,7 @@ class Material_library
 {
 public:
   Material_library(Companion_files& beside, const Appearance& appearance)
-    : m_beside(beside), m_appearance(appearance), m_stem(plain(beside.path.stem().string())),
+    : m_beside(beside), m_appearance(appearance), m_images(beside),
       m_used(appearance.material_of_face.begin(), appearance.material_of_face.end())
   {
     std::set<std::string> names;
@@ -62,9 +62,9 @@ public:
     for(const std::size_t m : m_used)
       write(text, m);
     // That of the shape itself may be replaced, but none of those that were read.
-    std::string name = m_stem + ".mtl";
+    std::string name = m_images.stem() + ".mtl";
     for(int number = 0; is_read(m_beside.path.parent_path() / name); ++number)
-      name = numbered(number, ".mtl");
+      name = m_images.numbered(number, ".mtl");
     m_beside.contents[name] = text.str();
     return name;
   }
@@ -77,7 +77,7 @@ private:
          << material.color[1] << ' ' << material.color[2] << "\nd " << material.color[3] << '\n';
     if(material.image.empty() || m_appearance.texture_coordinates.empty())
       return;
-    const std::string image = image_name(material);
+    const std::string image = m_images.name_of(material);
     text << "map_Kd " << image << '\n';
     if(material.alpha_mode != "OPAQUE" && type_of_image(material.image) != "image/jpeg")
       text << "map_d " << image << '\n';
@@ -86,60 +86,13 @@ private:
   // Its own, without blanks, unless another one has it.
   std::string name_of(const std::size_t number, std::set<std::string>& names) const
   {
-    std::string name = plain(m_appearance.materials[number].name);
+    std::string name = plain_name(m_appearance.materials[number].name);
     std::replace(name.begin(), name.end(), ' ', '_');
     if(name.empty())
       name = "material_" + std::to_string(number);
     while(!names.insert(name).second)
       name += '_' + std::to_string(number);
     return name;
-  }
-
-  std::string image_name(const Material& material)
-  {
-    const auto [name, is_new] = m_images.emplace(material.image, std::string());
-    if(!is_new)
-      return name->second;
-    const fs::path folder = m_beside.path.parent_path();
-    std::error_code error;
-    const std::string path
-      = fs::canonical(material.image_path, error).lexically_proximate(folder).generic_string();
-    if(!material.image_path.empty() && !error && path == plain(path))
-      return name->second = path;
-    const std::string type = type_of_image(material.image);
-    const std::string extension
-      = type == "image/jpeg" ? ".jpg" : '.' + type.substr(type.find('/') + 1);
-    for(int number = 0;; ++number) // another image is not replaced
-    {
-      name->second = numbered(number, extension);
-      const std::string there = content_beside(m_beside.path.string(), name->second);
-      if(there == material.image)
-        break;
-      if(m_beside.contents.count(name->second) == 0 && !fs::exists(folder / name->second, error))
-      {
-        m_beside.contents[name->second] = material.image;
-        break;
-      }
-    }
-    return name->second;
-  }
-
-  // A name that is not read as something else.
-  static std::string plain(std::string name)
-  {
-    const auto is_special
-      = [](const unsigned char c) { return std::iscntrl(c) || c == '#' || c == '"' || c == '\\'; };
-    std::replace_if(name.begin(), name.end(), is_special, '_');
-    if(!name.empty() && (name.front() == '-' || name.front() == ' '))
-      name.front() = '_';
-    if(!name.empty() && name.back() == ' ')
-      name.back() = '_';
-    return name;
-  }
-
-  std::string numbered(const int number, const std::string& extension) const
-  {
-    return m_stem + '_' + std::to_string(number) + extension;
   }
 
   bool is_read(const fs::path& path) const
@@ -151,10 +104,9 @@ private:
 
   Companion_files& m_beside;
   const Appearance& m_appearance;
-  const std::string m_stem; // of the names of files
+  Written_images m_images;
   const std::set<std::size_t> m_used;
   std::map<std::size_t, std::string> m_names;
-  std::map<std::string, std::string> m_images; // names by contents
 };
 
 } // namespace

@@ -3,10 +3,13 @@
 
 #include "Shortest_numbers.h"
 #include "Shown_surface.h"
+#include "Written_images.h"
 
 #include <array>
 #include <cstddef>
+#include <map>
 #include <ostream>
+#include <string>
 #include <vector>
 
 namespace Canonical_pose_tool {
@@ -36,9 +39,48 @@ bool has_opacities(const Shown_surface& surface)
   return surface.vertex_colors.empty() && !surface.mesh.appearance.vertex_opacities.empty();
 }
 
-void write_header(std::ostream& out, const Shown_surface& surface, const bool has_normals)
+// The images of a surface, as MeshLab has them: names, and the number of each face, -1 for those without.
+struct Textures
 {
-  out << "ply\nformat ascii 1.0\nelement vertex " << surface.mesh.points.size()
+  std::vector<std::string> names;
+  std::vector<int> number_of_face; // empty if all have the first one
+
+  Textures(const Shown_surface& surface, Companion_files* const beside)
+  {
+    const Appearance& appearance = surface.mesh.appearance;
+    if(!beside || !surface.vertex_colors.empty() || !surface.part_of_face.empty()
+       || !appearance.has_images())
+      return;
+    Written_images images(*beside);
+    std::map<std::string, int> numbers;
+    bool has_others = false;
+    for(const std::size_t m : appearance.material_of_face)
+    {
+      const Material& material = appearance.materials[m];
+      int number = -1;
+      if(!material.image.empty())
+      {
+        const std::string name = images.name_of(material);
+        const auto [known, is_new] = numbers.emplace(name, static_cast<int>(names.size()));
+        if(is_new)
+          names.push_back(name);
+        number = known->second;
+      }
+      number_of_face.push_back(number);
+      has_others = has_others || number != 0;
+    }
+    if(!has_others)
+      number_of_face.clear();
+  }
+};
+
+void write_header(std::ostream& out, const Shown_surface& surface, const bool has_normals,
+                  const Textures& textures)
+{
+  out << "ply\nformat ascii 1.0\n";
+  for(const std::string& name : textures.names)
+    out << "comment TextureFile " << name << '\n';
+  out << "element vertex " << surface.mesh.points.size()
       << "\nproperty double x\nproperty double y\nproperty double z\n";
   if(has_normals)
     out << "property float nx\nproperty float ny\nproperty float nz\n";
@@ -57,19 +99,22 @@ void write_header(std::ostream& out, const Shown_surface& surface, const bool ha
   }
   if(!surface.mesh.appearance.texture_coordinates.empty())
     out << "property list uchar float texcoord\n";
+  if(!textures.number_of_face.empty())
+    out << "property int texnumber\n";
   out << "end_header\n";
 }
 
 } // namespace
 
-void write_ply(std::ostream& out, const Shown_surface& surface)
+void write_ply(std::ostream& out, const Shown_surface& surface, Companion_files* const beside)
 {
   const Mesh_file& mesh = surface.mesh;
   check_format_holds(Format::PLY, mesh);
   use_shortest_numbers(out);
   const std::vector<Color>& colors = colors_of(surface);
   const std::vector<std::array<float, 3>> normals = normals_of_vertices(mesh);
-  write_header(out, surface, !normals.empty());
+  const Textures textures(surface, beside);
+  write_header(out, surface, !normals.empty(), textures);
   const auto& coordinates = mesh.appearance.texture_coordinates;
   for(std::size_t v = 0; v < mesh.points.size(); ++v)
   {
@@ -103,6 +148,8 @@ void write_ply(std::ostream& out, const Shown_surface& surface)
       for(std::size_t k = 0; k < mesh.faces[f].size(); ++k, ++corner)
         out << ' ' << coordinates[corner][0] << ' ' << 1 - coordinates[corner][1];
     }
+    if(!textures.number_of_face.empty())
+      out << ' ' << textures.number_of_face[f];
     out << '\n';
   }
 }
