@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numeric>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -36,6 +37,13 @@ std::vector<Figure> figures_of(const Mesh_file& mesh)
 {
   return {{"vertices", static_cast<double>(mesh.points.size())},
           {"faces", static_cast<double>(mesh.faces.size())}};
+}
+
+std::vector<std::size_t> all_vertices(const Mesh_file& mesh)
+{
+  std::vector<std::size_t> result(mesh.points.size());
+  std::iota(result.begin(), result.end(), std::size_t(0));
+  return result;
 }
 
 void color_by(Shown_surface& surface, const std::string& name, const Eigen::VectorXd& values,
@@ -91,8 +99,7 @@ Shown_surface shown_distances(const Mesh_file& input, const Eigen::MatrixXd& dis
 {
   Shown_surface surface;
   surface.mesh = input;
-  surface.origins.resize(input.points.size());
-  std::iota(surface.origins.begin(), surface.origins.end(), std::size_t(0));
+  surface.origins = all_vertices(input);
   const auto finite = [](const double x) { return std::isfinite(x) ? x : -1; };
   for(Eigen::Index k = 0; k < distances.cols(); ++k)
     surface.values.push_back({distances.cols() == 1 ? "distance" : "distance_" + std::to_string(k),
@@ -107,8 +114,7 @@ Shown_surface shown_parts(const Mesh_file& input, const std::vector<std::size_t>
 {
   Shown_surface surface;
   surface.mesh = input;
-  surface.origins.resize(input.points.size());
-  std::iota(surface.origins.begin(), surface.origins.end(), std::size_t(0));
+  surface.origins = all_vertices(input);
   surface.part_of_face = part_of_face;
   surface.figures = figures_of(input);
   const std::size_t parts
@@ -125,8 +131,7 @@ Shown_surface shown_pose(const Mesh_file& input, const CP::Result& result)
   else
   {
     surface.mesh = input;
-    surface.origins.resize(input.points.size());
-    std::iota(surface.origins.begin(), surface.origins.end(), std::size_t(0));
+    surface.origins = all_vertices(input);
   }
   Point_matrix pose_of_surface(static_cast<Eigen::Index>(surface.origins.size()), 3);
   Eigen::VectorXd strain(pose_of_surface.rows());
@@ -140,6 +145,7 @@ Shown_surface shown_pose(const Mesh_file& input, const CP::Result& result)
   }
   const Point_matrix target = (result.motion * result.target->transpose()).transpose();
   surface.other_shapes = {{"target", target}, {"pose", pose_of_surface}};
+  surface.skeleton = result.skeleton;
   surface.values = {{"strain", strain}};
   surface.figures = figures_of(surface.mesh);
   surface.figures.push_back({"stress", result.summary.target.stress});
@@ -190,9 +196,18 @@ void add_losses_of_shown(std::vector<std::string>& warnings, const std::string& 
 }
 
 void write_pose(std::ostream& out, const Format format, const Mesh_file& input,
-                const Point_matrix& pose, Companion_files* const beside)
+                const Point_matrix& pose, Companion_files* const beside,
+                const std::optional<CP::Skeleton_3>& skeleton)
 {
-  if(is_rewritable(input, format))
+  if(skeleton && format == Format::GLB)
+  {
+    Shown_surface surface;
+    surface.mesh = with_points(input, pose);
+    surface.origins = all_vertices(input);
+    surface.skeleton = skeleton;
+    write_glb(out, surface);
+  }
+  else if(is_rewritable(input, format))
     rewrite_mesh(out, input, with_points(input, pose).points, {{"strain", strains(input, pose)}},
                  beside);
   else if(format == Format::VTU)

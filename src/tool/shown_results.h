@@ -14,6 +14,7 @@
 
 #include <cstddef>
 #include <iosfwd>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -60,9 +61,11 @@ void add_losses_of_file(std::vector<std::string>& warnings, const std::string& r
 void add_losses_of_shown(std::vector<std::string>& warnings, const std::string& result,
                          const Mesh_file& input, const std::string& path, bool has_vertex_colors);
 
-// Writes a pose; with the strain of its vertices if the format has values.
+// Writes a pose; with the strain of its vertices if the format has values. With a skeleton, which glTF has, it is a new
+// file, not that of INPUT.
 void write_pose(std::ostream& out, Format format, const Mesh_file& input,
-                const CGAL::Canonical_pose_3::Point_matrix& pose, Companion_files* beside);
+                const CGAL::Canonical_pose_3::Point_matrix& pose, Companion_files* beside,
+                const std::optional<CGAL::Canonical_pose_3::Skeleton_3>& skeleton = std::nullopt);
 
 } // namespace Canonical_pose_tool
 

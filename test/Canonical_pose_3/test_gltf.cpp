@@ -4,9 +4,15 @@
 // glTF as the tool writes and reads it. What is written is also examined without our reader: by its
 // JSON, and by the bytes to which its accessors lead.
 
+#include "../../examples/Canonical_pose_3/Articulated_figure.h"
+
 #include "formats/Cgal_types.h"
 #include "formats/Shown_surface.h"
 #include "formats/readers.h"
+
+#include <CGAL/canonical_pose_3.h>
+
+#include <Eigen/Geometry>
 
 #include <nlohmann/json.hpp>
 
@@ -22,6 +28,8 @@
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
+#include <functional>
+#include <map>
 #include <memory>
 #include <numeric>
 #include <optional>
@@ -94,20 +102,17 @@ std::string with_json(const std::string& bytes, const json& changed)
   return result;
 }
 
-// The numbers of type Number in an attribute; `target` is that of a morph target.
+// The numbers of type Number in an accessor, or in an attribute; `target` is that of a morph target.
 template <class Number>
-std::vector<Number> numbers(const std::string& bytes, const std::string& attribute,
-                            const int target = -1)
+std::vector<Number> numbers_of(const std::string& bytes, const int index)
 {
   const json model = json_of(bytes);
-  const json& primitive = model["meshes"][0]["primitives"][0];
-  const int index
-    = target < 0 ? primitive["attributes"][attribute] : primitive["targets"][target][attribute];
   const json& accessor = model["accessors"][index];
   const json& view = model["bufferViews"][accessor["bufferView"].get<int>()];
   const std::size_t n = accessor["count"],
                     components = accessor["type"] == "SCALAR" ? 1
                                  : accessor["type"] == "VEC3" ? 3
+                                 : accessor["type"] == "MAT4" ? 16
                                                               : 4,
                     stride = view.value("byteStride", components * sizeof(Number)),
                     begin = 28 + number_at(bytes, 12) + view.value("byteOffset", 0);
@@ -115,6 +120,15 @@ std::vector<Number> numbers(const std::string& bytes, const std::string& attribu
   for(std::size_t i = 0; i < n; ++i)
     std::memcpy(&result[i * components], &bytes[begin + i * stride], components * sizeof(Number));
   return result;
+}
+
+template <class Number>
+std::vector<Number> numbers(const std::string& bytes, const std::string& attribute,
+                            const int target = -1)
+{
+  const json primitive = json_of(bytes)["meshes"][0]["primitives"][0];
+  return numbers_of<Number>(bytes, target < 0 ? primitive["attributes"][attribute]
+                                              : primitive["targets"][target][attribute]);
 }
 
 void expect_near(const Mesh_file& a, const Mesh_file& b, const double tolerance)
@@ -185,6 +199,131 @@ TEST(Gltf, what_single_precision_cannot_hold)
     EXPECT_THROW_WITH(written(mesh), std::invalid_argument, "single precision");
   }
   EXPECT_THROW_WITH(written(Mesh_file()), std::invalid_argument, "at least one face");
+}
+
+// Where linear blend skinning takes the vertices, with some nodes rotated.
+Eigen::MatrixX3d skinned(const std::string& bytes, const std::string& joint = {},
+                         const Eigen::Quaterniond& rotation = Eigen::Quaterniond::Identity())
+{
+  const json model = json_of(bytes), skin = model["skins"][0], nodes = model["nodes"];
+  const std::vector<float> matrices = numbers_of<float>(bytes, skin["inverseBindMatrices"]),
+                           positions = numbers<float>(bytes, "POSITION"),
+                           weights = numbers<float>(bytes, "WEIGHTS_0");
+  const std::vector<std::uint16_t> joints = numbers<std::uint16_t>(bytes, "JOINTS_0");
+  std::map<int, Eigen::Affine3d> of_nodes;
+  const std::function<void(int, Eigen::Affine3d)> visit
+    = [&](const int node, Eigen::Affine3d of_node) {
+        const json& n = nodes[node];
+        if(n.contains("translation"))
+          of_node.translate(
+            Eigen::Vector3d(n["translation"][0], n["translation"][1], n["translation"][2]));
+        if(n.value("name", std::string()) == joint)
+          of_node.rotate(rotation);
+        of_nodes[node] = of_node;
+        for(const json& child : n.value("children", json::array()))
+          visit(child, of_node);
+      };
+  for(const json& root : model["scenes"][0]["nodes"])
+    visit(root, Eigen::Affine3d::Identity());
+  Eigen::MatrixX3d result
+    = Eigen::MatrixX3d::Zero(static_cast<Eigen::Index>(positions.size() / 3), 3);
+  for(std::size_t v = 0; v < positions.size() / 3; ++v)
+  {
+    float sum = 0;
+    for(std::size_t k = 0; k < 4; ++k)
+    {
+      sum += weights[4 * v + k];
+      const std::size_t j = joints[4 * v + k];
+      const Eigen::Affine3d inverse(
+        Eigen::Map<const Eigen::Matrix4f>(&matrices[16 * j]).cast<double>());
+      result.row(static_cast<Eigen::Index>(v))
+        += static_cast<double>(weights[4 * v + k])
+           * (of_nodes.at(skin["joints"][j]) * inverse
+              * Eigen::Map<const Eigen::Vector3f>(&positions[3 * v]).cast<double>())
+               .transpose();
+    }
+    EXPECT_EQ(sum, 1);
+  }
+  return result;
+}
+
+// A person in a T: with its joints as they are, it is where it is; an elbow bends its forearm alone, and smoothly. The same
+// far from the origin, with seams and two materials.
+TEST(Gltf, a_stance_has_a_skin)
+{
+  const Canonical_pose_examples::Articulated_figure figure(3000);
+  Mesh_file mesh;
+  mesh.faces = figure.triangles();
+  CGAL::Canonical_pose_3::Options options;
+  options.stance = CGAL::Canonical_pose_3::Options::Stance::T;
+  std::vector<Point_3> points, pose;
+  for(const auto& p : figure.points(figure.named_poses()[0].angles))
+    points.emplace_back(p[0], p[1], p[2]);
+  const auto result = CGAL::canonical_pose_3(points, mesh.faces, pose, options);
+  Shown_surface surface;
+  for(const bool is_far : {false, true})
+  {
+    const Eigen::RowVector3d shift(is_far ? 1e6 : 0, 0, 0);
+    mesh.points.clear();
+    for(const Point_3& p : pose)
+      mesh.points.push_back({p.x() + shift[0], p.y(), p.z()});
+    surface.mesh = mesh;
+    surface.origins.resize(pose.size());
+    std::iota(surface.origins.begin(), surface.origins.end(), std::size_t(0));
+    surface.skeleton = result.skeleton.value();
+    for(auto& joint : surface.skeleton->joints)
+      joint.position += shift;
+    if(is_far)
+    {
+      surface.mesh.appearance.materials.resize(2);
+      for(std::size_t f = 0; f < mesh.faces.size(); ++f)
+      {
+        surface.mesh.appearance.material_of_face.push_back(f % 2);
+        for(const std::size_t v : mesh.faces[f])
+          surface.mesh.appearance.texture_coordinates.push_back({v < 1500 ? float(f % 3) : 0, 0});
+      }
+    }
+    const std::string bytes = written(surface);
+    const Eigen::MatrixX3d at_rest
+      = skinned(bytes),
+      bent = skinned(bytes, "left elbow",
+                     Eigen::Quaterniond(Eigen::AngleAxisd(CGAL_PI / 6, Eigen::Vector3d::UnitY())));
+    EXPECT_EQ(json_of(bytes)["meshes"][0]["primitives"].size(), is_far ? 2u : 1u);
+    EXPECT_EQ(at_rest.rows() > static_cast<Eigen::Index>(pose.size()), is_far);
+    const std::vector<float> vertices = numbers<float>(bytes, "_VERTEX");
+    ASSERT_EQ(static_cast<std::size_t>(at_rest.rows()), vertices.size());
+    const auto position = [&](const std::string& name) {
+      for(const auto& joint : surface.skeleton->joints)
+        if(joint.name == name)
+          return joint.position;
+      throw std::out_of_range(name);
+    };
+    const double elbow = position("left elbow")[0], shoulder = position("left shoulder")[0],
+                 wrist = position("left wrist")[0];
+    for(Eigen::Index i = 0; i < at_rest.rows(); ++i)
+    {
+      const std::array<double, 3>& p
+        = mesh.points[static_cast<std::size_t>(vertices[static_cast<std::size_t>(i)])];
+      EXPECT_LT((at_rest.row(i) - Eigen::RowVector3d(p[0], p[1], p[2])).norm(), 2e-7);
+      const double moved = (bent.row(i) - at_rest.row(i)).norm(), forearm = wrist - elbow;
+      if(p[0] < .5 * (shoulder + elbow))
+        EXPECT_LT(moved, 1e-9);
+      if(p[0] > elbow + .5 * forearm)
+        EXPECT_NEAR(moved,
+                    2 * std::sin(CGAL_PI / 12)
+                      * std::hypot(p[0] - elbow, p[2] - position("left elbow")[2]),
+                    .02);
+    }
+    const std::vector<std::uint16_t> corners
+      = numbers_of<std::uint16_t>(bytes, json_of(bytes)["meshes"][0]["primitives"][0]["indices"]);
+    for(std::size_t c = 0; c < corners.size(); ++c)
+    {
+      const Eigen::Index a = corners[c], b = corners[c % 3 == 2 ? c - 2 : c + 1];
+      EXPECT_LT((bent.row(a) - bent.row(b)).norm(), 1.5 * (at_rest.row(a) - at_rest.row(b)).norm());
+    }
+    if(!is_far)
+      expect_near(read(bytes), mesh, 1e-6);
+  }
 }
 
 TEST(Gltf, the_container_is_consistent)

@@ -129,8 +129,9 @@ int run_pose(Arguments& arguments)
   Output_files files(outputs, inputs);
   Mesh_file input = read_mesh_file(arguments.input, Source::KEPT);
   if(!arguments.target.empty() || !arguments.scene.empty()
-     || !is_rewritable(input, format_of(arguments.output)))
-    load_appearance(input);
+     || !is_rewritable(input, format_of(arguments.output))
+     || format_of(arguments.output) == Format::GLB)
+    load_appearance(input); // also for glTF, which is a new file if it has a skeleton
   check_format_holds(format_of(arguments.output), input);
   if(!arguments.target.empty())
     check_format_holds(format_of(arguments.target), input);
@@ -150,13 +151,14 @@ int run_pose(Arguments& arguments)
 
   arguments.say("writing " + arguments.output);
   files.write_with_files(arguments.output, [&](std::ostream& out, Companion_files* const beside) {
-    write_pose(out, format_of(arguments.output), input, result.pose, beside);
+    write_pose(out, format_of(arguments.output), input, result.pose, beside, result.skeleton);
   });
   files.write_with_files(arguments.target, [&](std::ostream& out, Companion_files* const beside) {
     const Mesh_file surface = input.is_tetrahedral ? boundary_of(input) : input;
     write_mesh(out, format_of(arguments.target), with_points(surface, *result.target), beside);
   });
-  add_losses_of_file(summary.warnings, "the pose", input, arguments.output);
+  add_losses_of_file(summary.warnings, "the pose", input, arguments.output,
+                     result.skeleton && format_of(arguments.output) == Format::GLB);
   if(!arguments.target.empty())
     add_losses_of_file(summary.warnings, "the target", input, arguments.target, true);
   if(!arguments.scene.empty())

@@ -29,7 +29,7 @@ public:
   template <class Number>
   using Rows = Eigen::Array<Number, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-  enum class Use { VERTICES, INDICES, ANIMATION, IMAGE };
+  enum class Use { VERTICES, JOINTS, INDICES, ANIMATION, IMAGE };
 
   Gltf_builder() { m_model.buffers.emplace_back(); }
 
@@ -46,7 +46,8 @@ public:
     accessor.type = rows.cols() == 1   ? TINYGLTF_TYPE_SCALAR
                     : rows.cols() == 2 ? TINYGLTF_TYPE_VEC2
                     : rows.cols() == 3 ? TINYGLTF_TYPE_VEC3
-                                       : TINYGLTF_TYPE_VEC4;
+                    : rows.cols() == 4 ? TINYGLTF_TYPE_VEC4
+                                       : TINYGLTF_TYPE_MAT4;
     accessor.normalized = use == Use::VERTICES && std::is_unsigned_v<Number>; // colors
     if(has_bounds)
       for(Eigen::Index k = 0; k < rows.cols(); ++k)
@@ -103,7 +104,8 @@ private:
   int append_view(const Rows<Number>& rows, const Use use)
   {
     const std::size_t of_row = static_cast<std::size_t>(rows.cols()) * sizeof(Number);
-    const std::size_t stride = use == Use::VERTICES ? padded(of_row) : of_row;
+    const bool is_of_vertices = use == Use::VERTICES || use == Use::JOINTS;
+    const std::size_t stride = is_of_vertices ? padded(of_row) : of_row;
     const std::size_t n = static_cast<std::size_t>(rows.rows());
     auto& bytes = m_model.buffers[0].data;
     const std::size_t begin = padded(bytes.size());
@@ -118,7 +120,7 @@ private:
     view.byteOffset = begin;
     view.byteLength = n * stride;
     view.byteStride = stride == of_row ? 0 : stride;
-    view.target = use == Use::VERTICES  ? TINYGLTF_TARGET_ARRAY_BUFFER
+    view.target = is_of_vertices        ? TINYGLTF_TARGET_ARRAY_BUFFER
                   : use == Use::INDICES ? TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER
                                         : 0;
     m_model.bufferViews.push_back(std::move(view));

@@ -64,7 +64,7 @@ inline Gltf_frame frame_of(const CGAL::Canonical_pose_3::Point_matrix& points,
     farthest = (std::max)(farthest, (shape.points - points).cwiseAbs().maxCoeff());
   const double largest_short = 32767;
   if(farthest > 0)
-    frame.unit = farthest / largest_short;
+    frame.unit = static_cast<double>(to_float(farthest / largest_short)); // as a skin has it
   return frame;
 }
 

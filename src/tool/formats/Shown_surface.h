@@ -7,6 +7,7 @@
 #include "Mesh_file.h"
 #include "colors.h"
 
+#include <CGAL/Canonical_pose_3/Skeleton_3.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <Eigen/Core>
@@ -59,6 +60,8 @@ struct Shown_surface
   std::vector<std::size_t> part_of_face;
   std::vector<Figure> figures;
   std::vector<Other_shape> other_shapes; // the last one is that to which an animation leads
+  std::optional<CGAL::Canonical_pose_3::Skeleton_3>
+    skeleton; // of that shape; weights are those of `origins`
 };
 
 // Writes the file of a mesh with other positions. Normals turn with their faces; colors, texture coordinates, materials,

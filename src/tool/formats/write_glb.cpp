@@ -9,6 +9,9 @@
 
 #include <CGAL/Canonical_pose_3/surface_measures.h>
 
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -108,6 +111,8 @@ private:
       add_normals();
     add_values();
     add_colors();
+    if(m_surface.skeleton)
+      add_weights();
     if(!m_surface.mesh.appearance.texture_coordinates.empty())
       m_primitive.attributes["TEXCOORD_0"]
         = m_builder.append(rows<float>(2,
@@ -191,6 +196,35 @@ private:
         rows<float>(1, [&](const Vertex_copy& c,
                            int) { return static_cast<float>(m_surface.origins[c.vertex]); }),
         Use::VERTICES);
+  }
+
+  // The joints that a vertex follows, and how much: multiples of a power of two, whose sum is 1 without rounding.
+  void add_weights()
+  {
+    using Weights = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+    constexpr Eigen::Index most = 4;
+    constexpr double steps = 1 << std::numeric_limits<float>::digits;
+    Rows<std::uint16_t> joints
+      = Rows<std::uint16_t>::Zero(static_cast<Eigen::Index>(m_split.copies.size()), most);
+    Rows<float> weights = Rows<float>::Zero(joints.rows(), most);
+    for(Eigen::Index i = 0; i < joints.rows(); ++i)
+    {
+      const std::size_t vertex = m_split.copies[static_cast<std::size_t>(i)].vertex;
+      Eigen::Index k = 0;
+      for(Weights::InnerIterator entry(m_surface.skeleton->weights,
+                                       static_cast<Eigen::Index>(m_surface.origins[vertex]));
+          entry && k < most; ++entry)
+        if(const double weight = std::round(steps * entry.value()) / steps; weight > 0)
+        {
+          joints(i, k) = static_cast<std::uint16_t>(entry.col());
+          weights(i, k++) = static_cast<float>(weight);
+        }
+      Eigen::Index largest;
+      weights.row(i).maxCoeff(&largest); // the first joint, if it belongs to no limb
+      weights(i, largest) += 1 - weights.row(i).sum();
+    }
+    m_primitive.attributes["JOINTS_0"] = m_builder.append(joints, Use::JOINTS);
+    m_primitive.attributes["WEIGHTS_0"] = m_builder.append(weights, Use::VERTICES);
   }
 
   bool has_colors_of_results() const
@@ -327,15 +361,60 @@ private:
     m_builder.model().meshes.push_back(std::move(mesh));
     tinygltf::Node node;
     node.mesh = 0;
-    if(!m_frame.center.isZero(0))
-      node.translation.assign(m_frame.center.data(), m_frame.center.data() + 3);
-    if(m_frame.unit != 1)
-      node.scale.assign(3, m_frame.unit);
-    m_builder.model().nodes.push_back(node);
     tinygltf::Scene scene;
     scene.nodes = {0};
+    if(m_surface.skeleton)
+    {
+      node.skin = 0;
+      scene.nodes.push_back(1);
+    }
+    else // it does not move a mesh with a skin
+    {
+      if(!m_frame.center.isZero(0))
+        node.translation.assign(m_frame.center.data(), m_frame.center.data() + 3);
+      if(m_frame.unit != 1)
+        node.scale.assign(3, m_frame.unit);
+    }
+    m_builder.model().nodes.push_back(node);
+    if(m_surface.skeleton)
+      add_skin();
     m_builder.model().scenes.push_back(scene);
     m_builder.model().defaultScene = 0;
+  }
+
+  // The joints as nodes 1, 2, ...; matrices lead from the mesh to them. Numbers of single precision cancel each other.
+  void add_skin()
+  {
+    const auto& joints = m_surface.skeleton->joints;
+    const auto n = static_cast<Eigen::Index>(joints.size());
+    Rows<float> positions(n, 3), matrices = Rows<float>::Zero(n, 16);
+    tinygltf::Skin skin;
+    for(Eigen::Index j = 0; j < n; ++j)
+    {
+      const auto& joint = joints[static_cast<std::size_t>(j)];
+      const bool is_root = j == 0;
+      tinygltf::Node node;
+      node.name = joint.name;
+      for(int k = 0; k < 3; ++k)
+      {
+        positions(j, k) = to_float(joint.position[k] - m_frame.center[k]);
+        const double from
+          = is_root ? -m_frame.center[k]
+                    : static_cast<double>(positions(static_cast<Eigen::Index>(joint.parent), k));
+        node.translation.push_back(static_cast<double>(positions(j, k)) - from);
+        matrices(j, 5 * k) = to_float(m_frame.unit);
+        matrices(j, 12 + k) = -positions(j, k);
+      }
+      matrices(j, 15) = 1;
+      const int index = static_cast<int>(m_builder.model().nodes.size());
+      skin.joints.push_back(index);
+      if(!is_root)
+        m_builder.model().nodes[joint.parent + 1].children.push_back(index);
+      m_builder.model().nodes.push_back(node);
+    }
+    skin.skeleton = skin.joints.front();
+    skin.inverseBindMatrices = m_builder.append(matrices, Use::ANIMATION);
+    m_builder.model().skins.push_back(skin);
   }
 
   // To the last shape, a rest, and back.
