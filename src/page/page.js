@@ -4,9 +4,11 @@ import {
   DirectionalLight, HemisphereLight, PerspectiveCamera, Scene, SRGBColorSpace, Vector3, WebGLRenderer
 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
-import { VIRIDIS, load, objText, setColoring, setPosition } from './shapes.js';
+import { VIRIDIS, isSameInput, load, objText, setColoring, setPosition } from './shapes.js';
 
 const SECONDS_PER_STOP = 1.5;
+
+const STANCES = { canonical: 'canonical', t: 'T', a: 'A', vitruvian: 'Vitruvian', stand: 'standing' };
 
 const element = id => document.getElementById(id);
 
@@ -125,23 +127,34 @@ function download(name, text) {
 class Page {
   constructor(view, shapes) {
     this.view = view;
-    this.shapes = shapes;
+    this.groups = []; // scenes of the same input are one shape, in several stances
+    for (const shape of shapes) {
+      shape.group = this.groups.find(group => group.every(other => isSameInput(other, shape))) ?? [];
+      if (shape.group.push(shape) == 1)
+        this.groups.push(shape.group);
+    }
+    for (const group of this.groups) { // of one size
+      const radius = Math.max(...group.map(shape => shape.radius));
+      group.forEach(shape => shape.radius = radius);
+    }
     const isStill = matchMedia('(prefers-reduced-motion: reduce)').matches;
     element('bar').style.background = 'linear-gradient(to right, ' + VIRIDIS.join() + ')';
     element('position').addEventListener('input', () => this.moveTo(Number(element('position').value)));
     element('play').addEventListener('click', () => this.play(!this.isPlaying));
+    element('stance').addEventListener('change', () => this.chooseStance(element('stance').selectedIndex));
     element('colors').addEventListener('change', () => this.color(element('colors').selectedIndex));
     element('turn').addEventListener('change', () => this.turn(element('turn').checked));
     element('save').addEventListener('click', () => this.save());
-    shapes.forEach(shape => this.addToGallery(shape));
-    element('gallery').hidden = shapes.length == 1;
+    this.groups.forEach(group => this.addToGallery(group));
+    element('gallery').hidden = this.groups.length == 1;
     element('shape').hidden = false;
     view.onFrame = time => this.advance(time);
     this.choose(shapes[0]);
     this.turn(!isStill);
   }
 
-  addToGallery(shape) {
+  addToGallery(group) {
+    const [shape] = group;
     const button = document.createElement('button');
     button.type = 'button';
     const picture = document.createElement('img');
@@ -150,13 +163,24 @@ class Page {
     button.append(picture, shape.name);
     button.addEventListener('click', () => this.choose(shape));
     element('gallery').append(button);
-    shape.button = button;
+    group.button = button;
+  }
+
+  // Position and colors stay.
+  chooseStance(number) {
+    const { group, position, coloring } = this.shape;
+    setPosition(group[number], position);
+    setColoring(group[number], coloring);
+    this.choose(group[number]);
   }
 
   choose(shape) {
     this.play(false);
     this.shape = shape;
-    this.shapes.forEach(other => other.button.setAttribute('aria-pressed', other == shape));
+    this.groups.forEach(group => group.button.setAttribute('aria-pressed', group == shape.group));
+    element('choice').hidden = shape.group.length == 1;
+    element('stance').replaceChildren(...shape.group.map(({ stance }) => new Option(STANCES[stance] ?? stance)));
+    element('stance').selectedIndex = shape.group.indexOf(shape);
     element('name').textContent = shape.name;
     element('morph').hidden = shape.stops.length == 1;
     element('position').max = shape.stops.length - 1;

@@ -120,6 +120,10 @@ function figuresOf({ figures }) {
   return result.length > 0 && result;
 }
 
+function stanceOf({ stance }) {
+  return typeof stance == 'string' && stance;
+}
+
 function targetNamesOf({ targetNames }) {
   return Array.isArray(targetNames) && targetNames.every(name => typeof name == 'string') && targetNames;
 }
@@ -177,13 +181,22 @@ export async function load(name, bytes) {
   const stops = ['input', ...Array.from({ length: numberOfOthers }, (_, i) => names[i] || 'shape ' + (i + 1))];
   const shape = { name, root, meshes, stops, extents: extents(meshes, numberOfOthers),
     colorings: colorings(meshes, extras.map(legendOf).find(Boolean), variant >= 0),
-    figures: extras.map(figuresOf).find(Boolean) || [] };
+    figures: extras.map(figuresOf).find(Boolean) || [], stance: extras.map(stanceOf).find(Boolean) };
   shape.radius = Math.max(...shape.extents.map(({ radius }) => radius)) || 1;
   if (!shape.extents.every(({ radius }) => Number.isFinite(radius)))
     throw new Error('its coordinates are not finite');
   setColoring(shape, 0);
   setPosition(shape, stops.length - 1);
   return shape;
+}
+
+// Whether two scenes show the same input in different stances. Their numbers may be rounded.
+export function isSameInput(a, b) {
+  const sizesOf = ({ meshes }) => String(meshes.flatMap(
+    ({ mesh: { geometry: { attributes, index } } }) => [attributes.position.count, index?.count]));
+  const [first, second] = [a.extents[0], b.extents[0]], tolerance = 1e-3 * first.radius;
+  return a.stance && b.stance && a.stance != b.stance && sizesOf(a) == sizesOf(b)
+    && Math.abs(first.radius - second.radius) < tolerance && first.center.distanceTo(second.center) < tolerance;
 }
 
 // The vertices as lines of a file, by their keys; nothing if vertices with the same key have different positions.

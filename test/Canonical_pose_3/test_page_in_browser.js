@@ -100,6 +100,28 @@ class Tested_page {
     return this.browser.evaluate(`document.getElementById('message').textContent`);
   }
 
+  // The choice keeps the position of the slider and the colors; the input is the same.
+  async expectStances(pose, saved, changes) {
+    const texts = await this.browser.evaluate(`[...document.getElementById('stance')].map(({ text }) => text).join()`);
+    this.expect(texts == 'canonical,T,A', 'the stances are ' + texts);
+    const numberOfColors = await this.browser.evaluate(`document.getElementById('colors').length`);
+    await this.set('colors', 'selectedIndex', numberOfColors - 1, 'change');
+    const input = await this.picture();
+    await this.set('stance', 'selectedIndex', 2, 'change');
+    const same = await this.difference(input, await this.picture());
+    this.expect(same < 0.02, 'the input of another stance differs: ' + same);
+    await this.set('colors', 'selectedIndex', 0, 'change');
+    await this.set('position', 'value', 2, 'input');
+    changes.stance = await this.difference(pose, await this.picture());
+    if (saved)
+      await this.saved(saved, 'running_a_pose.obj');
+    await this.set('stance', 'selectedIndex', 0, 'change');
+    const position = await this.browser.evaluate(`document.getElementById('position').value`);
+    this.expect(position == 2, 'another stance moves the slider to ' + position);
+    this.expect(await this.difference(pose, await this.picture()) == 0, 'the first stance is not shown as before');
+    await this.set('position', 'value', 0, 'input');
+  }
+
   async run(saved) {
     const message = await this.waitUntilLoaded();
     this.expect(message == '', 'the page says: ' + message);
@@ -114,6 +136,8 @@ class Tested_page {
     await this.set('position', 'value', 0, 'input');
     const again = await this.difference(input, await this.picture());
     this.expect(again == 0, 'the input is not shown as before: ' + again);
+
+    await this.expectStances(pose, saved, changes);
 
     await this.press('position', 'ArrowRight');
     const position = await this.browser.evaluate(`document.getElementById('position').value`);

@@ -163,8 +163,9 @@ int run_pose(Arguments& arguments)
     add_losses_of_file(summary.warnings, "the target", input, arguments.target, true);
   if(!arguments.scene.empty())
     add_losses_of_shown(summary.warnings, "the scene lacks", input, arguments.scene, true);
-  files.write(arguments.scene,
-              [&](std::ostream& out) { write_glb(out, shown_pose(input, result)); });
+  files.write(arguments.scene, [&](std::ostream& out) {
+    write_glb(out, shown_pose(input, result, arguments.options.stance));
+  });
   summary.add_seconds("write", clock.lap());
   files.write(arguments.report, [&](std::ostream& out) {
     write_report(out, summary, clock.total(), result.skeleton);

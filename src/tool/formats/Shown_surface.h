@@ -59,6 +59,7 @@ struct Shown_surface
   std::optional<Legend> legend;
   std::vector<std::size_t> part_of_face;
   std::vector<Figure> figures;
+  std::string stance;                    // of the last one of the other shapes
   std::vector<Other_shape> other_shapes; // the last one is that to which an animation leads
   std::optional<CGAL::Canonical_pose_3::Skeleton_3>
     skeleton; // of that shape; weights are those of `origins`

@@ -348,6 +348,8 @@ private:
         figures[figure.name] = Value(figure.value);
       extras["figures"] = Value(figures);
     }
+    if(!m_surface.stance.empty())
+      extras["stance"] = Value(m_surface.stance);
     return Value(extras);
   }
 
