@@ -63,8 +63,9 @@ inline Gltf_frame frame_of(const CGAL::Canonical_pose_3::Point_matrix& points,
   for(const Other_shape& shape : other_shapes)
     farthest = (std::max)(farthest, (shape.points - points).cwiseAbs().maxCoeff());
   const double largest_short = 32767;
-  if(farthest > 0)
-    frame.unit = static_cast<double>(to_float(farthest / largest_short)); // as a skin has it
+  if(farthest > 0) // of single precision, as a skin has it
+    frame.unit
+      = (std::max)(to_float(farthest / largest_short), (std::numeric_limits<float>::min)());
   return frame;
 }
 

@@ -221,7 +221,7 @@ private:
         }
       Eigen::Index largest;
       weights.row(i).maxCoeff(&largest); // the first joint, if it belongs to no limb
-      weights(i, largest) += 1 - weights.row(i).sum();
+      weights(i, largest) += static_cast<float>(1 - weights.row(i).cast<double>().sum());
     }
     m_primitive.attributes["JOINTS_0"] = m_builder.append(joints, Use::JOINTS);
     m_primitive.attributes["WEIGHTS_0"] = m_builder.append(weights, Use::VERTICES);
