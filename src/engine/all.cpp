@@ -56,6 +56,7 @@
 #include "target/Coarse_surface_3.cpp"
 #include "target/Smacof_target_builder_3.cpp"
 #include "target/align_target.cpp"
+#include "target/intrinsic_symmetry.cpp"
 #include "target/target_handedness.cpp"
 #include "wavefront/make_exact_solver.cpp"
 #include "wavefront/make_wavefront_solver.cpp"

@@ -123,11 +123,9 @@ private:
       current = std::move(measured);
       if(change > LARGEST_GROWTH * last_change) // it drifts
         break;
+      current.fields = std::move(refined.fields);
       if(is_last && std::isfinite(last_change) && !current.is_stiff)
-      {
-        current.fields = std::move(refined.fields);
         current.contraction = change / last_change;
-      }
       // after a collapse, the target moves to another place
       last_change = current.is_stiff ? (std::numeric_limits<double>::infinity)() : change;
       current.summary.rounds.push_back({refined.target.summary.stress, current.summary.energy,

@@ -10,6 +10,7 @@
 #include "timed.h"
 #include "../support/Thread_limit.h"
 #include "../support/precondition.h"
+#include "../target/intrinsic_symmetry.h"
 
 #include <CGAL/Canonical_pose_3/Coarse_surface_3.h>
 #include <CGAL/Canonical_pose_3/Landmark_fields_3.h>
@@ -21,6 +22,9 @@
 #include <CGAL/Canonical_pose_3/Target_3.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 #include <CGAL/Canonical_pose_3/pose_steps.h>
+#include <CGAL/Canonical_pose_3/surface_measures.h>
+
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <cstddef>
@@ -58,6 +62,21 @@ inline double extrapolation_factor(const double contraction)
   return largest * std::clamp((none - contraction) / (none - full), 0., 1.);
 }
 
+// Errors that the posture makes on one side are halved where the shape has a symmetry that is clear.
+inline Point_matrix symmetric_target(const Coarse_surface_3& coarse,
+                                     const Landmark_fields_3& fields, const Point_matrix& points)
+{
+  const Point_matrix target = rows_at(points, coarse.vertices);
+  const Eigen::VectorXd shares
+    = vertex_area_shares(coarse.surface.points, coarse.surface.triangles);
+  const auto symmetry = intrinsic_symmetry(fields, target, shares);
+  if(!symmetry)
+    return points;
+  return points
+         + coarse.interpolated(
+           Point_matrix(symmetric_pose(target, symmetry->images, shares) - target));
+}
+
 // The target of the final registration, and the pose where it starts. `before`: for times and iterations.
 inline Registered_body refined_in_rounds(const Surface_registration& registration,
                                          const Surface_component_3& surface,
@@ -81,6 +100,18 @@ inline Registered_body refined_in_rounds(const Surface_registration& registratio
     result.target = timed(times, "target", [&] { return target_of(result.fields, pose); });
     return result;
   };
+  const auto extrapolated = [&](Registered_body& measured, const double factor) {
+    const bool is_same_kind = !options.target_fields_function && !options.given.landmark_fields;
+    const Landmark_fields_3 fields_of_input = timed(measured.summary, "geodesics", [&] {
+      return is_same_kind ? fields : fields_on(coarse.surface);
+    });
+    return timed(measured.summary, "target", [&] {
+      const Point_matrix pose = registration.surface_pose(registration.pose(measured));
+      return target_of(extrapolated_fields(coarse, fields_of_input, measured.fields, pose, factor),
+                       pose)
+        .points;
+    });
+  };
   const int number = number_of_rounds(options, target);
   const Rounds rounds(registration, refined, number);
   const Handed_rounds handed_rounds(registration, rounds);
@@ -88,18 +119,14 @@ inline Registered_body refined_in_rounds(const Surface_registration& registratio
                            : options.takes_mirror_image
                              ? handed_rounds.opposite(before, registration.mirrored(target))
                              : handed_rounds(before, target);
-  const double factor = extrapolation_factor(result.contraction);
-  if(factor == 0 || !Surface_registration::is_complete(result))
+  if(result.fields.distances.cols() == 0 || !Surface_registration::is_complete(result))
     return result;
-  const bool is_same_kind = !options.target_fields_function && !options.given.landmark_fields;
-  const Landmark_fields_3 fields_of_input = timed(
-    result.summary, "geodesics", [&] { return is_same_kind ? fields : fields_on(coarse.surface); });
-  result.target.points = timed(result.summary, "target", [&] {
-    const Point_matrix pose = registration.surface_pose(registration.pose(result));
-    const Landmark_fields_3 extrapolated
-      = extrapolated_fields(coarse, fields_of_input, result.fields, pose, factor);
-    return target_of(extrapolated, pose).points;
-  });
+  if(const double factor = extrapolation_factor(result.contraction); factor > 0)
+    result.target.points = extrapolated(result, factor);
+  if(!is_in_plane)
+    result.target.points = timed(result.summary, "target", [&] {
+      return symmetric_target(coarse, result.fields, result.target.points);
+    });
   return result;
 }
 
