@@ -214,9 +214,9 @@ std::optional<Intrinsic_symmetry> intrinsic_symmetry(const Landmark_fields_3& fi
                                                      const Point_matrix& pose,
                                                      const Eigen::VectorXd& shares)
 {
-  // Wrong maps of animals change distances by .068 or more, twice as much as the right one; those of persons that exchange arms
-  // alone, or legs alone, hardly more than the one that exchanges both, which is the only rotation.
-  constexpr double largest_distortion = .065, largest_ratio = 1.7, least_distance = .25;
+  // Wrong maps of animals change distances by 1.4 times as much as the right one, or more. Maps of persons that exchange arms
+  // alone, or legs alone, hardly differ from the one that exchanges both, the only rotation, and might undo the twist.
+  constexpr double largest_distortion = .065, largest_ratio = 1.35, least_distance = .25;
   if(fields.landmarks.size() < 4 || !fields.distances.allFinite())
     return std::nullopt;
   const Eigen::MatrixXd rows = embedding(fields);
