@@ -288,7 +288,9 @@ distances are measured on this pose, from the same landmarks; the next registrat
 half of its volume in a round, it is registered with three times the detail length instead. Rounds
 end early if the target hardly changes, or changes by more than 1.1 times as much as in the round
 before: then it drifts. If the target changes by less than three quarters as much in the last round
-as in the one before, its distances are extrapolated (`extrapolated_fields()`).
+as in the one before, its distances are extrapolated (`extrapolated_fields()`). If distances show a clear
+symmetry of the shape, such as that of left and right, the last target is the mean of it and of its image, unless it is
+in a plane.
 Given distances serve the first target only; the landmarks are theirs in all rounds.
 
 The handedness is determined after the rounds. If the target is inside out, or its chirality is less
