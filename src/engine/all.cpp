@@ -35,6 +35,7 @@
 #include "pipeline/prepare_surface.cpp"
 #include "pipeline/refined_target.cpp"
 #include "pipeline/registered_pose.cpp"
+#include "pipeline/symmetric_target.cpp"
 #include "pipeline/unfolded_target.cpp"
 #include "registration/make_arap_registration.cpp"
 #include "segmentation/consensus_segmentation.cpp"

@@ -224,6 +224,29 @@ Landmark_fields_3 extrapolated_fields(const Coarse_surface_3& coarse,
                                       const Landmark_fields_3& fields_of_pose,
                                       const Point_matrix& pose, double factor);
 
+/*!
+\ingroup PkgCanonicalPose3Ref
+
+\brief makes a target symmetric if distances show a clear symmetry of the shape, such as that of left and right.
+
+The result is the mean of the target and of its image, next to which it is moved by a rotation or a reflection. The
+symmetry is an orthogonal map of the embedding by up to ten eigenvectors of multidimensional scaling (M. Ovsjanikov,
+J. Sun and L. Guibas, "Global intrinsic symmetries of shapes", 2008). The target remains as it is if distances in the
+embedding are changed by more than 6.5 percent, or if it is symmetric already, up to a third of the length of an edge.
+
+\param coarse the coarse surface.
+\param fields distances on the coarse surface, in a pose if possible.
+\param target one row per vertex of the surface.
+
+\pre The numbers of rows agree.
+
+<em>Complexity:</em> quadratic in the number of vertices of the coarse surface.
+
+\sa `refined_target()`
+*/
+Point_matrix symmetric_target(const Coarse_surface_3& coarse, const Landmark_fields_3& fields,
+                              const Point_matrix& target);
+
 inline namespace CGAL_CANONICAL_POSE_3_BODIES {
 
 /*!
@@ -289,8 +312,7 @@ half of its volume in a round, it is registered with three times the detail leng
 end early if the target hardly changes, or changes by more than 1.1 times as much as in the round
 before: then it drifts. If the target changes by less than three quarters as much in the last round
 as in the one before, its distances are extrapolated (`extrapolated_fields()`). If distances show a clear
-symmetry of the shape, such as that of left and right, the last target is the mean of it and of its image, unless it is
-in a plane.
+symmetry of the shape, such as that of left and right, the last target is the `symmetric_target()`, unless it is in a plane.
 Given distances serve the first target only; the landmarks are theirs in all rounds.
 
 The handedness is determined after the rounds. If the target is inside out, or its chirality is less

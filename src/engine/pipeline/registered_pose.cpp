@@ -10,7 +10,6 @@
 #include "timed.h"
 #include "../support/Thread_limit.h"
 #include "../support/precondition.h"
-#include "../target/intrinsic_symmetry.h"
 
 #include <CGAL/Canonical_pose_3/Coarse_surface_3.h>
 #include <CGAL/Canonical_pose_3/Landmark_fields_3.h>
@@ -22,9 +21,6 @@
 #include <CGAL/Canonical_pose_3/Target_3.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 #include <CGAL/Canonical_pose_3/pose_steps.h>
-#include <CGAL/Canonical_pose_3/surface_measures.h>
-
-#include <Eigen/Core>
 
 #include <algorithm>
 #include <cstddef>
@@ -60,21 +56,6 @@ inline double extrapolation_factor(const double contraction)
 {
   constexpr double largest = .6, full = .6, none = .75;
   return largest * std::clamp((none - contraction) / (none - full), 0., 1.);
-}
-
-// Errors that the posture makes on one side are halved where the shape has a symmetry that is clear.
-inline Point_matrix symmetric_target(const Coarse_surface_3& coarse,
-                                     const Landmark_fields_3& fields, const Point_matrix& points)
-{
-  const Point_matrix target = rows_at(points, coarse.vertices);
-  const Eigen::VectorXd shares
-    = vertex_area_shares(coarse.surface.points, coarse.surface.triangles);
-  const auto symmetry = intrinsic_symmetry(fields, target, shares);
-  if(!symmetry)
-    return points;
-  return points
-         + coarse.interpolated(
-           Point_matrix(symmetric_pose(target, symmetry->images, shares) - target));
 }
 
 // The target of the final registration, and the pose where it starts. `before`: for times and iterations.
