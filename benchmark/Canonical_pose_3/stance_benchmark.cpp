@@ -47,6 +47,8 @@
 #include "../../examples/Canonical_pose_3/Articulated_animal.h"
 #include "../../examples/Canonical_pose_3/Articulated_figure.h"
 
+#include <boost/algorithm/string/join.hpp>
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdio>
@@ -85,14 +87,6 @@ std::vector<Stance> stances_of(const std::string& list)
   return result;
 }
 
-std::string joined(const std::vector<std::string>& texts)
-{
-  std::string result;
-  for(const std::string& text : texts)
-    result += (result.empty() ? "" : "; ") + text;
-  return result;
-}
-
 void print_header_of_meshes()
 {
   std::printf("%s\nangles and bends: left arm, right arm, left leg, right leg (animals: front and "
@@ -116,7 +110,8 @@ void print(const Stance_trial& trial)
   }
   else
     std::printf("%94s", "");
-  std::printf("  %s%s\n", trial.reason.c_str(), joined(trial.warnings).c_str());
+  std::printf("  %s%s\n", trial.reason.c_str(),
+              boost::algorithm::join(trial.warnings, "; ").c_str());
   std::fflush(stdout);
 }
 
@@ -138,7 +133,7 @@ void write_csv(std::ostream& out, const Stance_trial& trial)
 {
   out << quoted(trial.mesh->class_name) << ',' << quoted(trial.mesh->name) << ','
       << name(trial.stance) << ',' << name(trial.outcome) << ',' << quoted(trial.reason) << ','
-      << quoted(joined(trial.warnings));
+      << quoted(boost::algorithm::join(trial.warnings, "; "));
   if(trial.outcome == Stance_trial::FOUND)
   {
     for(const double angle : trial.limbs.angles)
@@ -189,7 +184,8 @@ public:
     });
   }
 
-  Options m_options;
+private:
+  const Options m_options;
   std::ofstream m_csv;
   std::vector<Stance_trial> m_trials;
 };

@@ -7,6 +7,8 @@
 #include "formats/Mesh_file.h"
 #include "formats/Shortest_numbers.h"
 
+#include <boost/algorithm/string/join.hpp>
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdio>
@@ -153,12 +155,10 @@ void add_output(Command_options& o, const std::string& help,
   add_path(o, "-o,--output", o.arguments.output, help)->required();
   if(formats.empty())
     return;
-  std::string names;
-  for(const std::string& format : formats)
-    names += (names.empty() ? "" : ", ") + format;
   o.app
     .add_option("--format", o.raw.format,
-                "format of OUTPUT if that is the standard output (-): " + names)
+                "format of OUTPUT if that is the standard output (-): "
+                  + boost::algorithm::join(formats, ", "))
     ->check(CLI::IsMember(formats));
 }
 

@@ -9,6 +9,8 @@
 #include <CGAL/Canonical_pose_3/surface_measures.h>
 #include <CGAL/Canonical_pose_3/triangulate_polygons.h>
 
+#include <boost/algorithm/string/join.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -164,11 +166,8 @@ Shown_surface shown_pose(const Mesh_file& input, const CP::Result& result,
 void add_losses(std::vector<std::string>& warnings, const std::string& result,
                 const std::vector<std::string>& losses, const std::string& owner)
 {
-  std::string list;
-  for(const std::string& name : losses)
-    list += (list.empty() ? "" : ", ") + name;
-  if(!list.empty())
-    warnings.push_back(result + ' ' + list + " of " + owner);
+  if(!losses.empty())
+    warnings.push_back(result + ' ' + boost::algorithm::join(losses, ", ") + " of " + owner);
 }
 
 void add_losses_of_file(std::vector<std::string>& warnings, const std::string& result,

@@ -7,6 +7,8 @@
 #include "../../examples/Canonical_pose_3/Articulated_animal.h"
 #include "engine/target/intrinsic_symmetry.h"
 
+#include <CGAL/Canonical_pose_3/pose_steps.h>
+#include <CGAL/Canonical_pose_3/surface_measures.h>
 #include <CGAL/canonical_pose_3.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -17,6 +19,7 @@
 #include <gtest/gtest.h>
 
 #include "matchers.h"
+#include "shapes.h"
 
 #include <array>
 #include <cmath>
@@ -113,6 +116,21 @@ TEST(Intrinsic_symmetry, mean_pose_is_symmetric)
   EXPECT_LT(
     asymmetry(CP::internal::symmetric_pose(bent, symmetry->images, star.shares), symmetry->images),
     1e-10);
+}
+
+// The target of a ball is symmetric up to its mesh, but a reflection moves vertices by up to half of an edge from the
+// nearest ones: the target remains, exactly.
+TEST(Intrinsic_symmetry, of_a_target_that_is_symmetric_already)
+{
+  const auto ball = Canonical_pose_test::icosphere_soup(2, 1);
+  const auto prepared = CP::prepare_surface(to_matrix(ball.points), ball.polygons);
+  const CP::Surface_component_3& surface = prepared.components.front().surface;
+  const CP::Component_options options;
+  const auto coarse = CP::coarse_surface(surface, options);
+  const auto fields = CP::landmark_fields(coarse, options);
+  ASSERT_TRUE(CP::internal::intrinsic_symmetry(
+    fields, surface.points, CP::vertex_area_shares(surface.points, surface.triangles)));
+  EXPECT_EQ(CP::symmetric_target(coarse, fields, surface.points), surface.points);
 }
 
 // The animal is symmetric at rest, its mesh up to the length of an edge, .05 radii of gyration. In any posture, the target is

@@ -7,6 +7,7 @@
 #include "Face_graph.h"
 #include "Patch_graph.h"
 #include "Patches.h"
+#include "../support/plane_normals.h"
 
 #include <CGAL/Canonical_pose_3/internal/support/Principal_axes.h>
 #include <CGAL/Canonical_pose_3/internal/support/for_each_index.h>
@@ -97,23 +98,6 @@ private:
   double mean_square(const Eigen::MatrixXd& values) const
   {
     return m_areas.dot(values.cwiseAbs2() * m_areas);
-  }
-
-  // Of planes that are orthogonal to a principal axis, or contain one and halve the angle of the
-  // others.
-  static std::vector<Eigen::Vector3d> plane_normals(const Eigen::Matrix3d& axes)
-  {
-    std::vector<Eigen::Vector3d> result;
-    for(Eigen::Index i = 0; i < 3; ++i)
-    {
-      result.push_back(axes.col(i));
-      for(Eigen::Index j = 0; j < i; ++j)
-      {
-        result.push_back((axes.col(i) + axes.col(j)).normalized());
-        result.push_back((axes.col(i) - axes.col(j)).normalized());
-      }
-    }
-    return result;
   }
 
   // Along edges of the graph of patches (Floyd and Warshall). Patches that are not connected are about

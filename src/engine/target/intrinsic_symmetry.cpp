@@ -3,6 +3,7 @@
 
 #include "intrinsic_symmetry.h"
 #include "../support/Point_search.h"
+#include "../support/plane_normals.h"
 
 #include <CGAL/Canonical_pose_3/Landmark_fields_3.h>
 #include <CGAL/Canonical_pose_3/internal/support/Principal_axes.h>
@@ -63,14 +64,6 @@ Eigen::MatrixXd every(const Eigen::MatrixXd& rows, const Eigen::Index most)
   return rows(Eigen::seq(0, Eigen::last, step), Eigen::all);
 }
 
-Eigen::MatrixXd images_of(const Eigen::MatrixXd& rows, const Images& images)
-{
-  Eigen::MatrixXd result(static_cast<Eigen::Index>(images.size()), rows.cols());
-  for(std::size_t i = 0; i < images.size(); ++i)
-    result.row(static_cast<Eigen::Index>(i)) = rows.row(static_cast<Eigen::Index>(images[i]));
-  return result;
-}
-
 // The orthogonal matrix that brings rows nearest to others (Schoenemann 1966).
 Eigen::MatrixXd orthogonal_map(const Eigen::MatrixXd& rows, const Eigen::MatrixXd& others)
 {
@@ -103,24 +96,14 @@ Images nearest_rows(const Eigen::MatrixXd& rows, const Eigen::MatrixXd& others)
   return result;
 }
 
-// About the axes, and in planes orthogonal to an axis or halfway between two of them.
 std::vector<Eigen::Matrix3d> rotations_and_reflections(const Eigen::Matrix3d& axes)
 {
   const Eigen::Matrix3d identity = Eigen::Matrix3d::Identity();
   std::vector<Eigen::Matrix3d> result;
-  const auto reflect = [&](const Eigen::Vector3d& normal) {
-    result.push_back(identity - 2 / normal.squaredNorm() * normal * normal.transpose());
-  };
+  for(const Eigen::Vector3d& normal : plane_normals(axes))
+    result.push_back(identity - 2 * normal * normal.transpose());
   for(Eigen::Index i = 0; i < 3; ++i)
-  {
-    reflect(axes.col(i));
     result.push_back(2 * axes.col(i) * axes.col(i).transpose() - identity);
-    for(Eigen::Index j = 0; j < i; ++j)
-    {
-      reflect(axes.col(i) + axes.col(j));
-      reflect(axes.col(i) - axes.col(j));
-    }
-  }
   return result;
 }
 
@@ -159,7 +142,7 @@ public:
       if(images == result.images)
         break;
       result.images = std::move(images);
-      map = orthogonal_map(m_moving_pose, images_of(m_fixed_pose, result.images));
+      map = orthogonal_map(m_moving_pose, m_fixed_pose(result.images, Eigen::all));
     }
     for(int i = 0; i < most; ++i)
     {
@@ -168,7 +151,7 @@ public:
         break;
       result.images = std::move(images);
     }
-    const Eigen::MatrixXd moved = images_of(m_fixed_pose, result.images);
+    const Eigen::MatrixXd moved = m_fixed_pose(result.images, Eigen::all);
     result.distortion = distortion(result);
     result.distance_from_identity
       = root_mean_square(moved - m_moving_pose) / root_mean_square(m_fixed_pose);
@@ -186,12 +169,12 @@ private:
 
   Eigen::MatrixXd embedded_map(const Candidate& candidate) const
   {
-    return orthogonal_map(m_moving, images_of(m_fixed, candidate.images));
+    return orthogonal_map(m_moving, m_fixed(candidate.images, Eigen::all));
   }
 
   double distortion(const Candidate& candidate) const
   {
-    const Eigen::MatrixXd moved = images_of(m_fixed, candidate.images);
+    const Eigen::MatrixXd moved = m_fixed(candidate.images, Eigen::all);
     double changes = 0, sum = 0;
     for(Eigen::Index i = 0; i < m_moving.rows(); ++i)
     {

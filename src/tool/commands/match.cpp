@@ -16,6 +16,8 @@
 #include <CGAL/Canonical_pose_3/match_surfaces.h>
 #include <CGAL/Canonical_pose_3/transfer_attributes.h>
 
+#include <boost/algorithm/string/join.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -223,11 +225,8 @@ void check_output(const std::string& output, const Transfer transfer)
   const std::vector<std::string>& known = extensions.at(transfer);
   if(std::find(known.begin(), known.end(), extension) != known.end())
     return;
-  std::string list;
-  for(const std::string& name : known)
-    list += (list.empty() ? "" : ", ") + name;
   throw Usage_error("'" + output + "' cannot be written: the result has one of the extensions "
-                    + list);
+                    + boost::algorithm::join(known, ", "));
 }
 
 // Whether what is written is the file of INPUT with other positions.

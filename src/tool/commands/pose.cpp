@@ -128,10 +128,10 @@ int run_pose(Arguments& arguments)
     = {arguments.output, arguments.target, arguments.scene, arguments.report};
   Output_files files(outputs, inputs);
   Mesh_file input = read_mesh_file(arguments.input, Source::KEPT);
-  if(!arguments.target.empty() || !arguments.scene.empty()
-     || !is_rewritable(input, format_of(arguments.output))
-     || format_of(arguments.output) == Format::GLB)
-    load_appearance(input); // also for glTF, which is a new file if it has a skeleton
+  const bool is_shown = !arguments.target.empty() || !arguments.scene.empty()
+                        || !is_rewritable(input, format_of(arguments.output));
+  if(is_shown)
+    load_appearance(input);
   check_format_holds(format_of(arguments.output), input);
   if(!arguments.target.empty())
     check_format_holds(format_of(arguments.target), input);
@@ -147,6 +147,9 @@ int run_pose(Arguments& arguments)
   Result result = compute_pose(input, watched_options(arguments));
   CGAL::Canonical_pose_3::Registration_summary& summary = result.summary;
   summary.stages.insert(summary.stages.begin(), {"read", seconds_to_read});
+  const bool has_skin = result.skeleton && format_of(arguments.output) == Format::GLB;
+  if(has_skin && !is_shown) // the output is a new file
+    load_appearance(input);
   clock.lap();
 
   arguments.say("writing " + arguments.output);
@@ -157,8 +160,7 @@ int run_pose(Arguments& arguments)
     const Mesh_file surface = input.is_tetrahedral ? boundary_of(input) : input;
     write_mesh(out, format_of(arguments.target), with_points(surface, *result.target), beside);
   });
-  add_losses_of_file(summary.warnings, "the pose", input, arguments.output,
-                     result.skeleton && format_of(arguments.output) == Format::GLB);
+  add_losses_of_file(summary.warnings, "the pose", input, arguments.output, has_skin);
   if(!arguments.target.empty())
     add_losses_of_file(summary.warnings, "the target", input, arguments.target, true);
   if(!arguments.scene.empty())
