@@ -123,7 +123,7 @@ TEST(Intrinsic_symmetry, mean_pose_is_symmetric)
 TEST(Intrinsic_symmetry, of_a_target_that_is_symmetric_already)
 {
   const auto ball = Canonical_pose_test::icosphere_soup(2, 1);
-  const auto prepared = CP::prepare_surface(to_matrix(ball.points), ball.polygons);
+  const auto prepared = CP::prepare_surface(to_matrix(ball.points), ball.triangles);
   const CP::Surface_component_3& surface = prepared.components.front().surface;
   const CP::Component_options options;
   const auto coarse = CP::coarse_surface(surface, options);
