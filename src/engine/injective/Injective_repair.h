@@ -19,6 +19,7 @@
 #include <atomic>
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -29,9 +30,9 @@ namespace internal {
 
 // Untangles inverted and flat cells of a registered body locally, in patches of rings around them,
 // see `Injective_patch`; remaining ones are tried again in larger patches, as long as these are a
-// minor part of the body. As a last resort, entire components start from the rest pose, where no
-// cell is inverted. Finally, the energy of all patches is decreased. All this is limited by the
-// work, which is counted, not timed.
+// minor part of the body. As a last resort, entire components start from a pose where no cell is
+// inverted. Finally, the energy of all patches is decreased. All this is limited by the work, which
+// is counted, not timed.
 class Injective_repair
 {
 public:
@@ -50,13 +51,16 @@ public:
   // The outcome of the repair.
   struct Outcome
   {
-    std::size_t vertices_from_rest = 0; // vertices that restarted from the rest pose
-    bool is_minimal = true;             // the energy is minimal, given the barrier
+    std::size_t restarted_vertices = 0;
+    bool is_minimal = true; // the energy is minimal, given the barrier
   };
 
-  // `right_hand_side`: that of the registration without the cell term; `rest`: the rest pose, which
-  // may be far from `points`.
-  Outcome operator()(const Point_matrix& right_hand_side, const Point_matrix& rest,
+  // Returns a pose without inverted cells, which may be far, or nothing.
+  using Start = std::function<std::optional<Point_matrix>()>;
+
+  // `right_hand_side`: that of the registration without the cell term; `start`: called if inverted
+  // cells remain. If it returns nothing, they do.
+  Outcome operator()(const Point_matrix& right_hand_side, const Start& start,
                      Point_matrix& points) const
   {
     std::vector<bool> was_free(static_cast<std::size_t>(points.rows()), false);
@@ -78,17 +82,23 @@ public:
                              [&](Injective_patch& patch) { patch.remove_foldovers(steps); });
     }
     std::vector<bool> inverted = vertices_of_inverted_cells(points);
-    while(grow(inverted)) // entire components
-      ;
-    for(std::size_t v = 0; v < inverted.size(); ++v)
-      if(inverted[v])
-      {
-        points.row(static_cast<Eigen::Index>(v)) = rest.row(static_cast<Eigen::Index>(v));
-        was_free[v] = true;
-        ++outcome.vertices_from_rest;
-      }
-    // the rest pose is far from the minimum
-    const int most_steps = outcome.vertices_from_rest > 0 ? STEPS_FROM_REST : STEPS_OF_A_PATCH;
+    if(std::find(inverted.begin(), inverted.end(), true) != inverted.end())
+    {
+      const std::optional<Point_matrix> first = start();
+      if(!first)
+        return {0, false};
+      while(grow(inverted)) // entire components
+        ;
+      for(std::size_t v = 0; v < inverted.size(); ++v)
+        if(inverted[v])
+        {
+          points.row(static_cast<Eigen::Index>(v)) = first->row(static_cast<Eigen::Index>(v));
+          was_free[v] = true;
+          ++outcome.restarted_vertices;
+        }
+    }
+    // the start is far from the minimum
+    const int most_steps = outcome.restarted_vertices > 0 ? STEPS_AFTER_RESTART : STEPS_OF_A_PATCH;
     const int steps = (std::min)(most_steps, steps_within(WORK_OF_REPAIR, work, was_free));
     std::atomic<bool> is_minimal = true;
     for_each_patch(was_free, right_hand_side, points, [&](Injective_patch& patch) {
@@ -101,7 +111,7 @@ public:
 
 private:
   // The most steps of a patch.
-  static constexpr int STEPS_OF_REMOVAL = 20, STEPS_OF_A_PATCH = 50, STEPS_FROM_REST = 500;
+  static constexpr int STEPS_OF_REMOVAL = 20, STEPS_OF_A_PATCH = 50, STEPS_AFTER_RESTART = 500;
 
   // The limits of the work of all patches, without and with the final decrease of the energy, in
   // steps of the entire body. Such a step costs as much as some 20 iterations of a registration, which

@@ -294,28 +294,78 @@ private:
     result -= right_hand_side();
   }
 
-  // Untangles inverted cells, starting from the last local step.
+  // Untangles inverted cells, starting from the last local step. `start`: see `Injective_repair`.
+  Injective_repair::Outcome untangled(Point_matrix& v, const Injective_repair::Start& start)
+  {
+    find_surface_terms();
+    Eigen::SparseMatrix<double> matrix = m_system.matrix();
+    Point_matrix right_hand_side = m_right_hand_side;
+    if(m_system.has_constraints()) // they are part of the left-hand side
+    {
+      const Eigen::SparseMatrix<double> constraints
+        = m_system.brought_to_body(m_system.constraint_matrix());
+      matrix += constraints;
+      right_hand_side += constraints * v;
+    }
+    const Injective_repair repair(m_arap, m_options.detail_length * m_options.detail_length, matrix,
+                                  m_factor_maker);
+    return repair(right_hand_side, start, v);
+  }
+
+  // The pose of a stiffer body without inverted cells, if there is one. `v`: where it starts.
+  std::optional<Point_matrix> stiffer_pose(Point_matrix v, Registration_summary& summary)
+  {
+    constexpr int most = 3;
+    constexpr double factor_of_detail_length = 2;
+    const Registration_options options = m_options;
+    std::optional<Point_matrix> result;
+    for(int i = 0; i < most && !result; ++i)
+    {
+      set_detail_length((std::min)(factor_of_detail_length * m_options.detail_length,
+                                   Registration_options::LARGEST_DETAIL_LENGTH));
+      factor();
+      Registration_summary of_stiffer;
+      Best_pose best{m_options.detail_length};
+      evaluate(v, of_stiffer);
+      iterate(v, true, {}, best, of_stiffer);
+      summary.iterations += of_stiffer.iterations;
+      if(!of_stiffer.is_usable())
+        break;
+      if(of_stiffer.inverted > 0)
+      {
+        untangled(v, [] { return std::nullopt; });
+        evaluate(v, of_stiffer);
+      }
+      if(of_stiffer.inverted == 0)
+        result = v;
+    }
+    set_options(options);
+    factor();
+    return result;
+  }
+
+  // Untangles inverted cells, starting from the last local step: at last from the pose of a stiffer
+  // body, or from the rest pose.
   void repair(Point_matrix& v, Registration_summary& summary)
   {
     timed(summary, "global_steps", [&] {
-      find_surface_terms();
-      Eigen::SparseMatrix<double> matrix = m_system.matrix();
-      if(m_system.has_constraints()) // they are part of the left-hand side
-      {
-        const Eigen::SparseMatrix<double> constraints
-          = m_system.brought_to_body(m_system.constraint_matrix());
-        matrix += constraints;
-        m_right_hand_side += constraints * v;
-      }
-      const Injective_repair repair(m_arap, m_options.detail_length * m_options.detail_length,
-                                    matrix, m_factor_maker);
-      const auto outcome = repair(m_right_hand_side, m_body.points() / m_length_scale, v);
+      bool is_from_rest = false;
+      const Point_matrix registered = v;
+      const auto outcome = untangled(v, [&] {
+        std::optional<Point_matrix> start = stiffer_pose(registered, summary);
+        if(!start)
+        {
+          is_from_rest = true;
+          start = m_body.points() / m_length_scale;
+        }
+        return start;
+      });
       if(!outcome.is_minimal && summary.converged())
         summary.termination = Registration_summary::ITERATION_LIMIT;
-      if(outcome.vertices_from_rest > 0)
+      if(is_from_rest)
         summary.warnings.push_back("inverted cells resisted repair; vertices of the body that "
                                    "started anew from the rest pose: "
-                                   + std::to_string(outcome.vertices_from_rest));
+                                   + std::to_string(outcome.restarted_vertices));
     });
     timed(summary, "local_steps", [&] { evaluate(v, summary); });
     summary.energy_history.push_back(summary.energy);
