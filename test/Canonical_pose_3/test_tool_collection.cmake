@@ -272,5 +272,3 @@ if(MAKE_FIGURE)
     message(STATUS "Collections by MPI are not tested: there is no mpirun, or the tool was built without Boost.MPI")
   endif()
 endif()
-
-include(${CMAKE_CURRENT_LIST_DIR}/test_tool_matches.cmake)

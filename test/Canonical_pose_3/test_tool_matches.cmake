@@ -1,4 +1,7 @@
-# collection --match and compare --mean, see test_tool.cmake.
+# collection --match, match and compare --mean, see test_tool.cmake.
+
+find_program(SQLITE sqlite3)
+find_program(MPIRUN mpirun)
 
 # ---- the mean ----------------------------------------------------------------------------------------------
 
@@ -20,6 +23,13 @@ expect_match("${stderr}" "^proper ")
 
 # ---- matches -----------------------------------------------------------------------------------------------
 
+run_tool(collection --list --database nowhere.db)
+if(stderr MATCHES "without SQLite")
+  message(STATUS "The tool was built without SQLite: matches of collections are not tested")
+  return()
+endif()
+file(MAKE_DIRECTORY ${WORK}/shapes)
+file(COPY_FILE ${WORK}/ball.off ${WORK}/shapes/ball.off)
 expect_exit(2 collection ball.off --database a.db --match ball.ply)
 expect_exit(2 collection ball.off --database a.db --matches out/m)
 set(of_ball collection ball.off --database out/a.db)

@@ -45,7 +45,7 @@ file(WRITE ${WORK}/red.mtl "newmtl red\nKd 1 0 0\n")
 file(READ ${WORK}/ball.obj text)
 file(WRITE ${WORK}/red.obj "mtllib red.mtl\nusemtl red\n${text}")
 file(WRITE ${WORK}/out/target.mtl "something else")
-set(red pose red.obj --rounds 0 --landmarks 12 -o out/red.off)
+set(red pose red.obj --rounds 0 --landmarks 12 --detail-length 0.3 -o out/red.off)
 expect_exit(0 ${red} --target out/target.obj)
 expect_content(out/target.mtl "newmtl red\nKd 1 0 0\nd 1\n")
 expect_exit(0 ${red} --target red_target.obj.gz)
@@ -78,9 +78,9 @@ file(REMOVE_RECURSE ${WORK}/out/red_parts ${WORK}/out/red.off ${WORK}/out/red.pl
 
 # ---- standard streams, and compressed files --------------------------------------------------------------------
 
-set(quick "--rounds 0 --landmarks 12 --quiet")
+set(quick "--rounds 0 --landmarks 12 --detail-length 0.3 --quiet")
 run_sh("\"$TOOL\" pose ball.off -o expected.off ${quick} && \"$TOOL\" pose ball.off -o expected.ply ${quick}")
-foreach(words IN ITEMS "- -o - ${quick} < ball.off > out/a.off" "ball.off -o - --rounds 0 --landmarks 12 2> out/messages > out/a.off"
+foreach(words IN ITEMS "- -o - ${quick} < ball.off > out/a.off" "ball.off -o - --rounds 0 --landmarks 12 --detail-length 0.3 2> out/messages > out/a.off"
     "- -o out/a.off ${quick} < ball.off" "- --format off -o - ${quick} < ball.off > out/a.off")
   run_sh("\"$TOOL\" pose ${words}")
   expect_match("${exit_code}<${stdout}${stderr}>" "^0<>$")
