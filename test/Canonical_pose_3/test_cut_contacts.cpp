@@ -122,6 +122,7 @@ TEST(Cut_contacts, other_surfaces_do_not_change)
 TEST(Cut_contacts, pose_is_that_without_contact)
 {
   CP::Options options;
+  options.number_of_rounds = 0;
   const Point_matrix apart = pose_of(figure().triangles(), options).pose;
   const double kept
     = CP::pose_difference(pose_of(figure().merged_triangles(), options).pose, apart);
