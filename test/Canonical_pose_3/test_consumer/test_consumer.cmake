@@ -45,7 +45,7 @@ add_test(NAME consumer.readme
       -DCMAKE_CXX_FLAGS=${CMAKE_CXX_FLAGS} -DCGAL_DIR=${CGAL_DIR}
       -DREADME=${installation}/${CMAKE_INSTALL_DOCDIR}/README.md
     --test-command ${CMAKE_COMMAND} -P ${CMAKE_CURRENT_SOURCE_DIR}/test_consumer/readme/run.cmake)
-set_tests_properties(consumer.readme PROPERTIES LABELS consumer TIMEOUT 1200 FIXTURES_REQUIRED installation)
+set_tests_properties(consumer.readme PROPERTIES LABELS consumer TIMEOUT 1200 COST 200 FIXTURES_REQUIRED installation)
 
 # A build without CMake: all sources of the library in one, with CGAL and Eigen only. With the label package: to the end. (With
 # ONE_SOURCE, the library itself is compiled so.)
