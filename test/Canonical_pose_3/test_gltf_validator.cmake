@@ -28,15 +28,16 @@ foreach(input IN LISTS dirty_inputs ITEMS ball.off ball.mesh)
 endforeach()
 run(${TOOL} segment ball.off --parts 4 --method sweep -o parts.glb)
 run(${TOOL} geodesics two_balls.off --source 0 --source 23 -o distances.glb)
+set(quick --rounds 0 --landmarks 12 --detail-length 0.2) # how good the pose is does not matter
 run(${MAKE_FIGURE} --vertices 70000 figure.off) # indices of four bytes
-run(${TOOL} pose figure.off --rounds 0 -o figure.glb --scene figure_scene.glb)
+run(${TOOL} pose figure.off ${quick} -o figure.glb --scene figure_scene.glb)
 run(${MAKE_FIGURE} --vertices 260000 large.off) # quantized
-run(${TOOL} pose large.off --rounds 0 -o large.glb --scene large_scene.glb)
+run(${TOOL} pose large.off ${quick} -o large.glb --scene large_scene.glb)
 # Skins; that of glTF is replaced.
 run(${MAKE_FIGURE} --vertices 3000 --pose running running.off)
 run(${TOOL} pose running.off --stance t -o stance.glb --scene stance_scene.glb)
 run(${TOOL} pose stance.glb --stance a -o stance_of_glb.glb --scene stance_of_glb_scene.glb)
-run(${TOOL} pose large.off --stance t --rounds 0 -o large_stance.glb --scene large_stance_scene.glb)
+run(${TOOL} pose large.off --stance t --rounds 0 --landmarks 12 -o large_stance.glb --scene large_stance_scene.glb)
 # Two materials, a texture of one pixel with a seam, and colors.
 run(${NODE} -e "require('fs').writeFileSync('a.png', Buffer.from('iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mP8z8BQDwAEhQGAhKmMIQAAAABJRU5ErkJggg==', 'base64'))")
 file(WRITE ${WORK}/a.mtl "newmtl a\nmap_Kd a.png\nnewmtl b\nKd 1 0 0\nd .5\n")
