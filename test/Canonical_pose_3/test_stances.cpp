@@ -150,13 +150,15 @@ TEST(Stances, directions_of_all_stances)
   }
 }
 
-// Exact: the axes; which of the legs are those in front follows from the rest shape of the animal, which looks toward +z.
+// Exact: the axes; which of the legs are those in front follows from the rest shape of the animal, which looks toward +z. The
+// head is level, and the tail hangs.
 TEST(Stances, animal_from_any_posture)
 {
   const Articulated_animal animal(NUMBER_OF_VERTICES);
   const Point_matrix rest = to_matrix(animal.points());
-  Eigen::Index front, left;
+  Eigen::Index front, back, left;
   rest.col(2).maxCoeff(&front);
+  rest.col(2).minCoeff(&back);
   rest.col(0).maxCoeff(&left);
   for(const auto& posture : Articulated_animal::named_poses())
   {
@@ -174,6 +176,12 @@ TEST(Stances, animal_from_any_posture)
     EXPECT_GT(result.pose(left, 0), joint(skeleton, "hips").position[0]);
     EXPECT_GT(joint(skeleton, "left wrist").position[0],
               joint(skeleton, "right wrist").position[0]);
+    EXPECT_LT(angle_of(skeleton, "chest", "neck", {0, 1, 1}), 35);
+    const Eigen::RowVector3d head = result.pose.row(front) - joint(skeleton, "neck").position,
+                             tail = result.pose.row(back) - joint(skeleton, "tail").position;
+    EXPECT_LT(std::abs(std::atan2(head[1], head[2])), 30 * CGAL_PI / 180);
+    EXPECT_LT(tail[1], 0);
+    EXPECT_LT(tail[2], 0);
   }
 }
 

@@ -155,7 +155,7 @@ struct Method_options
   /// - `CANONICAL`: the canonical pose.
   /// - `T`, `A`, `VITRUVIAN`: a person with straight limbs: the arms level, or 45 degrees downward, and the legs
   ///   parallel, or apart for `VITRUVIAN`; feet point to the front.
-  /// - `STAND`: an animal with its four legs straight downward.
+  /// - `STAND`: an animal with its four legs straight downward, neck and tail at rest, and the head level.
   ///
   /// The canonical pose tells what the limbs are: a head, two arms and two legs, or four legs. Then trunk and
   /// limbs are moved rigidly to their directions, which is the target of another registration, with all details.

@@ -75,7 +75,7 @@ std::optional<std::string> warning_of_directions(const Body_plan& plan, const Po
     const Limb& limb = plan.limbs()[i];
     const Eigen::Vector3d direction
       = to_body.linear()
-        * (plan.center(pose, limb, limb.end)
+        * (plan.end_joint(pose, limb)
            - plan.center(pose, limb, limb.root + share_of_joint * (limb.end - limb.root)))
             .transpose();
     const double angle

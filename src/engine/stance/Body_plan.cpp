@@ -13,6 +13,8 @@
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 #include <CGAL/Canonical_pose_3/surface_measures.h>
 
+#include <CGAL/number_type_config.h>
+
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
@@ -22,6 +24,8 @@
 #include <cstddef>
 #include <stdexcept>
 #include <string>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -67,10 +71,11 @@ double girth_at(const Eigen::VectorXd& distances, const Eigen::VectorXd& shares,
   return area / (2 * width);
 }
 
-// Where a limb ends at the trunk: where its girth exceeds twice the median of that before.
-double distance_of_root(const Eigen::VectorXd& distances, const Eigen::VectorXd& shares)
+// Where a limb ends at the trunk: where its girth exceeds that before, by the median, by a factor.
+double distance_of_root(const Eigen::VectorXd& distances, const Eigen::VectorXd& shares,
+                        const double factor = 2)
 {
-  constexpr double step = .02, first = .06, least = .2, largest = 1.6, factor = 2;
+  constexpr double step = .02, first = .06, least = .2, largest = 1.6;
   std::vector<double> girths;
   for(double distance = first; distance < largest; distance += step)
   {
@@ -101,6 +106,36 @@ double distance_of_end(const Limb& limb, const Eigen::VectorXd& shares)
       result = distance;
     }
   return result;
+}
+
+// The neck, from the head to the trunk: from where its girth is least between larger ones, to where it exceeds that by far.
+std::pair<double, double> distances_of_neck(const Limb& head, const Eigen::VectorXd& shares)
+{
+  constexpr double step = .02, first = .1, last = .6, reach = .3, without = .36, factor = 1.6;
+  std::vector<double> girths;
+  for(double distance = first; distance <= last + reach; distance += step)
+    girths.push_back(girth_at(head.distances, shares, distance));
+  const auto length = static_cast<std::size_t>(reach / step),
+             number = static_cast<std::size_t>((last - first) / step);
+  const auto at = [&](const std::size_t i) { return first + step * static_cast<double>(i); };
+  std::size_t end = static_cast<std::size_t>((without - first) / step);
+  double largest = 1, before = girths[0];
+  for(std::size_t i = 1; i < number; ++i)
+  {
+    before = (std::max)(before, girths[i]);
+    const auto next = girths.begin() + static_cast<std::ptrdiff_t>(i);
+    const double after = *std::max_element(next, next + static_cast<std::ptrdiff_t>(length)),
+                 ratio = (std::min)(before, after) / girths[i];
+    if(ratio > largest)
+    {
+      largest = ratio;
+      end = i;
+    }
+  }
+  std::size_t root = end + 2;
+  while(root < end + length && root + 1 < girths.size() && girths[root] < factor * girths[end])
+    ++root;
+  return {at(end), at(root)};
 }
 
 } // namespace
@@ -139,6 +174,16 @@ Eigen::RowVector3d Body_plan::center(const Point_matrix& points, const Limb& lim
     if(sum > 0)
       return result / sum;
   }
+}
+
+Eigen::RowVector3d Body_plan::end_joint(const Point_matrix& points, const Limb& limb) const
+{
+  constexpr double width = .05, largest_share = .15;
+  const double length = limb.root - limb.end, to_first = (std::min)(width, largest_share * length),
+               to_second = length / 2;
+  const Eigen::RowVector3d first = center(points, limb, limb.end + to_first),
+                           second = center(points, limb, limb.end + to_second);
+  return first + to_first / (to_second - to_first) * (first - second);
 }
 
 double Body_plan::relative_length_of_rest(const Limb& limb) const
@@ -245,8 +290,43 @@ void Body_plan::set_joints()
   }
   for(Limb& limb : m_limbs)
     limb.end = distance_of_end(limb, m_shares);
-  for(Limb& limb : m_others)
-    limb.end = distance_of_end(limb, m_shares);
+  constexpr double factor_of_tail = 1.6, least_length_of_neck = .08;
+  Limb& head = m_others[0];
+  std::tie(head.end, head.root) = distances_of_neck(head, m_shares);
+  for(std::size_t i = 0; i < 2; ++i)
+    for(Eigen::Index v = 0; v < head.distances.size(); ++v)
+      if(m_limbs[i].distances[v] <= m_limbs[i].root)
+        head.root = (std::min)(head.root, head.distances[v]);
+  head.end = (std::min)(head.end, head.root - least_length_of_neck);
+  for(std::size_t i = 1; i < m_others.size(); ++i)
+  {
+    m_others[i].root = distance_of_root(m_others[i].distances, m_shares, factor_of_tail);
+    m_others[i].end = distance_of_end(m_others[i], m_shares);
+  }
+}
+
+std::size_t Body_plan::nose() const
+{
+  constexpr double largest_distance = .03; // from the plane between left and right
+  const double angle = 40 * CGAL_PI / 180;
+  const Eigen::RowVector3d neck = center(m_pose, head(), head().end),
+                           along = (neck - center(m_pose, head(), head().root)).normalized(),
+                           up = m_frames[0].row(1),
+                           down = (up.dot(along) * along - up).normalized(),
+                           direction = std::cos(angle) * along + std::sin(angle) * down;
+  std::size_t result = head().tip;
+  double farthest = 0;
+  for(Eigen::Index v = 0; v < m_pose.rows(); ++v)
+  {
+    const Eigen::RowVector3d from_neck = m_pose.row(v) - neck;
+    if(head().distances[v] < head().end && from_neck.dot(direction) > farthest
+       && std::abs(m_frames[0].row(0).dot(from_neck)) < largest_distance)
+    {
+      farthest = from_neck.dot(direction);
+      result = static_cast<std::size_t>(v);
+    }
+  }
+  return result;
 }
 
 // Whether the first leg is on the side of the second arm: the way along the surface of the input is shorter on the same side.

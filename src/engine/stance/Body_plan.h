@@ -33,8 +33,8 @@ struct Limb
 {
   Eigen::VectorXd distances; // one per vertex
   std::size_t tip;           // the vertex with the smallest distance
-  double end;                // the distance of wrist or ankle
-  double root;               // that of shoulder or hip
+  double end;                // the distance of wrist or ankle, or where the neck begins
+  double root;               // that of shoulder or hip, or where the neck ends
 };
 
 // What is known of a body with two arms and two legs, or four legs: limbs, and a frame whose axes are left, up and front. Lengths
@@ -60,6 +60,9 @@ public:
 
   const Limb& head() const { return m_others.front(); }
   const Limb* tail() const { return m_others.size() > 1 ? &m_others[1] : nullptr; }
+
+  // The vertex of the head of an animal between left and right that is farthest along the neck and downward from it.
+  std::size_t nose() const;
 
   // Between the joints of the legs.
   const Eigen::RowVector3d& origin() const { return m_origin; }
@@ -99,6 +102,9 @@ public:
   // The mean position of the vertices at a distance along a limb.
   Eigen::RowVector3d center(const Point_matrix& points, const Limb& limb, double distance,
                             double width = .04) const;
+
+  // Wrist or ankle, or where the neck begins: on the line of the limb before it, since the skin around it is bent.
+  Eigen::RowVector3d end_joint(const Point_matrix& points, const Limb& limb) const;
 
   // The length of the center line of a limb in the input, relative to that in the pose.
   double relative_length_of_rest(const Limb& limb) const;

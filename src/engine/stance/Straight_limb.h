@@ -40,6 +40,7 @@ public:
     for(std::size_t k = 0; k <= number; ++k)
       m_centers.emplace_back(
         body.center(points, limb, m_end + m_length * static_cast<double>(k), width));
+    m_centers.front() = body.end_joint(points, limb);
     for(int pass = 0; pass < 2; ++pass)
     {
       const std::vector<Eigen::Vector3d> before = m_centers;

@@ -48,7 +48,8 @@ public:
       m_first_joints[i] = m_result.joints.size();
       add(roots[i], i < 2 ? CHEST : HIPS, limbs[i], limbs[i].root);
       add(middles[i], m_first_joints[i], limbs[i], middle_of(limbs[i]));
-      add(ends[i], m_first_joints[i] + 1, limbs[i], limbs[i].end);
+      add(ends[i], m_first_joints[i] + 1, body.end_joint(pose, limbs[i]),
+          radius(limbs[i], limbs[i].end));
     }
     if(body.tail())
     {

@@ -7,6 +7,8 @@
 #include <CGAL/Canonical_pose_3/Options.h>
 #include <CGAL/Canonical_pose_3/Skeleton_3.h>
 
+#include <CGAL/number_type_config.h>
+
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
@@ -75,11 +77,58 @@ Stance_target trunk(const Body_plan& body)
   return result;
 }
 
+// Moves the points of a limb, and blends them with the trunk near its root. There, and in wrist or ankle, nothing is matched.
+void blend(const Body_plan& body, const Limb& limb, const Point_matrix& points,
+           const Point_matrix& trunk, const Straight_limb& moved, Stance_target& result)
+{
+  constexpr double least_share = .03;
+  for(Eigen::Index v = 0; v < points.rows(); ++v)
+  {
+    const double share = body.share_of_limb(limb, v);
+    if(share == 0)
+      continue;
+    result.points.row(v)
+      = share * moved(points.row(v).transpose(), v).transpose() + (1 - share) * trunk.row(v);
+    const bool is_in_joint = share > least_share && share < 1 - least_share;
+    if(is_in_joint || moved.is_in_end(v))
+      result.weights[v] = 0;
+  }
+}
+
+// The direction in the plane of up and front whose angle from the front is the nearest one within limits, in degrees.
+Eigen::Vector3d level_direction(const Eigen::Vector3d& direction, const double least,
+                                const double largest)
+{
+  const double front = direction[2] < 0 ? -1 : 1,
+               angle = std::clamp(std::atan2(direction[1], front * direction[2]),
+                                  least * CGAL_PI / 180, largest * CGAL_PI / 180);
+  return {0, std::sin(angle), front * std::cos(angle)};
+}
+
+// Moves neck and tail of an animal where they are at rest, and levels the head.
+void rest_neck_and_tail(const Body_plan& body, const Point_matrix& straight, Stance_target& result)
+{
+  const Eigen::Vector3d nose(0, -.25, 1);
+  const auto move = [&](const Limb& limb, const double least, const double largest,
+                        const std::optional<Eigen::Vector3d>& direction_of_tip) {
+    const Eigen::Vector3d direction = level_direction(
+      (body.center(straight, limb, limb.end) - body.center(straight, limb, limb.root)).transpose(),
+      least, largest);
+    const Straight_limb moved(body, limb, straight, direction, 1, direction_of_tip);
+    blend(body, limb, straight, straight, moved, result);
+  };
+  Limb head = body.head();
+  head.tip = body.nose();
+  move(head, 15, 45, nose);
+  if(body.tail())
+    move(*body.tail(), -60, -30, std::nullopt);
+}
+
 } // namespace
 
 Stance_target stance_target(const Body_plan& body, const Stance stance)
 {
-  constexpr double least_share = .03, least_stretch = .85, largest_stretch = 1.1;
+  constexpr double least_stretch = .85, largest_stretch = 1.1;
   const Directions directions = directions_of(stance, body.kind());
   Stance_target result = trunk(body);
   const Point_matrix straight = result.points;
@@ -102,18 +151,10 @@ Stance_target stance_target(const Body_plan& body, const Stance stance)
     result.directions[i] = direction.normalized();
     const Straight_limb moved(body, limb, points, result.directions[i], stretches[i / 2],
                               has_foot ? std::optional(directions.feet) : std::nullopt);
-    for(Eigen::Index v = 0; v < points.rows(); ++v)
-    {
-      const double share = body.share_of_limb(limb, v);
-      if(share == 0)
-        continue;
-      result.points.row(v)
-        = share * moved(points.row(v).transpose(), v).transpose() + (1 - share) * straight.row(v);
-      const bool is_in_joint = share > least_share && share < 1 - least_share;
-      if(is_in_joint || moved.is_in_end(v))
-        result.weights[v] = 0;
-    }
+    blend(body, limb, points, straight, moved, result);
   }
+  if(stance == Stance::STAND)
+    rest_neck_and_tail(body, straight, result);
   result.points *= body.unit();
   return result;
 }
