@@ -48,7 +48,9 @@ Json target_of(const Registration_summary& s)
           {"max_geodesic", s.target.max_geodesic},
           {"scale", s.target.scale},
           {"reflected", s.target.reflected},
-          {"is_handedness_certain", s.target.is_handedness_certain}};
+          {"is_handedness_certain", s.target.is_handedness_certain},
+          {"symmetry_distortion",
+           s.target.symmetry_distortion ? Json(*s.target.symmetry_distortion) : Json()}};
 }
 
 Json followers_of(const Registration_summary& s)

@@ -133,6 +133,9 @@ const std::vector<Method_option>& method_options()
       "rounds", 0, MEMBER(number_of_rounds),
       "maximum number of times that distances are measured again on the pose; default: 3, or 0 "
       "with a given target, paper weights, unfolding or the uncentered kernel"),
+    choice(
+      "symmetry", SYMMETRIES, MEMBER(symmetry),
+      "targets are made symmetric where the shape has a clear symmetry, or remain as they are"),
     choice("components", COMPONENTS, MEMBER(components),
            "treatment of several connected components"),
     choice("contacts", CONTACTS, MEMBER(contacts),

@@ -54,6 +54,9 @@ inline const Option_values<Options::Solver> SOLVERS = {{"auto", Options::Solver:
                                                        {"eigen", Options::Solver::EIGEN},
                                                        {"cholmod", Options::Solver::CHOLMOD}};
 
+inline const Option_values<Options::Symmetry> SYMMETRIES
+  = {{"auto", Options::Symmetry::AUTOMATIC}, {"none", Options::Symmetry::NONE}};
+
 inline const Option_values<Options::Stance> STANCES = {{"canonical", Options::Stance::CANONICAL},
                                                        {"t", Options::Stance::T},
                                                        {"a", Options::Stance::A},

@@ -83,7 +83,7 @@ TEST(Intrinsic_symmetry, exchanges_segments_of_the_same_length)
 {
   const int length = 20;
   const Star star({length, length, 12, 6});
-  const auto symmetry = CP::internal::intrinsic_symmetry(star.fields, star.pose, star.shares);
+  const auto symmetry = CP::internal::symmetry_of_pose(star.fields, star.pose, star.shares);
   ASSERT_TRUE(symmetry);
   EXPECT_LT(symmetry->distortion, 1e-10);
   for(std::size_t i = 0; i < symmetry->images.size(); ++i)
@@ -96,7 +96,7 @@ TEST(Intrinsic_symmetry, exchanges_segments_of_the_same_length)
 TEST(Intrinsic_symmetry, none_of_segments_of_four_lengths)
 {
   const Star star({20, 13, 8, 4});
-  EXPECT_FALSE(CP::internal::intrinsic_symmetry(star.fields, star.pose, star.shares));
+  EXPECT_FALSE(CP::internal::symmetry_of_pose(star.fields, star.pose, star.shares));
 }
 
 // The reflection that is closest for a map that is its own inverse is its own inverse, too, so the mean is symmetric, exactly,
@@ -104,7 +104,7 @@ TEST(Intrinsic_symmetry, none_of_segments_of_four_lengths)
 TEST(Intrinsic_symmetry, mean_pose_is_symmetric)
 {
   const Star star({20, 20, 12, 6});
-  const auto symmetry = CP::internal::intrinsic_symmetry(star.fields, star.pose, star.shares);
+  const auto symmetry = CP::internal::symmetry_of_pose(star.fields, star.pose, star.shares);
   ASSERT_TRUE(symmetry);
   EXPECT_LT(
     (CP::internal::symmetric_pose(star.pose, symmetry->images, star.shares) - star.pose).norm(),
@@ -128,13 +128,13 @@ TEST(Intrinsic_symmetry, of_a_target_that_is_symmetric_already)
   const CP::Component_options options;
   const auto coarse = CP::coarse_surface(surface, options);
   const auto fields = CP::landmark_fields(coarse, options);
-  ASSERT_TRUE(CP::internal::intrinsic_symmetry(
-    fields, surface.points, CP::vertex_area_shares(surface.points, surface.triangles)));
-  EXPECT_EQ(CP::symmetric_target(coarse, fields, surface.points), surface.points);
+  const auto symmetry = CP::intrinsic_symmetry(coarse, fields, surface.points);
+  ASSERT_TRUE(symmetry);
+  EXPECT_EQ(CP::symmetric_target(coarse, *symmetry, surface.points), surface.points);
 }
 
 // The animal is symmetric at rest, its mesh up to the length of an edge, .05 radii of gyration. In any posture, the target is
-// symmetric to the same extent, though the distances that lead to it are not.
+// symmetric to the same extent, though the distances that lead to it are not, and it is not without the option.
 TEST(Intrinsic_symmetry, targets_of_a_symmetric_animal)
 {
   const Articulated_animal animal(3000);
@@ -150,15 +150,25 @@ TEST(Intrinsic_symmetry, targets_of_a_symmetric_animal)
   }
   ASSERT_LT(asymmetry(rest, images), .03);
   using Point = CGAL::Simple_cartesian<double>::Point_3;
+  double largest_without = 0;
   for(const auto& named : poses)
   {
     const CP::Point_matrix points = to_matrix(animal.points(named.angles));
     std::vector<Point> input, pose;
     for(Eigen::Index i = 0; i < points.rows(); ++i)
       input.emplace_back(points(i, 0), points(i, 1), points(i, 2));
-    const CP::Result result = CGAL::canonical_pose_3(input, animal.triangles(), pose);
+    CP::Options options;
+    const CP::Result result = CGAL::canonical_pose_3(input, animal.triangles(), pose, options);
     EXPECT_LT(asymmetry(*result.target, images), .03) << named.name;
+    const double distortion = result.summary.target.symmetry_distortion.value();
+    EXPECT_GT(distortion, 0);
+    EXPECT_LT(distortion, .065);
+    options.symmetry = CP::Options::Symmetry::NONE;
+    const CP::Result without = CGAL::canonical_pose_3(input, animal.triangles(), pose, options);
+    EXPECT_FALSE(without.summary.target.symmetry_distortion);
+    largest_without = (std::max)(largest_without, asymmetry(*without.target, images));
   }
+  EXPECT_GT(largest_without, .03);
 }
 
 } // namespace test_intrinsic_symmetry

@@ -160,6 +160,7 @@ Bad_values of_method()
     {"lattice_spacing",
      bad_numbers("lattice_spacing", {-1, NOT_A_NUMBER, INFINITE, 1e-320, 1e-7, 1.5}, spacing)},
     {"components", bad_enumerators("components", &O::components, O::Components::EACH)},
+    {"symmetry", bad_enumerators("symmetry", &O::symmetry, O::Symmetry::NONE)},
     {"contacts", bad_enumerators("contacts", &O::contacts, O::Contacts::CUT)},
     {"stance", bad_enumerators("stance", &O::stance, O::Stance::STAND)},
     {"frame", bad_enumerators("frame", &O::frame, O::Frame::BODY)},
@@ -377,9 +378,10 @@ TEST(Options_of_the_call, no_member_is_missing)
   EXPECT_MEMBERS(names_of(of_method()), CP::Method_options, geodesics, landmark_fields_function,
                  target_fields_function, number_of_coarse_vertices, number_of_landmarks,
                  random_seed, kernel, mds_kernel, target_mode, unfolding, number_of_rounds,
-                 takes_mirror_image, searches_self_intersections, body, make_body, lattice_spacing, components, contacts, stance, frame,
-                 registration, paper_weights, volume_ratio_limit, solver, linear_solver,
-                 number_of_threads, visitor, return_landmark_fields);
+                 symmetry, takes_mirror_image, searches_self_intersections, body, make_body,
+                 lattice_spacing, components, contacts, stance, frame, registration, paper_weights,
+                 volume_ratio_limit, solver, linear_solver, number_of_threads, visitor,
+                 return_landmark_fields);
   EXPECT_MEMBERS(names_of(of_paper_weights()), CP::Paper_weights, alpha, beta);
   EXPECT_MEMBERS(names("weight"), CP::Unfolding, weight);
   EXPECT_MEMBERS(names_of(of_vertices()), CP::Vertex_options, matching_weights, stiffness,

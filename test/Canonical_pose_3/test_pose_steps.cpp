@@ -264,13 +264,16 @@ TEST(Pose_steps, of_rounds)
         = CP::extrapolated_fields(coarse, fields, fields_of_pose, pose, factor);
       refined = CP::refined_target(surface, coarse, extrapolated, pose, options);
     }
-    refined.points = CP::symmetric_target(coarse, fields_of_pose, refined.points);
+    const auto symmetry = CP::intrinsic_symmetry(coarse, fields_of_pose, refined.points);
+    ASSERT_TRUE(symmetry);
+    refined.points = CP::symmetric_target(coarse, *symmetry, refined.points);
     options.number_of_rounds = number;
     const auto result = CP::registered_pose(surface, coarse, fields, target, body, options);
     EXPECT_LT((*result.target - refined.points).rowwise().norm().maxCoeff(),
               1e-9 * body.length_scale);
     EXPECT_EQ(result.summary.target.stress, target.summary.stress);
     EXPECT_EQ(result.summary.target.kernel, target.summary.kernel);
+    EXPECT_NEAR(result.summary.target.symmetry_distortion.value(), symmetry->distortion, 1e-9);
     EXPECT_GT(result.summary.iterations, iterations);
     ASSERT_EQ(result.summary.rounds.size(), std::size_t(number));
     EXPECT_NEAR(result.summary.rounds.back().stress, stress, 1e-9);

@@ -13,6 +13,7 @@ set(data_types Face_list point_matrix Options Registration_options Registration_
 set(also_in_match Body_deformer_3 Elastic_body_3 Prepared_surface_3 Surface_body_3 Tetrahedral_arap_registrar_3 pose_steps Coarse_surface_3
   canonical_frame repair_surface call_with_threads Match_options Matchable_surface_3 Surface_match_3 transfer_attributes)
 set(also_in_stance Coarse_surface_3 Skeleton_3)
+set(also_in_target Intrinsic_symmetry_3)
 set(also_in_body Embedded_body_3 Tetrahedral_complex_traits_3 Conforming_body_3)
 set(also_in_segmentation Coarse_surface_3 Segmentation_options Segmentation_tree_3 repair_surface)
 set(also_in_descriptors Coarse_surface_3 repair_surface)

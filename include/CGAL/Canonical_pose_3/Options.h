@@ -162,6 +162,10 @@ struct Method_options
   /// Other shapes are refused, stating how many limbs were found.
   enum class Stance { CANONICAL, T, A, VITRUVIAN, STAND };
 
+  /// whether the target is made symmetric where the surface has a clear symmetry, see `symmetric_target()`: poses of one
+  /// shape in several postures then differ less.
+  enum class Symmetry { AUTOMATIC, NONE };
+
   /// how the target is computed: by multidimensional scaling of geodesic distances, see `mds_target()`, or by
   /// unfolding, without distances, see `unfolded_target()`.
   enum class Target_mode { MDS, UNFOLDING };
@@ -223,6 +227,9 @@ struct Method_options
   /// default is 3; for a given target or one on a line, with `paper_weights`, with the uncentered
   /// kernel, and when unfolding, it is 0. Nonnegative.
   std::optional<int> number_of_rounds;
+
+  /// the symmetry of the target, which needs rounds.
+  Symmetry symmetry = Symmetry::AUTOMATIC;
 
   /// whether to choose the mirror image of the target that would be chosen otherwise, see
   /// `align_handedness()`.

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <ostream>
 #include <sstream>
 #include <string>
@@ -54,6 +55,8 @@ struct Registration_summary
     /// whether the choice between the target and its mirror image is safe, see
     /// `Target_handedness_3`; `true` for a given target.
     bool is_handedness_certain = true;
+    /// that of the symmetry by which the target was made symmetric, see `Intrinsic_symmetry_3`; none without a clear one.
+    std::optional<double> symmetry_distortion;
   };
 
   /// describes the elastic body.

@@ -6,6 +6,7 @@
 
 #include <CGAL/Canonical_pose_3/Coarse_surface_3.h>
 #include <CGAL/Canonical_pose_3/Face_list.h>
+#include <CGAL/Canonical_pose_3/Intrinsic_symmetry_3.h>
 #include <CGAL/Canonical_pose_3/Landmark_fields_3.h>
 #include <CGAL/Canonical_pose_3/Options.h>
 #include <CGAL/Canonical_pose_3/Prepared_surface_3.h>
@@ -227,24 +228,42 @@ Landmark_fields_3 extrapolated_fields(const Coarse_surface_3& coarse,
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief makes a target symmetric if distances show a clear symmetry of the shape, such as that of left and right.
+\brief finds the symmetry of a surface, such as that of left and right, if it is clear.
 
-The result is the mean of the target and of its image, next to which it is moved by a rotation or a reflection. The
-symmetry is an orthogonal map of the embedding by up to ten eigenvectors of multidimensional scaling (M. Ovsjanikov,
-J. Sun and L. Guibas, "Global intrinsic symmetries of shapes", 2008). The target remains as it is if distances in the
-embedding are changed by more than 6.5 percent, or if it is symmetric already, up to a third of the length of an edge.
+The symmetry is an orthogonal map of the embedding by up to ten eigenvectors of multidimensional scaling (M. Ovsjanikov,
+J. Sun and L. Guibas, "Global intrinsic symmetries of shapes", 2008), fitted from rotations and reflections of the pose. It is
+clear if distances in the embedding change by at most 6.5 percent, and if it is far from the identity.
 
 \param coarse the coarse surface.
-\param fields distances on the coarse surface, in a pose if possible.
-\param target one row per vertex of the surface.
+\param fields distances on the coarse surface, in a canonical pose if possible.
+\param pose one row per vertex of the surface: a pose or a target.
 
 \pre The numbers of rows agree.
 
 <em>Complexity:</em> quadratic in the number of vertices of the coarse surface.
+*/
+std::optional<Intrinsic_symmetry_3> intrinsic_symmetry(const Coarse_surface_3& coarse,
+                                                       const Landmark_fields_3& fields,
+                                                       const Point_matrix& pose);
+
+/*!
+\ingroup PkgCanonicalPose3Ref
+
+\brief makes a target symmetric: the mean of it and of its image, next to which it is moved by a rotation or a reflection.
+
+A target that is symmetric already, up to a third of the length of an edge, remains as it is.
+
+\param coarse the coarse surface.
+\param symmetry the symmetry.
+\param target one row per vertex of the surface.
+
+\pre The numbers of rows agree.
+
+<em>Complexity:</em> linear.
 
 \sa `refined_target()`
 */
-Point_matrix symmetric_target(const Coarse_surface_3& coarse, const Landmark_fields_3& fields,
+Point_matrix symmetric_target(const Coarse_surface_3& coarse, const Intrinsic_symmetry_3& symmetry,
                               const Point_matrix& target);
 
 inline namespace CGAL_CANONICAL_POSE_3_BODIES {
@@ -312,7 +331,7 @@ half of its volume in a round, it is registered with three times the detail leng
 end early if the target hardly changes, or changes by more than 1.1 times as much as in the round
 before: then it drifts. If the target changes by less than three quarters as much in the last round
 as in the one before, its distances are extrapolated (`extrapolated_fields()`). If distances show a clear
-symmetry of the shape, such as that of left and right, the last target is the `symmetric_target()`, unless it is in a plane.
+symmetry of the shape, such as that of left and right, the last target is the `symmetric_target()`, unless it is in a plane (`Method_options::symmetry`).
 Given distances serve the first target only; the landmarks are theirs in all rounds.
 
 The handedness is determined after the rounds. If the target is inside out, or its chirality is less

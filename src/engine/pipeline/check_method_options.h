@@ -29,6 +29,7 @@ inline void check_method_options(const Method_options& options)
   require_lattice_spacing(options.lattice_spacing);
   require_enumerator("components", options.components, O::Components::EACH);
   require_enumerator("contacts", options.contacts, O::Contacts::CUT);
+  require_enumerator("symmetry", options.symmetry, O::Symmetry::NONE);
   require_enumerator("stance", options.stance, O::Stance::STAND);
   require_enumerator("frame", options.frame, O::Frame::BODY);
   options.registration.check();

@@ -104,10 +104,17 @@ inline Registered_body refined_in_rounds(const Surface_registration& registratio
     return result;
   if(const double factor = extrapolation_factor(result.contraction); factor > 0)
     result.target.points = extrapolated(result, factor);
-  if(!is_in_plane)
-    result.target.points = timed(result.summary, "target", [&] {
-      return symmetric_target(coarse, result.fields, result.target.points);
+  if(!is_in_plane && options.symmetry == Options::Symmetry::AUTOMATIC)
+  {
+    Target_3& last = result.target;
+    last.points = timed(result.summary, "target", [&] {
+      const auto symmetry = intrinsic_symmetry(coarse, result.fields, last.points);
+      if(!symmetry)
+        return last.points;
+      last.summary.symmetry_distortion = symmetry->distortion;
+      return symmetric_target(coarse, *symmetry, last.points);
     });
+  }
   return result;
 }
 

@@ -5,6 +5,7 @@
 #include "../support/Point_search.h"
 #include "../support/plane_normals.h"
 
+#include <CGAL/Canonical_pose_3/Intrinsic_symmetry_3.h>
 #include <CGAL/Canonical_pose_3/Landmark_fields_3.h>
 #include <CGAL/Canonical_pose_3/internal/support/Principal_axes.h>
 #include <CGAL/Canonical_pose_3/internal/support/for_each_block.h>
@@ -159,7 +160,7 @@ public:
     return result;
   }
 
-  Intrinsic_symmetry of_all_points(const Candidate& candidate) const
+  Intrinsic_symmetry_3 of_all_points(const Candidate& candidate) const
   {
     return {nearest_rows(m_embedding * embedded_map(candidate), m_embedding), candidate.distortion};
   }
@@ -193,7 +194,7 @@ private:
 
 } // namespace
 
-std::optional<Intrinsic_symmetry> intrinsic_symmetry(const Landmark_fields_3& fields,
+std::optional<Intrinsic_symmetry_3> symmetry_of_pose(const Landmark_fields_3& fields,
                                                      const Point_matrix& pose,
                                                      const Eigen::VectorXd& shares)
 {

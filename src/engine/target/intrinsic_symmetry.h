@@ -4,6 +4,7 @@
 #ifndef CANONICAL_POSE_3_ENGINE_TARGET_INTRINSIC_SYMMETRY_H
 #define CANONICAL_POSE_3_ENGINE_TARGET_INTRINSIC_SYMMETRY_H
 
+#include <CGAL/Canonical_pose_3/Intrinsic_symmetry_3.h>
 #include <CGAL/Canonical_pose_3/Landmark_fields_3.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
@@ -17,17 +18,10 @@ namespace CGAL {
 namespace Canonical_pose_3 {
 namespace internal {
 
-// A map of a surface to itself that changes distances along it little, such as the one between left and right.
-struct Intrinsic_symmetry
-{
-  std::vector<std::size_t> images; // of the points
-  double distortion; // the root mean square change of distances, relative to that of the distances
-};
-
 // The symmetry of a pose that is clear, but for the identity. `pose`: one row per row of the distances. An orthogonal map of the
 // embedding by more than three eigenvectors of multidimensional scaling is fitted to a rotation or reflection of the pose (cf.
 // Ovsjanikov, Sun and Guibas, "Global intrinsic symmetries of shapes", 2008).
-std::optional<Intrinsic_symmetry> intrinsic_symmetry(const Landmark_fields_3& fields,
+std::optional<Intrinsic_symmetry_3> symmetry_of_pose(const Landmark_fields_3& fields,
                                                      const Point_matrix& pose,
                                                      const Eigen::VectorXd& shares);
 

@@ -165,7 +165,7 @@ def pose(vertices, faces=None, *, cells=None, return_target=False, progress=None
          detail_length=0.1, landmarks=80, rounds=None, body="auto", spacing=None,
          geodesics="heat", target_mode="mds", kernel="classical", tikhonov=0., iterations=500,
          paper_weights=None, injective=None, stance="canonical", frame="auto",
-         components="auto", contacts="keep", solver="auto", seed=0, threads=0,
+         components="auto", contacts="keep", symmetry="auto", solver="auto", seed=0, threads=0,
          matching_weights=None, stiffness=None, given_target=None, given_distances=None,
          spring=None, direction=None, handle=None, symmetric=None):
     """Bring a shape into its canonical pose.
@@ -226,6 +226,8 @@ def pose(vertices, faces=None, *, cells=None, return_target=False, progress=None
         "followers" of the report.
     contacts : "keep" or "cut"
         Whether handles of a surface that look like false contacts of its parts are cut.
+    symmetry : "auto" or "none"
+        Whether the target is made symmetric where the shape has a clear symmetry.
     solver : "auto", "eigen" or "cholmod"
         The linear solver.
     seed : int
@@ -284,7 +286,8 @@ def pose(vertices, faces=None, *, cells=None, return_target=False, progress=None
         detail_length=detail_length, landmarks=landmarks, rounds=rounds, body=body,
         spacing=spacing, geodesics=geodesics, target_mode=target_mode, kernel=kernel,
         tikhonov=tikhonov, iterations=iterations, paper_weights=paper_weights, injective=injective,
-        stance=stance, frame=frame, components=components, contacts=contacts, solver=solver,
+        stance=stance, frame=frame, components=components, contacts=contacts, symmetry=symmetry,
+        solver=solver,
         seed=seed, threads=threads,
         matching_weights=matching_weights, stiffness=stiffness, given_target=given_target,
         given_distances=given_distances, spring=spring, direction=direction, handle=handle,

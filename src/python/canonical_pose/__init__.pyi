@@ -22,6 +22,7 @@ _Frame = Literal["auto", "input", "canonical", "body"]
 _Stance = Literal["canonical", "t", "a", "vitruvian", "stand"]
 _Components = Literal["auto", "refuse", "largest", "each"]
 _Contacts = Literal["keep", "cut"]
+_Symmetry = Literal["auto", "none"]
 _Solver = Literal["auto", "eigen", "cholmod"]
 _Constraints = ArrayLike | Sequence[Sequence[float]] | None
 _Path = str | PathLike[str]
@@ -77,6 +78,7 @@ class _Target(TypedDict):
     scale: float
     reflected: bool
     is_handedness_certain: bool
+    symmetry_distortion: float | None
 
 class _Round(TypedDict):
     stress: float
@@ -248,6 +250,7 @@ class _OptionsButLandmarks(TypedDict, total=False):
     injective: bool | None
     components: _Components
     contacts: _Contacts
+    symmetry: _Symmetry
     solver: _Solver
     seed: int
     threads: int

@@ -19,7 +19,7 @@ import warnings
 # Those of `pose` that a collection records.
 OPTIONS = ("detail_length", "landmarks", "rounds", "body", "spacing", "geodesics", "target_mode",
            "kernel", "tikhonov", "iterations", "paper_weights", "injective", "components", "contacts",
-           "solver", "seed", "threads")
+           "symmetry", "solver", "seed", "threads")
 
 
 def collection(database, shapes=None, *, descriptor=None, poses=None, match=None, matches=None,

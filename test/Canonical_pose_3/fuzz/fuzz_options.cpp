@@ -167,6 +167,7 @@ Options any_options(Byte_source& bytes, const std::size_t vertices, const std::s
                           bytes);
   any.choose(options.components, 3);
   any.choose(options.contacts, 2);
+  any.choose(options.symmetry, 2);
   any.choose(options.frame, 2);
   any(options.registration.detail_length);
   any(options.registration.tikhonov);
