@@ -495,4 +495,16 @@ TEST(Components_that_follow, pieces_without_area)
     }
 }
 
+TEST(Components_that_follow, pieces_without_area_beside_small_ones)
+{
+  Triangle_soup needle;
+  needle.points = {{{20, 0, 0}}, {{24, 0, 0}}, {{22, 0, 0}}};
+  needle.triangles = {{{0, 1, 2}}};
+  Triangle_soup soup = bar_and(needle);
+  append(soup, tetrahedron({4, 4, 0}, .1));
+  const Result result = pose_of(soup, quick());
+  EXPECT_TRUE(result.pose.allFinite());
+  EXPECT_EQ(result.summary.followers.size(), 2u);
+}
+
 } // namespace test_components_that_follow

@@ -144,9 +144,7 @@ private:
     for(std::size_t c = 0; c < components.size(); ++c)
     {
       m_roles[c].group = c;
-      Point_matrix points = components[c].points;
-      normalize(points);
-      if(is_fragment[c] || !has_area(points, components[c].triangles))
+      if(is_fragment[c] || !has_some_area(c))
         m_roles[c].kind = Component_role::RIGID;
       else
         m_candidates.push_back(c);
@@ -171,6 +169,13 @@ private:
       if(m_areas[c] <= SMALL_AREA * m_areas[m_largest])
         small_areas += m_areas[c];
     m_are_small_ones_few = small_areas <= SMALL_AREAS_IN_TOTAL * m_areas[m_largest];
+  }
+
+  bool has_some_area(const std::size_t c) const
+  {
+    Point_matrix points = m_components[c].points;
+    normalize(points);
+    return has_area(points, m_components[c].triangles);
   }
 
   bool is_small(const std::size_t c) const
@@ -336,7 +341,7 @@ private:
       if(m_roles[c].kind == Component_role::RIGID && m_components[c].points.rows() > 0)
       {
         rigid.push_back(c);
-        if(!is_of_rigid_size(c))
+        if(!is_of_rigid_size(c) && has_some_area(c))
           things.push_back(c);
       }
     if(things.empty() || things.size() > LARGEST_NUMBER_OF_THINGS)
