@@ -223,7 +223,7 @@ void write_report(std::ostream& out, const CGAL::Canonical_pose_3::Surface_match
 {
   write(out,
         {{"mean_distance", match.mean_distance},
-         {"mean_round_trip", match.round_trips.mean()},
+         {"mean_round_trip", match.mean_round_trip},
          {"is_rotation_certain", match.is_rotation_certain},
          {"warnings", warnings}},
         stages, total_seconds);

@@ -335,6 +335,59 @@ TYPED_TEST(Match_of_meshes, is_that_of_arrays)
               1e-9); // faces may start at other corners
 }
 
+// The figure with a vertex without faces, a ball and a sliver without area, all far away.
+Matchable_surface_3 with_dirt(const Posed<Articulated_figure>& figure, const double distance)
+{
+  const Canonical_pose_test::Triangle_soup ball = Canonical_pose_test::icosphere_soup(2, .03);
+  const Point_matrix of_ball
+    = to_matrix(ball.points).rowwise() + Eigen::RowVector3d(distance, 0, 0);
+  Point_matrix others(4, 3);
+  others << 0, distance, 0, 0, 0, distance, 1, 0, distance, 2, 0, distance;
+  const auto with_others = [&](const Point_matrix& points) {
+    Point_matrix result(points.rows() + of_ball.rows() + others.rows(), 3);
+    result << points, of_ball, others;
+    return result;
+  };
+  CP::Face_list faces = figure.shape.triangles();
+  const auto first = static_cast<std::size_t>(figure.points.rows()),
+             last = first + ball.points.size();
+  for(const auto& t : ball.triangles)
+    faces.push_back({t[0] + first, t[1] + first, t[2] + first});
+  faces.push_back({last + 1, last + 2, last + 3});
+  return {with_others(figure.points), faces, with_others(figure.pose)};
+}
+
+TEST(Match_surfaces, dirt_has_no_influence)
+{
+  const Surface_match_3 expected = CP::match_surfaces(running().surface, other().surface);
+  EXPECT_EQ(expected.mean_round_trip, expected.round_trips.mean());
+  const Matchable_surface_3 with_dirt_of_a = with_dirt(running(), 30),
+                            with_dirt_of_b = with_dirt(other(), -50);
+  for(const Matchable_surface_3& a : {running().surface, with_dirt_of_a})
+    for(const Matchable_surface_3& b : {other().surface, with_dirt_of_b})
+    {
+      const Surface_match_3 match = CP::match_surfaces(a, b);
+      EXPECT_EQ(match.locations.size(), a.number_of_vertices());
+      EXPECT_NEAR(match.mean_distance, expected.mean_distance, .002);
+      EXPECT_NEAR(match.mean_round_trip, expected.mean_round_trip, .001);
+      EXPECT_TRUE(match.is_rotation_certain);
+      double error = 0;
+      for(Eigen::Index v = 0; v < running().rest.rows(); ++v)
+      {
+        const auto& [face, vertices, weights] = match.locations[static_cast<std::size_t>(v)];
+        Eigen::RowVector3d point(0, 0, 0);
+        for(std::size_t k = 0; k < 3; ++k)
+        {
+          ASSERT_LT(vertices[k], static_cast<std::size_t>(other().rest.rows()))
+            << "vertex " << v << " is on dirt";
+          point += weights[k] * other().rest.row(static_cast<Eigen::Index>(vertices[k]));
+        }
+        error += (point - running().rest.row(v)).norm();
+      }
+      EXPECT_LT(error / static_cast<double>(running().rest.rows()), .02 * root_of_area(running()));
+    }
+}
+
 // Shapes of different kinds have no match that is right, but they have one.
 TEST(Match_surfaces, any_shapes)
 {

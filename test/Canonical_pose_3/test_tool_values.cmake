@@ -68,6 +68,8 @@ if(HAS_SPECTRA)
   expect_exit(0 check out/match.off)
   expect_refusal("the landmark 0, 12 is out of range" match ball.off ball.off -o out/a.txt --pose ball.off
     --other-pose ball.off --landmark 0,12)
+  expect_refusal("the landmark 24, 0 is out of range" match two_balls.off ball.off -o out/a.txt --components refuse
+    --landmark 24,0) # at once: the pose would be refused
   expect_refusal("but the pose has" match ball.off ball.off -o out/a.txt --pose two_balls.off)
 endif()
 expect_wrong_usage("one of the extensions .txt, .off, .obj, .ply, .stl, .glb" match ball.off ball.off -o out/a.vtu)

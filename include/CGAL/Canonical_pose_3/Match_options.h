@@ -35,6 +35,14 @@ struct Match_options
 
   /// the maximum number of threads; 0: all processors. Results do not depend on it.
   int number_of_threads = 0;
+
+  /*!
+  checks the options for surfaces with these numbers of vertices.
+
+  \throws std::invalid_argument if a landmark is no vertex or contradicts another one, or an option is out of
+          range.
+  */
+  void check(std::size_t number_of_vertices, std::size_t number_of_vertices_of_other) const;
 };
 
 } // namespace Canonical_pose_3

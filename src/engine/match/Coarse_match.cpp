@@ -25,13 +25,19 @@ namespace {
 
 using Indices = Coarse_match::Indices;
 
-// The nearest point of `search` for each one of `points`.
-Indices nearest(const Point_search& search, const Point_matrix& points)
+// The nearest one of what is counted of `shape`, in a position that `search` knows, for each one of `points`.
+Indices nearest(const Matchable_data& shape, const Point_search& search, const Point_matrix& points)
 {
   Indices result;
   for(const Indices& one : search.nearest(points, 1))
-    result.push_back(one[0]);
+    result.push_back(shape.counted[one[0]]);
   return result;
+}
+
+Indices nearest(const Matchable_data& shape, const Point_matrix& positions,
+                const Point_matrix& points)
+{
+  return nearest(shape, Point_search(rows_at(positions, shape.counted)), points);
 }
 
 // functions^t * values
@@ -137,8 +143,7 @@ Coarse_match::Coarse_match(const Matchable_data& a, const Matchable_data& b,
     m_normals(rows_at(a.normals, a.coarse.vertices) * rotation),
     m_normals_of_b(rows_at(b.normals, b.coarse.vertices)),
     m_landmarks_of_a(std::move(landmarks_of_a)), m_landmarks_of_b(std::move(landmarks_of_b)),
-    m_forward(nearest(*b.search, m_position)),
-    m_backward(nearest(Point_search(m_position), b.coarse_pose))
+    m_forward(nearest(b, *b.search, m_position)), m_backward(nearest(a, m_position, b.coarse_pose))
 {}
 
 void Coarse_match::refine(const Eigen::Index most)
@@ -185,7 +190,7 @@ double Coarse_match::strain() const
 {
   double changes = 0, sum = 0;
   for(const std::array<std::size_t, 3>& triangle : m_a.coarse.surface.triangles)
-    for(std::size_t k = 0; k < 3; ++k)
+    for(std::size_t k = 0; k < 3 && is_counted(triangle); ++k)
     {
       const std::size_t i = triangle[k], j = triangle[(k + 1) % 3];
       const double length = length_of(m_a, i, j);
@@ -198,9 +203,9 @@ double Coarse_match::strain() const
 double Coarse_match::mean_distance() const
 {
   double sum = 0;
-  for(std::size_t i = 0; i < m_forward.size(); ++i)
+  for(const std::size_t i : m_a.counted)
     sum += std::sqrt(squared_distance(i, m_forward[i]));
-  return sum / static_cast<double>(m_forward.size());
+  return sum / static_cast<double>(m_a.counted.size());
 }
 
 // Whether most triangles have the side outside that they should have.
@@ -209,6 +214,8 @@ bool Coarse_match::preserves_orientation() const
   long long sum = 0;
   for(const std::array<std::size_t, 3>& t : m_a.coarse.surface.triangles)
   {
+    if(!is_counted(t))
+      continue;
     const auto row = [&](const Point_matrix& points, const std::size_t k) {
       return Eigen::Vector3d(points.row(static_cast<Eigen::Index>(m_forward[t[k]])).transpose());
     };
@@ -220,6 +227,11 @@ bool Coarse_match::preserves_orientation() const
     sum += side > 0 ? 1 : side < 0 ? -1 : 0;
   }
   return sum >= 0;
+}
+
+bool Coarse_match::is_counted(const std::array<std::size_t, 3>& triangle) const
+{
+  return m_a.is_counted[m_a.coarse.vertices[triangle[0]]];
 }
 
 double Coarse_match::length_of(const Matchable_data& shape, const std::size_t i,
@@ -240,8 +252,8 @@ Eigen::Index Coarse_match::number_of_functions() const
 void Coarse_match::update(const Eigen::Index count, const bool moves)
 {
   constexpr int repetitions = 2;
-  const Indices first = nearest(*m_b.search, m_position),
-                first_of_b = nearest(Point_search(m_position), m_b.coarse_pose);
+  const Indices first = nearest(m_b, *m_b.search, m_position),
+                first_of_b = nearest(m_a, m_position, m_b.coarse_pose);
   for(int i = 0; i < (moves ? repetitions : 1); ++i)
   {
     const Features features = features_of_a(count, moves), others = features_of_b(count);
@@ -256,7 +268,8 @@ Coarse_match::Features Coarse_match::features_of_a(const Eigen::Index count, con
 {
   constexpr double share = .05; // of each landmark, among all pairs
   constexpr double least = 1e-3;
-  const Eigen::Index n = m_a.functions.rows(), m = m_b.functions.rows();
+  const Eigen::Index n = m_a.functions.rows();
+  const auto number_of_counted = static_cast<double>(m_a.counted.size() + m_b.counted.size());
   const auto functions = m_a.functions.leftCols(count);
   Eigen::VectorXd numbers = Eigen::VectorXd::Zero(n);
   Function_matrix sums = Function_matrix::Zero(n, count), move_sums = Function_matrix::Zero(n, 3);
@@ -270,12 +283,12 @@ Coarse_match::Features Coarse_match::features_of_a(const Eigen::Index count, con
     squares += weight * partner.cwiseAbs2();
     move_sums.row(of_a) += weight * (m_b.coarse_pose.row(of_b) - m_rest.row(of_a));
   };
-  for(std::size_t i = 0; i < m_forward.size(); ++i)
+  for(const std::size_t i : m_a.counted)
     add(i, m_forward[i], 1);
-  for(std::size_t j = 0; j < m_backward.size(); ++j)
+  for(const std::size_t j : m_b.counted)
     add(m_backward[j], j, 1);
   for(std::size_t l = 0; l < m_landmarks_of_a.size(); ++l)
-    add(m_landmarks_of_a[l], m_landmarks_of_b[l], share * static_cast<double>(n + m));
+    add(m_landmarks_of_a[l], m_landmarks_of_b[l], share * number_of_counted);
 
   const Eigen::MatrixXd products
     = transposed_product(functions, Function_matrix(numbers.asDiagonal() * functions)),
@@ -292,11 +305,11 @@ Coarse_match::Features Coarse_match::features_of_a(const Eigen::Index count, con
         .cwiseMax(least * least)
         .cwiseSqrt()
         .cwiseInverse();
-  for(std::size_t i = 0; i < m_forward.size(); ++i)
+  for(const std::size_t i : m_a.counted)
     residual += squared_distance(i, m_forward[i]);
-  for(std::size_t j = 0; j < m_backward.size(); ++j)
+  for(const std::size_t j : m_b.counted)
     residual += squared_distance(m_backward[j], j);
-  residual = (std::max)(std::sqrt(residual / (3 * static_cast<double>(n + m))), least / 10);
+  residual = (std::max)(std::sqrt(residual / (3 * number_of_counted)), least / 10);
   m_weight_of_positions = m_pose_weight * m_options.pose_weight / residual;
   return {combinations(functions, m_map * m_weights.asDiagonal()),
           m_weight_of_positions * m_position, m_normals};

@@ -10,6 +10,7 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -50,6 +51,7 @@ private:
   double mean_distance() const;
   bool preserves_orientation() const;
   Eigen::Index number_of_functions() const;
+  bool is_counted(const std::array<std::size_t, 3>& triangle) const;
   static double length_of(const Matchable_data& shape, std::size_t i, std::size_t j);
   void update(Eigen::Index count, bool moves);
   Features features_of_a(Eigen::Index count, bool moves);

@@ -35,14 +35,18 @@ struct Matchable_data
   std::vector<std::array<std::size_t, 3>>
     corners; // of the input: those of the face of each triangle
   Coarse_surface_3 coarse;
-  // In the frame of the principal axes of the pose; the mean square of the distances from the origin is 1.
+  // Components that are not small are compared; the other ones and isolated vertices may be anywhere.
+  std::vector<bool> is_counted;     // of the rows
+  std::vector<std::size_t> counted; // of the coarse vertices
+  // In the frame of the principal axes of the pose; the mean square of the distances from the origin is 1. Only what is
+  // counted has weight.
   Point_matrix pose_of_vertices, pose, coarse_pose;
   Point_matrix normals;                         // of the pose
   Eigen::Vector3d lengths_of_axes;              // the roots of the variances
   Function_matrix functions;                    // of the coarse surface; the first one is constant
   double root_of_area;                          // of the surface
-  std::optional<Point_search> search;           // of the coarse pose
-  std::vector<std::vector<std::size_t>> nearby; // the nearest points of each one of the coarse pose
+  std::optional<Point_search> search;           // of what is counted of the coarse pose
+  std::vector<std::vector<std::size_t>> nearby; // for each coarse vertex, the nearest ones of these
 };
 
 } // namespace internal

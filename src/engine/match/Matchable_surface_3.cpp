@@ -30,6 +30,7 @@ namespace matching {
 namespace {
 
 constexpr std::size_t COARSE_VERTICES = 4000, NUMBER_OF_NEARBY = 64;
+constexpr double SMALL_AREA = .05; // of that of the largest component
 
 Function_matrix functions_of(const Surface_component_3& surface)
 {
@@ -56,6 +57,22 @@ std::vector<std::array<std::size_t, 3>> corners_of(const Repaired_surface_3& sur
   return result;
 }
 
+// Of the rows: whether they belong to a component that is not small.
+std::vector<bool> counted_rows(const Repaired_surface_3& surface)
+{
+  Point_matrix points = surface.points;
+  normalize(points);
+  std::vector<double> areas(surface.number_of_components, 0.);
+  for(std::size_t t = 0; t < surface.triangles.size(); ++t)
+    areas[surface.component_of_triangle[t]] += twice_area(points, surface.triangles[t]);
+  std::vector<bool> result(surface.origins.size(), false);
+  for(std::size_t t = 0; t < surface.triangles.size(); ++t)
+    if(areas[surface.component_of_triangle[t]] >= SMALL_AREA * areas.front())
+      for(const std::size_t v : surface.triangles[t])
+        result[v] = true;
+  return result;
+}
+
 } // namespace
 } // namespace matching
 
@@ -64,10 +81,16 @@ Matchable_data::Matchable_data(const Point_matrix& points, const Face_list& poly
   : number_of_vertices(static_cast<std::size_t>(points.rows())),
     surface(repair_surface(points, polygons)), corners(matching::corners_of(surface, polygons)),
     coarse(coarse_copy(surface, matching::COARSE_VERTICES)),
-    functions(matching::functions_of(coarse.surface))
+    is_counted(matching::counted_rows(surface)), functions(matching::functions_of(coarse.surface))
 {
+  for(std::size_t v = 0; v < coarse.vertices.size(); ++v)
+    if(is_counted[coarse.vertices[v]])
+      counted.push_back(v);
   const Point_matrix pose_of_rows = rows_at(given_pose, surface.origins);
-  const Eigen::VectorXd shares = vertex_area_shares(pose_of_rows, surface.triangles);
+  Eigen::VectorXd shares = vertex_area_shares(pose_of_rows, surface.triangles);
+  for(std::size_t row = 0; row < is_counted.size(); ++row)
+    if(!is_counted[row])
+      shares[static_cast<Eigen::Index>(row)] = 0;
   const Eigen::Isometry3d frame = canonical_frame(pose_of_rows, shares);
   pose_of_vertices = (frame * given_pose.transpose()).transpose();
   pose = (frame * pose_of_rows.transpose()).transpose();
@@ -77,8 +100,11 @@ Matchable_data::Matchable_data(const Point_matrix& points, const Face_list& poly
     *positions /= radius;
   lengths_of_axes /= radius;
   coarse_pose = rows_at(pose, coarse.vertices);
-  search.emplace(coarse_pose);
+  search.emplace(rows_at(coarse_pose, counted));
   nearby = search->nearest(coarse_pose, matching::NUMBER_OF_NEARBY);
+  for(std::vector<std::size_t>& vertices : nearby)
+    for(std::size_t& v : vertices)
+      v = counted[v];
   normals = vertex_normals(pose, surface.triangles);
   root_of_area = std::sqrt(area(surface.points, surface.triangles));
 }

@@ -60,6 +60,21 @@ std::vector<Location> locations(const Matchable_data& shape, const Point_matrix&
   return result;
 }
 
+// Of values at vertices, over those of components that are not small.
+double mean_of_counted(const Matchable_data& shape, const Eigen::VectorXd& values)
+{
+  std::vector<bool> is_counted(shape.number_of_vertices, false);
+  for(std::size_t row = 0; row < shape.surface.origins.size(); ++row)
+    if(shape.is_counted[row])
+      is_counted[shape.surface.origins[row]] = true;
+  Eigen::VectorXd result(values.size());
+  Eigen::Index number = 0;
+  for(std::size_t v = 0; v < shape.number_of_vertices; ++v)
+    if(is_counted[shape.surface.representatives[v]])
+      result[number++] = values[static_cast<Eigen::Index>(v)];
+  return result.head(number).mean();
+}
+
 // Landmarks are where they have to be.
 void set_landmarks(const std::vector<std::pair<std::size_t, std::size_t>>& landmarks,
                    const Matchable_data& other, std::vector<Location>& locations)
@@ -94,41 +109,16 @@ void locate(const Matchable_data& a, const Matchable_data& b, const Coarse_match
     = (result.interpolated(result.interpolated_at_other(a.pose_of_vertices)) - a.pose_of_vertices)
         .rowwise()
         .norm();
+  result.mean_round_trip = mean_of_counted(a, result.round_trips);
 }
 
-// The coarse vertices nearest to vertices of the input.
+// The coarse vertices that are counted and nearest to vertices of the input.
 Indices coarse_vertices(const Matchable_data& shape, const Indices& vertices)
 {
   Indices result;
   for(const Indices& nearest : shape.search->nearest(rows_at(shape.pose_of_vertices, vertices), 1))
-    result.push_back(nearest[0]);
+    result.push_back(shape.counted[nearest[0]]);
   return result;
-}
-
-void check(const Matchable_surface_3& a, const Matchable_surface_3& b, const Match_options& options)
-{
-  for(const auto& [v, w] : options.landmarks)
-    if(v >= a.number_of_vertices() || w >= b.number_of_vertices())
-      throw std::invalid_argument("the landmark " + std::to_string(v) + ", " + std::to_string(w)
-                                  + " is out of range: there are "
-                                  + std::to_string(a.number_of_vertices()) + " and "
-                                  + std::to_string(b.number_of_vertices()) + " vertices");
-  std::vector<std::pair<std::size_t, std::size_t>> landmarks = options.landmarks;
-  std::sort(landmarks.begin(), landmarks.end());
-  for(std::size_t l = 1; l < landmarks.size(); ++l)
-    if(landmarks[l].first == landmarks[l - 1].first
-       && landmarks[l].second != landmarks[l - 1].second)
-      throw std::invalid_argument("the landmarks match vertex " + std::to_string(landmarks[l].first)
-                                  + " with vertices " + std::to_string(landmarks[l - 1].second)
-                                  + " and " + std::to_string(landmarks[l].second));
-  if(options.number_of_functions < 4)
-    throw std::invalid_argument("the number of functions is "
-                                + std::to_string(options.number_of_functions)
-                                + ", but must be at least 4");
-  if(!(options.pose_weight > 0) || !std::isfinite(options.pose_weight))
-    throw std::invalid_argument("the weight of the pose must be positive");
-  if(options.number_of_registrations < 0 || options.number_of_threads < 0)
-    throw std::invalid_argument("numbers of registrations and threads must not be negative");
 }
 
 struct Candidate
@@ -207,10 +197,35 @@ Surface_match_3 match(const Matchable_data& a, const Matchable_data& b,
 } // namespace matching
 } // namespace internal
 
+void Match_options::check(const std::size_t number_of_vertices,
+                          const std::size_t number_of_vertices_of_other) const
+{
+  for(const auto& [v, w] : landmarks)
+    if(v >= number_of_vertices || w >= number_of_vertices_of_other)
+      throw std::invalid_argument("the landmark " + std::to_string(v) + ", " + std::to_string(w)
+                                  + " is out of range: there are "
+                                  + std::to_string(number_of_vertices) + " and "
+                                  + std::to_string(number_of_vertices_of_other) + " vertices");
+  std::vector<std::pair<std::size_t, std::size_t>> sorted = landmarks;
+  std::sort(sorted.begin(), sorted.end());
+  for(std::size_t l = 1; l < sorted.size(); ++l)
+    if(sorted[l].first == sorted[l - 1].first && sorted[l].second != sorted[l - 1].second)
+      throw std::invalid_argument("the landmarks match vertex " + std::to_string(sorted[l].first)
+                                  + " with vertices " + std::to_string(sorted[l - 1].second)
+                                  + " and " + std::to_string(sorted[l].second));
+  if(number_of_functions < 4)
+    throw std::invalid_argument("the number of functions is " + std::to_string(number_of_functions)
+                                + ", but must be at least 4");
+  if(!(pose_weight > 0) || !std::isfinite(pose_weight))
+    throw std::invalid_argument("the weight of the pose must be positive");
+  if(number_of_registrations < 0 || number_of_threads < 0)
+    throw std::invalid_argument("numbers of registrations and threads must not be negative");
+}
+
 Surface_match_3 match_surfaces(const Matchable_surface_3& surface, const Matchable_surface_3& other,
                                const Match_options& options)
 {
-  internal::matching::check(surface, other, options);
+  options.check(surface.number_of_vertices(), other.number_of_vertices());
   Surface_match_3 result;
   call_with_threads(options.number_of_threads, [&] {
     result = internal::matching::match(surface.data(), other.data(), options);

@@ -4,6 +4,8 @@
 #include "pose_rotations.h"
 #include "../support/Point_search.h"
 
+#include <CGAL/Canonical_pose_3/internal/support/values_at.h>
+
 #include <Eigen/LU>
 
 #include <algorithm>
@@ -42,8 +44,8 @@ std::vector<Pose_rotation> pose_rotations(const Matchable_data& a, const Matchab
 {
   constexpr double largest_ratio = 1.25;
   constexpr Eigen::Index number_of_points = 1000;
-  const Point_matrix points = every(a.coarse_pose, number_of_points),
-                     others = every(b.coarse_pose, number_of_points);
+  const Point_matrix points = every(rows_at(a.coarse_pose, a.counted), number_of_points),
+                     others = every(rows_at(b.coarse_pose, b.counted), number_of_points);
   const Point_search search_others(others);
   std::vector<Pose_rotation> result;
   std::array<Eigen::Index, 3> axes = {0, 1, 2};

@@ -44,7 +44,8 @@ def collection(database, shapes=None, *, descriptor=None, poses=None, match=None
     match : string or path
         The file of a surface, the template, that is also matched with each shape. Then the report of a
         shape has ``"match"``, with ``"mean_distance"``, ``"mean_round_trip"``, the mean of
-        ``round_trips``, and ``"is_rotation_certain"``, as of the function `match`.
+        ``round_trips`` without those of small components and isolated vertices, and
+        ``"is_rotation_certain"``, as of the function `match`.
     matches : string or path
         The folder for the template in the shape of each one, needed with `match`: vertex i of each
         file is vertex i of the template. Files have the names of the shapes and its format.

@@ -268,7 +268,7 @@ std::vector<std::string> warnings_of(const Mesh_file& input, const Mesh_file& ot
     lost.erase(std::remove_if(lost.begin(), lost.end(), is_other), lost.end());
     add_losses(result, "the surface lacks", lost, "OTHER");
   }
-  if(match.round_trips.mean() > largest_round_trip)
+  if(match.mean_round_trip > largest_round_trip)
     result.push_back("the surfaces hardly match: points return far from where they were");
   if(!match.is_rotation_certain)
     result.push_back(
@@ -306,6 +306,7 @@ int run_match(Arguments& arguments)
     = read_other_mesh_file(arguments.other, is_dressed ? Source::KEPT : Source::DROPPED);
   if(is_dressed)
     load_appearance(other);
+  arguments.match.check(input.points.size(), other.points.size());
   check_other(other, arguments);
   if(arguments.is_mirrored)
     mirror(other);
@@ -358,7 +359,7 @@ int run_match(Arguments& arguments)
   if(arguments.quiet)
     return EXIT_SUCCESS;
   std::ostream& out = messages_beside(outputs);
-  out << "mean round trip " << match.round_trips.mean() << ", mean distance of the poses "
+  out << "mean round trip " << match.mean_round_trip << ", mean distance of the poses "
       << match.mean_distance << " (of their radius)\n";
   for(const std::string& warning : warnings)
     out << "warning: " << warning << '\n';
