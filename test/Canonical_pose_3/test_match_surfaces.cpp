@@ -12,12 +12,14 @@
 #include <CGAL/Canonical_pose_3/transfer_attributes.h>
 #include <CGAL/canonical_pose_3.h>
 
+#include <CGAL/Polygon_mesh_processing/locate.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
 #include <gtest/gtest.h>
 
+#include "Triangle_graph.h"
 #include "matchers.h"
 #include "shapes.h"
 
@@ -28,6 +30,7 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -333,6 +336,190 @@ TYPED_TEST(Match_of_meshes, is_that_of_arrays)
       {Matchable_surface_3(mesh, map), Matchable_surface_3(mesh, map, CGAL::parameters::vertex_point_map(map))})
     EXPECT_LT((CP::match_surfaces(surface, surface, options).interpolated(points) - expected.interpolated(points)).norm(),
               1e-9); // faces may start at other corners
+}
+
+// An egg with a bump, so that it has no symmetry.
+Canonical_pose_test::Triangle_soup egg(const int level)
+{
+  Canonical_pose_test::Triangle_soup soup = Canonical_pose_test::icosphere_soup(level, 1.);
+  for(auto& p : soup.points)
+    p = {3 * p[0] + p[1] * p[1], 2 * p[1] + .8 * p[0] * p[2], p[2] + .5 * p[0] * p[0]};
+  return soup;
+}
+
+template <class Mesh>
+using Vertex_of = typename boost::graph_traits<Mesh>::vertex_descriptor;
+template <class Mesh>
+using Location_on = CGAL::Polygon_mesh_processing::Face_location<Mesh, double>;
+
+// Values of vertices in a container.
+template <class Mesh, class Value>
+struct Vertex_values
+{
+  auto map() { return boost::make_assoc_property_map(values); }
+
+  std::unordered_map<Vertex_of<Mesh>, Value> values;
+};
+
+void expect_equal(const Surface_match_3& match, const Surface_match_3& expected)
+{
+  ASSERT_EQ(match.locations.size(), expected.locations.size());
+  for(std::size_t v = 0; v < match.locations.size(); ++v)
+  {
+    EXPECT_EQ(match.locations[v].face, expected.locations[v].face);
+    EXPECT_EQ(match.locations[v].vertices, expected.locations[v].vertices);
+    EXPECT_EQ(match.locations[v].weights, expected.locations[v].weights);
+  }
+  EXPECT_TRUE(match.round_trips == expected.round_trips);
+}
+
+// Locations of vertices are points of a mesh, those of the match.
+template <class Mesh, class Other, class Map>
+void expect_points(const Mesh& mesh, const Other& other, const Map& locations,
+                   const Point_matrix& expected)
+{
+  Eigen::Index row = 0;
+  for(const Vertex_of<Mesh> v : vertices(mesh))
+  {
+    const Location_on<Other> location = get(locations, v);
+    EXPECT_TRUE(CGAL::Polygon_mesh_processing::is_in_face(location, other));
+    const auto point = CGAL::Polygon_mesh_processing::construct_point(location, other);
+    EXPECT_LT((Eigen::RowVector3d(point.x(), point.y(), point.z()) - expected.row(row++)).norm(),
+              1e-12);
+  }
+}
+
+// Of surface meshes, with the pose of the first one.
+struct Match_of_eggs
+{
+  using Mesh = CGAL::Surface_mesh<Point>;
+
+  Match_of_eggs() : pose(Canonical_pose_test::to_mesh<Mesh>(egg(2)))
+  {
+    const auto mesh = pose, other = Canonical_pose_test::to_mesh<Mesh>(egg(1));
+    Vertex_values<Mesh, std::pair<CGAL::SM_Face_index, std::array<float, 3>>> floats;
+    match = CP::match_surfaces(mesh, other, floats.map());
+    EXPECT_EQ(floats.values.size(), num_vertices(mesh));
+    CGAL::canonical_pose_3(mesh, pose.points());
+  }
+
+  static const Match_of_eggs& instance()
+  {
+    static const Match_of_eggs result;
+    return result;
+  }
+
+  Mesh pose;
+  Surface_match_3 match;
+};
+
+TYPED_TEST(Match_of_meshes, is_written)
+{
+  const auto mesh = Canonical_pose_test::to_mesh<TypeParam>(egg(2)),
+             other = Canonical_pose_test::to_mesh<TypeParam>(egg(1));
+  Vertex_values<TypeParam, Location_on<TypeParam>> locations, back;
+  const Surface_match_3 match = CP::match_surfaces(mesh, other, locations.map());
+  EXPECT_LT(
+    (match.interpolated(CP::point_matrix(other)) - CP::point_matrix(mesh)).rowwise().norm().mean(),
+    .5);
+  expect_points(mesh, other, locations.map(), match.interpolated(CP::point_matrix(other)));
+  CP::put_locations(match.locations_of_other, other, mesh, back.map());
+  expect_points(other, mesh, back.map(), match.interpolated_at_other(CP::point_matrix(mesh)));
+
+  // The same bytes for any mesh, with points of the caller, and with given poses.
+  expect_equal(match, Match_of_eggs::instance().match);
+
+  TypeParam moved = mesh, moved_other = other;
+  Vertex_values<TypeParam, Point> points, other_points;
+  for(auto [of_mesh, values] :
+      {std::make_pair(&moved, &points), std::make_pair(&moved_other, &other_points)})
+    for(const auto v : vertices(*of_mesh))
+    {
+      const auto map = get(CGAL::vertex_point, *of_mesh);
+      values->values[v] = get(map, v);
+      put(map, v, Point(0, 0, 0));
+    }
+  const auto np = CGAL::parameters::vertex_point_map(points.map()),
+             np_of_other = CGAL::parameters::vertex_point_map(other_points.map());
+  Vertex_values<TypeParam, Location_on<TypeParam>> again;
+  expect_equal(match, CP::match_surfaces(moved, moved_other, again.map(), np, np_of_other));
+  EXPECT_EQ(again.values.size(), num_vertices(mesh));
+
+  Vertex_values<TypeParam, Point> pose;
+  CP::put_points(CP::point_matrix(Match_of_eggs::instance().pose), mesh, pose.map(),
+                 CGAL::Simple_cartesian<double>());
+  expect_equal(match, CP::match_surfaces(Matchable_surface_3(mesh, pose.map()),
+                                         CP::matchable_surface(moved_other, np_of_other)));
+}
+
+TEST(Match_surfaces, face_graphs_of_others)
+{
+  using archetype::Hashed_graph;
+  const auto mesh = Canonical_pose_test::to_mesh<CGAL::Surface_mesh<Point>>(egg(2));
+  const Hashed_graph graph(egg(2)), other(egg(1));
+  Vertex_values<Hashed_graph, std::pair<Hashed_graph::Face, std::array<double, 3>>> locations;
+  const Surface_match_3 match = CP::match_surfaces(graph, other, locations.map());
+  EXPECT_EQ(locations.values.size(), num_vertices(mesh));
+  Vertex_values<CGAL::Surface_mesh<Point>, std::pair<Hashed_graph::Face, std::array<double, 3>>>
+    of_mesh;
+  expect_equal(match, CP::match_surfaces(mesh, other, of_mesh.map()));
+  for(const auto v : vertices(mesh))
+    EXPECT_EQ(of_mesh.values[v].second, locations.values[{static_cast<std::size_t>(v)}].second);
+}
+
+// Quads may be matched, but have no locations of CGAL.
+TEST(Match_surfaces, meshes_that_are_refused)
+{
+  using Mesh = CGAL::Surface_mesh<Point>;
+  const auto mesh = Canonical_pose_test::to_mesh<Mesh>(egg(1));
+  Vertex_values<Mesh, Location_on<Mesh>> locations;
+  const auto match = [&](const Mesh& a, const Mesh& b) {
+    const Surface_match_3 result = CP::match_surfaces(a, b, locations.map());
+    EXPECT_EQ(locations.values.size(), num_vertices(a));
+    locations.values.clear();
+    return result;
+  };
+  Mesh with_quad = mesh, open = mesh, with_nan = mesh, two = mesh, empty;
+  CGAL::Euler::join_face(halfedge(*edges(with_quad).begin(), with_quad), with_quad);
+  CGAL::Euler::remove_face(halfedge(*faces(open).begin(), open), open);
+  with_nan.point(Mesh::Vertex_index(7)) = Point(0, std::numeric_limits<double>::quiet_NaN(), 0);
+  for(const auto v : vertices(mesh))
+    two.add_vertex(mesh.point(v) + CGAL::Simple_cartesian<double>::Vector_3(20, 0, 0));
+  const auto n = static_cast<Mesh::size_type>(num_vertices(mesh));
+  for(const auto f : faces(mesh))
+  {
+    std::vector<Mesh::Vertex_index> corners;
+    for(const auto v : vertices_around_face(halfedge(f, mesh), mesh))
+      corners.emplace_back(v + n);
+    two.add_face(corners);
+  }
+  EXPECT_EQ(match(with_quad, open).locations.size(), n);
+  EXPECT_EQ(match(open, mesh).locations.size(), n);
+
+  const std::string no_triangle = "is not a triangle",
+                    not_finite = "vertex 7 has a coordinate that is not finite",
+                    several = "the surface has 2 connected components",
+                    other_mesh = "the other mesh: ";
+  EXPECT_THROW_WITH(match(mesh, with_quad), std::invalid_argument, other_mesh + "face ");
+  EXPECT_THROW_WITH(match(mesh, with_quad), std::invalid_argument, no_triangle);
+  EXPECT_THROW_WITH(match(with_nan, mesh), std::invalid_argument, not_finite);
+  EXPECT_THROW_WITH(match(mesh, with_nan), std::invalid_argument, other_mesh + not_finite);
+  EXPECT_THROW_WITH(match(two, mesh), std::invalid_argument, several);
+  EXPECT_THROW_WITH(match(mesh, two), std::invalid_argument, other_mesh + several);
+  EXPECT_THROW_WITH(match(empty, mesh), std::invalid_argument, "no face");
+  EXPECT_THROW_WITH(match(mesh, empty), std::invalid_argument, other_mesh);
+  Match_options options;
+  options.landmarks = {{0, n}};
+  EXPECT_THROW_WITH(CP::match_surfaces(with_nan, mesh, locations.map(), options),
+                    std::invalid_argument, "the landmark 0, 42 is out of range");
+  EXPECT_TRUE(locations.values.empty());
+
+  CP::Options each;
+  each.components = CP::Options::Components::EACH;
+  const Surface_match_3 of_two
+    = CP::match_surfaces(CP::matchable_surface(two, each), CP::matchable_surface(mesh));
+  CP::put_locations(of_two.locations, two, mesh, locations.map());
+  EXPECT_EQ(locations.values.size(), 2 * n);
 }
 
 // The figure with a vertex without faces, a ball and a sliver without area, all far away.
