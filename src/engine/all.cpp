@@ -43,6 +43,7 @@
 #include "segmentation/sweep_segmentation.cpp"
 #include "stance/Body_plan.cpp"
 #include "stance/extremities.cpp"
+#include "stance/limb_goals.cpp"
 #include "stance/limb_pairs.cpp"
 #include "stance/skeleton_of_body.cpp"
 #include "stance/stance_target.cpp"

@@ -5,8 +5,10 @@
 
 #include "exact_geodesics.h"
 #include "method_options.h"
+#include "option_values.h"
 
 #include <CGAL/Canonical_pose_3/Landmark_fields_3.h>
+#include <CGAL/Canonical_pose_3/Limb_direction_3.h>
 
 #include <pybind11/stl.h>
 
@@ -195,17 +197,97 @@ std::string text_of(const py::object& value, const Canonical_pose_tool::Method_o
   }
 }
 
+void take_method_option(const py::object& value, const Canonical_pose_tool::Method_option& option,
+                        Options& options)
+{
+  if(value.is_none())
+    return;
+  if(const std::string text = text_of(value, option); !option.set(options, text))
+    throw std::invalid_argument("option " + keyword_of(option.name) + " is "
+                                + std::string(py::repr(value)) + ", but must be " + option.range);
+}
+
 void take_method_options(Keywords& keywords, Options& options)
 {
   for(const Canonical_pose_tool::Method_option& option : Canonical_pose_tool::method_options())
+    take_method_option(keywords.take(keyword_of(option.name).c_str()), option, options);
+}
+
+// The entries of an element of `stance`: limb, direction, "straight" or "as-is"; or "stance" and its name.
+void take_limb_direction(const std::vector<py::object>& entries, const std::string& element,
+                         Options& options)
+{
+  using namespace Canonical_pose_tool;
+  if(entries.empty())
+    throw std::invalid_argument(element + " is empty");
+  CGAL::Canonical_pose_3::Limb_direction_3 result;
+  if(py::isinstance<py::str>(entries[0]))
   {
-    const std::string keyword = keyword_of(option.name);
-    const py::object value = keywords.take(keyword.c_str());
-    if(value.is_none())
-      continue;
-    if(const std::string text = text_of(value, option); !option.set(options, text))
-      throw std::invalid_argument("option " + keyword + " is " + std::string(py::repr(value))
-                                  + ", but must be " + option.range);
+    const auto name = entries[0].cast<std::string>();
+    if(name == "stance" && entries.size() == 2)
+    {
+      const auto stance = value_of<std::string>(entries[1], element, "the name of a stance");
+      if(!method_option("stance").set(options, stance))
+        throw std::invalid_argument(element + " names the stance '" + stance + "', but must name "
+                                    + range_of_values(STANCES));
+      return;
+    }
+    const auto found = LIMBS.find(name);
+    if(found == LIMBS.end())
+      throw std::invalid_argument(element + " names the limb '" + name + "', but must name "
+                                  + range_of_values(LIMBS) + ", or the index of a vertex");
+    result.limb = found->second;
+  }
+  else
+  {
+    const std::optional<long long> vertex = index_of(entries[0]);
+    if(!vertex || *vertex < 0)
+      throw std::invalid_argument(
+        element + " begins neither with the name of a limb nor with the index of a vertex");
+    result.limb = static_cast<std::size_t>(*vertex);
+  }
+  if(entries.size() != 4 && entries.size() != 5)
+    throw std::invalid_argument(element + " has " + std::to_string(entries.size())
+                                + " values, but must have 4 or 5");
+  for(std::size_t k = 0; k < 3; ++k)
+    result.direction[static_cast<Eigen::Index>(k)]
+      = value_of<double>(entries[k + 1], element, "numbers after the limb");
+  if(entries.size() == 5)
+  {
+    const auto form
+      = value_of<std::string>(entries[4], element, "'straight' or 'as-is' at its end");
+    if(form != "straight" && form != "as-is")
+      throw std::invalid_argument(element + " ends in '" + form
+                                  + "', but must end in 'straight' or 'as-is'");
+    result.is_straightened = form == "straight";
+  }
+  options.limb_directions.push_back(result);
+}
+
+// The name of a stance; or a sequence of limbs with their directions, or a dict, whose items are such elements.
+void take_stance(Keywords& keywords, Options& options)
+{
+  const Canonical_pose_tool::Method_option& option = Canonical_pose_tool::method_option("stance");
+  const py::object value = keywords.take("stance");
+  if(value.is_none())
+    return;
+  if(py::isinstance<py::str>(value))
+    return take_method_option(value, option, options);
+  const bool is_dict = py::hasattr(value, "items");
+  if(!is_dict && !py::isinstance<py::iterable>(value))
+    throw py::type_error("option stance must be a string, a sequence or a dict");
+  std::size_t number = 0;
+  for(const py::handle item : is_dict ? py::object(value.attr("items")()) : value)
+  {
+    const auto element = "option stance: element " + std::to_string(number++);
+    auto entries = value_of<std::vector<py::object>>(item, element, "a sequence");
+    if(is_dict && !py::isinstance<py::str>(entries[1]))
+    {
+      const auto rest = value_of<std::vector<py::object>>(entries[1], element, "a sequence");
+      entries.pop_back();
+      entries.insert(entries.end(), rest.begin(), rest.end());
+    }
+    take_limb_direction(entries, element, options);
   }
 }
 
@@ -221,6 +303,7 @@ Options options_of(const py::dict& values)
 {
   Keywords keywords(values);
   Options options;
+  take_stance(keywords, options);
   take_method_options(keywords, options);
   take_geodesics(keywords, options);
   take_paper_weights(keywords, options);

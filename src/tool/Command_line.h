@@ -30,11 +30,12 @@ struct Arguments
   const Command* command = nullptr;
   std::string input;
   std::string output; // POSE, DISTANCES, or OUT of SEGMENT and DESCRIBE, PAGE; mean of COMPARE
-  std::string target; // this and the next six: empty if not requested
+  std::string target; // this and the next seven: empty if not requested
   std::string scene;
   std::string report;
   std::string matching_weights; // this and the next: files of numbers
   std::string stiffness;
+  std::string stance_file;     // empty for a stance with a name
   std::string given_target;    // mesh file
   std::string given_distances; // file of numbers
   std::string geodesics = "heat";

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdio>
+#include <filesystem>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -193,6 +194,33 @@ void add_method_option(Command_options& o, const std::string& name)
   Options any;
   if(const std::string value = option.value(options); option.set(any, value))
     added->default_str(value);
+}
+
+void add_stance(Command_options& o)
+{
+  const Method_option& option = method_option("stance");
+  Arguments& arguments = o.arguments;
+  const auto is_name = [&option](const std::string& text) {
+    Options any;
+    return option.set(any, text);
+  };
+  const auto check = [=, &option](const std::string& text) {
+    return is_name(text) || std::filesystem::exists(text)
+             ? std::string()
+             : "'" + text + "' is neither " + option.range + " nor a file";
+  };
+  o.app
+    .add_option_function<std::string>(
+      "--stance",
+      [is_name, &option, &arguments](const std::string& text) {
+        if(is_name(text))
+          option.set(arguments.options, text);
+        else
+          arguments.stance_file = text;
+      },
+      option.help + "; or a file that says where limbs go")
+    ->check(CLI::Validator(check, '{' + boost::algorithm::join(option.choices, ",") + "},FILE"))
+    ->default_str(option.value(arguments.options));
 }
 
 void add_common(Command_options& o)

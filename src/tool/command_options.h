@@ -79,6 +79,9 @@ void add_quiet(Command_options& o);
 
 void add_method_option(Command_options& o, const std::string& name);
 
+// --stance, the name of one or a file.
+void add_stance(Command_options& o);
+
 // --geodesics, --threads, --quiet.
 void add_common(Command_options& o);
 

@@ -40,17 +40,13 @@ Method_option choice(const char* const name, const Option_values<Value>& values,
                      const char* const help)
 {
   std::vector<std::string> names;
-  std::string range = "one of";
-  for(const auto& [text, value] : values)
-  {
-    range += (names.empty() ? " " : ", ") + text;
-    names.push_back(text);
-  }
+  for(const auto& value : values)
+    names.push_back(value.first);
   return {name,
           help,
           Type::CHOICE,
           names,
-          range,
+          range_of_values(values),
           [&values, member](Options& options, const std::string& text) {
             const auto found = values.find(text);
             if(found != values.end())

@@ -4,6 +4,7 @@
 #ifndef CGAL_CANONICAL_POSE_3_TOOL_OPTION_VALUES_H
 #define CGAL_CANONICAL_POSE_3_TOOL_OPTION_VALUES_H
 
+#include <CGAL/Canonical_pose_3/Limb_direction_3.h>
 #include <CGAL/Canonical_pose_3/Options.h>
 
 #include <charconv>
@@ -21,6 +22,7 @@
 
 namespace Canonical_pose_tool {
 
+using Limb = CGAL::Canonical_pose_3::Limb_direction_3::Limb;
 using CGAL::Canonical_pose_3::Options;
 
 template <class Value>
@@ -63,8 +65,27 @@ inline const Option_values<Options::Stance> STANCES = {{"canonical", Options::St
                                                        {"vitruvian", Options::Stance::VITRUVIAN},
                                                        {"stand", Options::Stance::STAND}};
 
+inline const Option_values<Limb> LIMBS = {{"left arm", Limb::LEFT_ARM},
+                                          {"right arm", Limb::RIGHT_ARM},
+                                          {"left leg", Limb::LEFT_LEG},
+                                          {"right leg", Limb::RIGHT_LEG},
+                                          {"left front leg", Limb::LEFT_FRONT_LEG},
+                                          {"right front leg", Limb::RIGHT_FRONT_LEG},
+                                          {"left hind leg", Limb::LEFT_HIND_LEG},
+                                          {"right hind leg", Limb::RIGHT_HIND_LEG}};
+
 inline const Option_values<Options::Target_mode> TARGET_MODES
   = {{"mds", Options::Target_mode::MDS}, {"unfold", Options::Target_mode::UNFOLDING}};
+
+// What a value must be, for messages.
+template <class Value>
+std::string range_of_values(const Option_values<Value>& values)
+{
+  std::string range = "one of";
+  for(const auto& value : values)
+    range += (value.first == values.begin()->first ? " " : ", ") + value.first;
+  return range;
+}
 
 // A count: digits and nothing else.
 template <class Integer>

@@ -3,7 +3,6 @@
 
 #include "shown_results.h"
 #include "Command_line.h"
-#include "option_values.h"
 #include "formats/Cgal_types.h"
 
 #include <CGAL/Canonical_pose_3/surface_measures.h>
@@ -127,7 +126,7 @@ Shown_surface shown_parts(const Mesh_file& input, const std::vector<std::size_t>
 }
 
 Shown_surface shown_pose(const Mesh_file& input, const CP::Result& result,
-                         const CP::Options::Stance stance)
+                         const std::string& stance)
 {
   Shown_surface surface;
   if(input.is_tetrahedral)
@@ -150,9 +149,7 @@ Shown_surface shown_pose(const Mesh_file& input, const CP::Result& result,
   const Point_matrix target = (result.motion * result.target->transpose()).transpose();
   surface.other_shapes = {{"target", target}, {"pose", pose_of_surface}};
   surface.skeleton = result.skeleton;
-  for(const auto& [name, value] : STANCES)
-    if(value == stance)
-      surface.stance = name;
+  surface.stance = stance;
   surface.values = {{"strain", strain}};
   surface.figures = figures_of(surface.mesh);
   surface.figures.push_back({"stress", result.summary.target.stress});

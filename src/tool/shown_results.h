@@ -47,9 +47,9 @@ Shown_surface shown_distances(const Mesh_file& input, const Eigen::MatrixXd& dis
 
 Shown_surface shown_parts(const Mesh_file& input, const std::vector<std::size_t>& part_of_face);
 
-// INPUT, or its boundary, with target and pose, which has this stance, in the frame of the pose. Colors show the strain.
+// INPUT, or its boundary, with target and pose, which has the stance of this name, in the frame of the pose. Colors show the strain.
 Shown_surface shown_pose(const Mesh_file& input, const CGAL::Canonical_pose_3::Result& result,
-                         CGAL::Canonical_pose_3::Options::Stance stance);
+                         const std::string& stance);
 
 // Adds a warning that tells what `owner` has, and `result` has not ("the parts lack"); none if that is nothing.
 void add_losses(std::vector<std::string>& warnings, const std::string& result,

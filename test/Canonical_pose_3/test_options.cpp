@@ -218,6 +218,12 @@ Bad_values of_vertices()
        [](Options& o) {
          o.constraints.springs = {{0, 0, 1., 1.}};
        }}}},
+    {"limb_directions",
+     {{"limb direction 0",
+       [](Options& o) {
+         o.limb_directions.resize(1);
+         o.limb_directions[0].limb = NUMBER_OF_VERTICES;
+       }}}},
     {"followers",
      {{"follower 1",
        [](Options& o) {
@@ -240,6 +246,26 @@ std::vector<Bad_value> bad_elements(const std::string& text, const Element& good
       (options.constraints.*list) = {good};
       return member((options.constraints.*list).front());
     });
+}
+
+Bad_values of_limb_directions()
+{
+  using D = CP::Limb_direction_3;
+  const auto bad = [](const std::function<void(D&)>& change) {
+    return std::vector<Bad_value>{{"limb direction 1", [=](Options& options) {
+                                     options.limb_directions.resize(2);
+                                     options.limb_directions[1].limb = D::Limb::RIGHT_ARM;
+                                     change(options.limb_directions[1]);
+                                   }}};
+  };
+  std::vector<Bad_value> limbs = bad([](D&d) { d.limb = D::Limb::LEFT_ARM; }), directions;
+  for(const int limb : {-1, 8})
+    limbs.push_back(bad([=](D& d) { d.limb = static_cast<D::Limb>(limb); })[0]);
+  limbs.push_back(bad([](D& d) { d.limb = NUMBER_OF_VERTICES; })[0]);
+  for(const double value : NOT_FINITE)
+    directions.push_back(bad([=](D& d) { d.direction[2] = value; })[0]);
+  directions.push_back(bad([](D& d) { d.direction.setZero(); })[0]);
+  return {{"limb", limbs}, {"direction", directions}, {"is_straightened", {}}};
 }
 
 const double NO_VERTEX = static_cast<double>(NUMBER_OF_VERTICES);
@@ -385,7 +411,9 @@ TEST(Options_of_the_call, no_member_is_missing)
   EXPECT_MEMBERS(names_of(of_paper_weights()), CP::Paper_weights, alpha, beta);
   EXPECT_MEMBERS(names("weight"), CP::Unfolding, weight);
   EXPECT_MEMBERS(names_of(of_vertices()), CP::Vertex_options, matching_weights, stiffness,
-                 constraints, followers, given);
+                 constraints, limb_directions, followers, given);
+  EXPECT_MEMBERS(names_of(of_limb_directions()), CP::Limb_direction_3, limb, direction,
+                 is_straightened);
   EXPECT_MEMBERS(names_of(of_constraints()), CP::Constraints_3, springs, directions, handles,
                  symmetric_pairs, function);
   EXPECT_MEMBERS(names_of(of_springs()), CP::Spring_3, p, q, rest_length, stiffness);
@@ -401,7 +429,8 @@ TEST(Options_of_the_call, bad_values_are_refused_by_name)
 {
   for(const Bad_values& values :
       {of_registration(), of_method(), of_paper_weights(), of_vertices(), of_constraints(),
-       of_springs(), of_directions(), of_handles(), of_symmetric_pairs(), of_given(), of_fields()})
+       of_limb_directions(), of_springs(), of_directions(), of_handles(), of_symmetric_pairs(),
+       of_given(), of_fields()})
     expect_refused(values);
 }
 

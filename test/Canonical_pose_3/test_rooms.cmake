@@ -12,7 +12,7 @@ set(data_types Face_list point_matrix Options Registration_options Registration_
 # Additional public headers per folder. The pipeline combines the public parts. The default solver is a public class.
 set(also_in_match Body_deformer_3 Elastic_body_3 Prepared_surface_3 Surface_body_3 Tetrahedral_arap_registrar_3 pose_steps Coarse_surface_3
   canonical_frame repair_surface call_with_threads Match_options Matchable_surface_3 Surface_match_3 transfer_attributes)
-set(also_in_stance Coarse_surface_3 Skeleton_3)
+set(also_in_stance Coarse_surface_3 Limb_direction_3 Skeleton_3)
 set(also_in_target Intrinsic_symmetry_3)
 set(also_in_body Embedded_body_3 Tetrahedral_complex_traits_3 Conforming_body_3)
 set(also_in_segmentation Coarse_surface_3 Segmentation_options Segmentation_tree_3 repair_surface)

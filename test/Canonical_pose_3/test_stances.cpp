@@ -27,6 +27,7 @@
 #include <map>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace test_stances {
@@ -36,10 +37,12 @@ using Canonical_pose_examples::Articulated_animal;
 using Canonical_pose_examples::Articulated_figure;
 using Canonical_pose_examples::Landmark;
 using Canonical_pose_test::to_matrix;
+using CP::Limb_direction_3;
 using CP::Options;
 using CP::Point_matrix;
 using CP::Result;
 using CP::Skeleton_3;
+using Limb = Limb_direction_3::Limb;
 using Stance = Options::Stance;
 using Kernel = CGAL::Simple_cartesian<double>;
 
@@ -150,6 +153,113 @@ TEST(Stances, directions_of_all_stances)
   }
 }
 
+Options with_directions(const std::vector<Limb_direction_3>& directions,
+                        const Stance stance = Stance::CANONICAL)
+{
+  Options options = in_stance(stance);
+  options.limb_directions = directions;
+  return options;
+}
+
+// Exact: what T says, with names or with vertices.
+TEST(Stances, directions_of_a_named_stance)
+{
+  const Articulated_figure figure(NUMBER_OF_VERTICES);
+  const Point_matrix points = to_matrix(figure.points(Articulated_figure::named_poses()[1].angles));
+  const Result expected = result_of(points, figure.triangles(), in_stance(Stance::T));
+  std::vector<Limb_direction_3> directions = {{Limb::LEFT_ARM, {1, 0, 0}},
+                                              {Limb::RIGHT_ARM, {-1, 0, 0}},
+                                              {Limb::LEFT_LEG, {.03, -1, 0}},
+                                              {Limb::RIGHT_LEG, {-.03, -1, 0}}};
+  EXPECT_EQ(result_of(points, figure.triangles(), with_directions(directions)).pose, expected.pose);
+  const std::vector<Landmark> tips
+    = {Landmark::LEFT_HAND, Landmark::RIGHT_HAND, Landmark::LEFT_FOOT, Landmark::RIGHT_FOOT};
+  for(std::size_t i = 0; i < tips.size(); ++i)
+    directions[i].limb = figure.landmark(tips[i]);
+  EXPECT_EQ(result_of(points, figure.triangles(), with_directions(directions)).pose, expected.pose);
+  // The other limbs are those of the stance.
+  directions.resize(1);
+  directions[0].direction *= 1e-310;
+  EXPECT_EQ(result_of(points, figure.triangles(), with_directions(directions, Stance::T)).pose,
+            expected.pose);
+}
+
+// Exact: the directions that are asked for, and those of the stance.
+TEST(Stances, given_directions)
+{
+  const Articulated_figure figure(NUMBER_OF_VERTICES);
+  const Point_matrix points = to_matrix(figure.points(Articulated_figure::named_poses()[0].angles));
+  const Result result = result_of(
+    points, figure.triangles(),
+    with_directions({{Limb::LEFT_ARM, {1, 2, 0}}, {Limb::RIGHT_LEG, {-.3, -1, 1}}}, Stance::A));
+  const Skeleton_3& skeleton = checked_skeleton(result, Skeleton_3::Kind::PERSON);
+  constexpr double largest_angle = 7;
+  EXPECT_LT(angle_of(skeleton, "left elbow", "left wrist", {1, 2, 0}), largest_angle);
+  EXPECT_LT(angle_of(skeleton, "right elbow", "right wrist", {-1, -1, 0}), largest_angle);
+  EXPECT_LT(angle_of(skeleton, "left knee", "left ankle", {0, -1, 0}), largest_angle);
+  EXPECT_LT(angle_of(skeleton, "right knee", "right ankle", {-.3, -1, 1}), largest_angle);
+  // Toes of a leg that is raised to the front point to the front and upward.
+  const Eigen::RowVector3d toes
+    = at(result, figure.landmark(Landmark::RIGHT_FOOT)) - joint(skeleton, "right ankle").position;
+  EXPECT_GT(toes[1], 0);
+  EXPECT_GT(toes[2], 0);
+}
+
+// Up to a rigid motion, a limb that stays as it is has its canonical pose, bends and all. A straight one has not.
+TEST(Stances, limbs_as_they_are)
+{
+  const Articulated_figure figure(NUMBER_OF_VERTICES);
+  const Point_matrix points = to_matrix(figure.points(Articulated_figure::named_poses()[1].angles));
+  Options options;
+  options.frame = Options::Frame::BODY;
+  const Result canonical = result_of(points, figure.triangles(), options);
+  const Eigen::RowVector3d up(0, 1, .2);
+  const auto arm_of = [&](const Result& result) {
+    const Skeleton_3& skeleton = *canonical.skeleton;
+    std::vector<std::size_t> vertices;
+    for(Eigen::Index v = 0; v < skeleton.weights.rows(); ++v)
+      if(skeleton.weights.coeff(v, &joint(skeleton, "left elbow") - skeleton.joints.data())
+           + skeleton.weights.coeff(v, &joint(skeleton, "left wrist") - skeleton.joints.data())
+         > .5)
+        vertices.push_back(static_cast<std::size_t>(v));
+    Point_matrix arm(static_cast<Eigen::Index>(vertices.size()), 3);
+    for(std::size_t i = 0; i < vertices.size(); ++i)
+      arm.row(static_cast<Eigen::Index>(i)) = at(result, vertices[i]);
+    return arm;
+  };
+  const Point_matrix arm = arm_of(canonical);
+  std::array<double, 2> differences;
+  for(const bool is_straightened : {false, true})
+  {
+    const Result result = result_of(points, figure.triangles(),
+                                    with_directions({{Limb::LEFT_ARM, up, is_straightened}}));
+    EXPECT_EQ(result.summary.warnings, std::vector<std::string>());
+    EXPECT_LT(angle_of(*result.skeleton, "left shoulder", "left wrist", up.transpose()), 10);
+    differences[is_straightened ? 1 : 0] = Canonical_pose_test::relative_rms(arm_of(result), arm);
+  }
+  EXPECT_LT(differences[0], .5 * differences[1]);
+}
+
+// Each defect of a direction is told with its index.
+TEST(Stances, directions_that_are_refused)
+{
+  const Articulated_figure figure(NUMBER_OF_VERTICES);
+  const Point_matrix points = to_matrix(figure.points());
+  Eigen::Index belly;
+  (points.rowwise() - points.colwise().mean()).rowwise().squaredNorm().minCoeff(&belly);
+  const Limb_direction_3 good = {Limb::LEFT_ARM, {1, 1, 0}};
+  const std::size_t hand = figure.landmark(Landmark::LEFT_HAND),
+                    head = figure.landmark(Landmark::HEAD);
+  for(const auto& [bad, text] : std::vector<std::pair<Limb_direction_3, std::string>>{
+        {{hand, {1, 0, 0}}, "names a vertex of the left arm, which occurs before"},
+        {{head, {1, 0, 0}}, "names a vertex that is on none of the limbs left arm, right arm, "},
+        {{static_cast<std::size_t>(belly), {1, 0, 0}}, "names a vertex that is on none of"},
+        {{Limb::LEFT_FRONT_LEG, {1, 0, 0}},
+         "names the left front leg, but the shape is like a person, whose limbs are left arm, "}})
+    EXPECT_THROW_WITH(result_of(points, figure.triangles(), with_directions({good, bad})),
+                      CP::Limb_direction_error, "limb direction 1 " + text);
+}
+
 // Exact: the axes; which of the legs are those in front follows from the rest shape of the animal, which looks toward +z. The
 // head is level, and the tail hangs.
 TEST(Stances, animal_from_any_posture)
@@ -183,6 +293,18 @@ TEST(Stances, animal_from_any_posture)
     EXPECT_LT(tail[1], 0);
     EXPECT_LT(tail[2], 0);
   }
+}
+
+// A paw that is given.
+TEST(Stances, given_direction_of_an_animal)
+{
+  const Articulated_animal animal(NUMBER_OF_VERTICES);
+  const Result result
+    = result_of(to_matrix(animal.points()), animal.triangles(),
+                with_directions({{Limb::LEFT_FRONT_LEG, {.2, 0, 1}}}, Stance::STAND));
+  const Skeleton_3& skeleton = *result.skeleton;
+  EXPECT_LT(angle_of(skeleton, "left elbow", "left wrist", {.2, 0, 1}), 15);
+  EXPECT_LT(angle_of(skeleton, "right elbow", "right wrist", {0, -1, 0}), 12);
 }
 
 // Exact: in the frame of the body, the stance of a moved and scaled copy is the scaled one.

@@ -12,7 +12,6 @@ expect_exit(2 pose ball.off)
 expect_exit(2 pose ball.off -o out/a.off --bogus)
 expect_exit(2 pose ball.off -o out/a.off --kernel cubic)
 expect_exit(2 pose ball.off -o out/a.off --landmarks 0)
-expect_exit(2 pose ball.off -o out/a.off --stance x)
 expect_exit(2 pose ball.off -o out/a.off --detail-length nan)
 expect_exit(2 pose ball.off -o out/a.off --tikhonov -1)
 foreach(option IN ITEMS "--spring 0,1" "--spring 0,1.5,1" "--direction 0,1,1,0" "--direction 0,1.5,1,0,0"

@@ -7,6 +7,7 @@
 #include <CGAL/Canonical_pose_3/Constraints_3.h>
 #include <CGAL/Canonical_pose_3/Elastic_body_3.h>
 #include <CGAL/Canonical_pose_3/Landmark_fields_3.h>
+#include <CGAL/Canonical_pose_3/Limb_direction_3.h>
 #include <CGAL/Canonical_pose_3/Linear_solver.h>
 #include <CGAL/Canonical_pose_3/Mds_kernel.h>
 #include <CGAL/Canonical_pose_3/Registration_options.h>
@@ -144,7 +145,8 @@ struct Method_options
   enum class Contacts { KEEP, CUT };
 
   /// position of the result.
-  /// - `AUTOMATIC`: that of `INPUT` for the canonical pose, that of `BODY` for another `Stance`.
+  /// - `AUTOMATIC`: that of `INPUT` for the canonical pose, that of `BODY` for another `Stance`, or with
+  ///   `Vertex_options::limb_directions`.
   /// - `INPUT`: as near as possible to the input.
   /// - `CANONICAL`: in the `canonical_frame()` of the pose, with the areas of the input as weights, so that poses
   ///   of several shapes can be compared or shown without alignment.
@@ -156,6 +158,8 @@ struct Method_options
   /// - `T`, `A`, `VITRUVIAN`: a person with straight limbs: the arms level, or 45 degrees downward, and the legs
   ///   parallel, or apart for `VITRUVIAN`; feet point to the front.
   /// - `STAND`: an animal with its four legs straight downward, neck and tail at rest, and the head level.
+  ///
+  /// `Vertex_options::limb_directions` leads to other ones.
   ///
   /// The canonical pose tells what the limbs are: a head, two arms and two legs, or four legs. Then trunk and
   /// limbs are moved rigidly to their directions, which is the target of another registration, with all details.
@@ -361,6 +365,18 @@ struct Vertex_options
 
   /// the constraints.
   Constraints_3 constraints;
+
+  /// @}
+
+  /// \name Stance
+  /// @{
+
+  /// where limbs go; each may occur once. The other limbs go where the `Method_options::stance` has them; if it is
+  /// `CANONICAL`, they keep their canonical pose relative to the trunk, which becomes straight in any case. Feet of straight
+  /// legs point to the front, and turn with legs that are moved to the front or to the back. What is said by the name of
+  /// a limb holds for all components with a pose, which must have this limb; what is said by a vertex, for its
+  /// component. If there are neither directions nor a stance for a component, it takes its canonical pose.
+  std::vector<Limb_direction_3> limb_directions;
 
   /// @}
 

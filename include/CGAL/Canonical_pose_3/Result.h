@@ -44,7 +44,8 @@ struct Result : Intermediate_results
   /// the identity if it is positioned near the input.
   Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
 
-  /// the joints of the largest component, for a `Method_options::Stance` or `Method_options::Frame::BODY`.
+  /// the joints of the largest component, for a `Method_options::Stance`, `Vertex_options::limb_directions` or
+  /// `Method_options::Frame::BODY`.
   std::optional<Skeleton_3> skeleton;
 
   /// returns whether there is a pose.

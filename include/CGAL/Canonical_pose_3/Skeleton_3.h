@@ -21,6 +21,7 @@ namespace Canonical_pose_3 {
 \brief holds the joints of a person, or of an animal with four legs, and how vertices follow them.
 
 \sa `Method_options::stance`
+\sa `Vertex_options::limb_directions`
 */
 struct Skeleton_3
 {

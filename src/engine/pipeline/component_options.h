@@ -9,8 +9,10 @@
 #include "component_roles.h"
 #include "make_vertex_map.h"
 #include "shares_of_cells.h"
+#include "../stance/limb_goals.h"
 
 #include <CGAL/Canonical_pose_3/Constraints_3.h>
+#include <CGAL/Canonical_pose_3/Limb_direction_3.h>
 #include <CGAL/Canonical_pose_3/Options.h>
 #include <CGAL/Canonical_pose_3/Prepared_surface_3.h>
 #include <CGAL/Canonical_pose_3/internal/pipeline/Vertex_map.h>
@@ -27,6 +29,7 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace CGAL {
@@ -52,6 +55,7 @@ inline void check_options(const Options& options, const std::size_t n)
   if(options.target_mode == Options::Target_mode::UNFOLDING)
     check_unfolding(options);
   Options_constraints(options.constraints, n);
+  check_limb_directions(options.limb_directions, n);
   for(Eigen::Index i = 0; i < options.followers.rows(); ++i)
     if(!options.followers.row(i).allFinite())
       throw std::invalid_argument("follower " + std::to_string(i)
@@ -124,6 +128,41 @@ void distribute(const std::vector<Element>& elements, const Vertex_map& map,
     auto& of_component = components[static_cast<std::size_t>(component)].options.constraints.*list;
     of_component.insert(of_component.end(), shared.begin(), shared.end());
   }
+}
+
+// The indices of the limb directions of a component: those of all, and those with its vertices.
+inline std::vector<std::size_t> limb_directions_of(const Component_index component,
+                                                   const std::vector<Limb_direction_3>& directions,
+                                                   const Vertex_map& map)
+{
+  std::vector<std::size_t> result;
+  for(std::size_t i = 0; i < directions.size(); ++i)
+  {
+    const auto* const vertex = std::get_if<std::size_t>(&directions[i].limb);
+    if(vertex == nullptr || map.component_of[Vertex_index(*vertex)] == component)
+      result.push_back(i);
+  }
+  return result;
+}
+
+// Throws `Limb_direction_error` for a vertex that belongs to no component.
+inline void distribute_limb_directions(const std::vector<Limb_direction_3>& directions,
+                                       const Vertex_map& map,
+                                       std::vector<Prepared_surface_3::Component>& components)
+{
+  for(const std::size_t i : limb_directions_of(Component_index::NONE, directions, map))
+    if(const auto* const vertex = std::get_if<std::size_t>(&directions[i].limb))
+      throw Limb_direction_error(i, "names vertex " + std::to_string(*vertex)
+                                      + ", which has no pose of its own: it is not on the surface, "
+                                        "or on another component");
+  for(std::size_t c = 0; c < components.size(); ++c)
+    for(const std::size_t i : limb_directions_of(Component_index(c), directions, map))
+    {
+      Limb_direction_3 local = directions[i];
+      if(auto* const vertex = std::get_if<std::size_t>(&local.limb))
+        *vertex = map.local_of[Vertex_index(*vertex)];
+      components[c].options.limb_directions.push_back(local);
+    }
 }
 
 // Throws `std::invalid_argument` if given results do not match the input.
@@ -259,6 +298,7 @@ inline Prepared_surface_3 prepared(Diagnosis_3 diagnosis, const Point_matrix& po
   distribute(constraints.directions, map, &Constraints_3::directions, result.components);
   distribute(constraints.handles, map, &Constraints_3::handles, result.components);
   distribute(constraints.symmetric_pairs, map, &Constraints_3::symmetric_pairs, result.components);
+  distribute_limb_directions(options.limb_directions, map, result.components);
   return result;
 }
 

@@ -4,11 +4,13 @@
 #include "pose_in_stance.h"
 #include "timed.h"
 #include "../stance/Body_plan.h"
+#include "../stance/limb_goals.h"
 #include "../stance/skeleton_of_body.h"
 #include "../stance/stance_target.h"
 #include "../support/Point_search.h"
 
 #include <CGAL/Canonical_pose_3/Landmark_fields_3.h>
+#include <CGAL/Canonical_pose_3/Limb_direction_3.h>
 #include <CGAL/Canonical_pose_3/Options.h>
 #include <CGAL/Canonical_pose_3/Registration_summary.h>
 #include <CGAL/Canonical_pose_3/Target_3.h>
@@ -29,6 +31,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace CGAL {
@@ -64,30 +67,38 @@ std::optional<std::string> warning_of_directions(const Body_plan& plan, const Po
                                                  const std::array<Eigen::Vector3d, 4>& directions,
                                                  const Eigen::Isometry3d& to_body)
 {
-  constexpr double largest_angle = 15, share_of_joint = .25;
-  const bool is_person = plan.kind() == Skeleton_3::Kind::PERSON;
-  const std::array<std::string, 4> names
-    = {is_person ? "left arm" : "left front leg", is_person ? "right arm" : "right front leg",
-       is_person ? "left leg" : "left hind leg", is_person ? "right leg" : "right hind leg"};
+  constexpr double largest_angle = 15;
   std::string list;
   for(std::size_t i = 0; i < directions.size(); ++i)
   {
-    const Limb& limb = plan.limbs()[i];
     const Eigen::Vector3d direction
-      = to_body.linear()
-        * (plan.end_joint(pose, limb)
-           - plan.center(pose, limb, limb.root + share_of_joint * (limb.end - limb.root)))
-            .transpose();
+      = to_body.linear() * direction_of_limb(plan, plan.limbs()[i], pose);
     const double angle
       = std::atan2(direction.cross(directions[i]).norm(), direction.dot(directions[i])) * 180
         / CGAL_PI;
     if(angle > largest_angle)
-      list += (list.empty() ? "" : ", ") + names[i] + " by "
+      list += (list.empty() ? "" : ", ") + name_of_limb(plan.kind(), i) + " by "
               + std::to_string(static_cast<int>(std::round(angle))) + " degrees";
   }
   if(list.empty())
     return std::nullopt;
   return "limbs are off their directions in the stance: " + list;
+}
+
+// Directions with vertices of the pose, with those of the surface.
+std::vector<Limb_direction_3> directions_on_surface(std::vector<Limb_direction_3> directions,
+                                                    const Surface_body_3& body)
+{
+  for(std::size_t i = 0; i < directions.size(); ++i)
+    if(auto* const vertex = std::get_if<std::size_t>(&directions[i].limb))
+    {
+      const auto found
+        = std::find(body.surface_vertices.begin(), body.surface_vertices.end(), *vertex);
+      if(found == body.surface_vertices.end())
+        throw Limb_direction_error(i, "names a vertex that is not on the surface");
+      *vertex = static_cast<std::size_t>(found - body.surface_vertices.begin());
+    }
+  return directions;
 }
 
 } // namespace
@@ -130,15 +141,17 @@ Result pose_in_stance(const Surface_component_3& surface, const Coarse_surface_3
   Result result;
   Point_matrix upright = plan.upright();
   std::optional<std::array<Eigen::Vector3d, 4>> directions;
-  if(options.stance == Options::Stance::CANONICAL)
+  if(options.stance == Options::Stance::CANONICAL && options.limb_directions.empty())
     result = std::move(canonical);
   else
   {
+    const Limb_goals goals
+      = limb_goals(plan, options.stance, directions_on_surface(options.limb_directions, body));
     Target_3 target;
     target.is_given = true;
     target.summary = summary.target;
     const Stance_target stance
-      = timed(summary, "stance", [&] { return stance_target(plan, options.stance); });
+      = timed(summary, "stance", [&] { return stance_target(plan, options.stance, goals); });
     upright = stance.points;
     directions = stance.directions;
     target.points = align_target(stance.points, surface.points, plan.shares());

@@ -4,6 +4,7 @@
 #ifndef CANONICAL_POSE_3_ENGINE_PIPELINE_POSE_OF_COMPONENTS_H
 #define CANONICAL_POSE_3_ENGINE_PIPELINE_POSE_OF_COMPONENTS_H
 
+#include "component_options.h"
 #include "describe_fields.h"
 #include "fields_of_function.h"
 #include "interpolated_fields.h"
@@ -13,6 +14,7 @@
 
 #include <CGAL/Canonical_pose_3/Coarse_surface_3.h>
 #include <CGAL/Canonical_pose_3/Landmark_fields_3.h>
+#include <CGAL/Canonical_pose_3/Limb_direction_3.h>
 #include <CGAL/Canonical_pose_3/Prepared_surface_3.h>
 #include <CGAL/Canonical_pose_3/Registration_summary.h>
 #include <CGAL/Canonical_pose_3/Result.h>
@@ -99,7 +101,8 @@ Result pose_of_component(const Surface_component_3& surface, const Component_opt
   });
   Result result = registered_pose(surface, coarse, fields, target, body, options);
   if(result.is_usable()
-     && (options.stance != Options::Stance::CANONICAL || options.frame == Options::Frame::BODY))
+     && (options.stance != Options::Stance::CANONICAL || !options.limb_directions.empty()
+         || options.frame == Options::Frame::BODY))
     result = pose_in_stance(surface, coarse, body, options, std::move(result));
   for(const Registration_summary::Stage& stage : result.summary.stages)
     times.add_seconds(stage.first, stage.second);
@@ -235,11 +238,21 @@ Result pose_of_components(const Prepared_surface_3& prepared, const Options& opt
                            return options.visitor(progress);
                          };
                        }
-                       results[c] = pose_of_component(
-                         surface, watched ? *watched : own_options,
-                         [&, c](const Coarse_surface_3& coarse, const Landmark_fields_3& fields) {
-                           return make_body(c, coarse, fields);
-                         });
+                       try
+                       {
+                         results[c] = pose_of_component(
+                           surface, watched ? *watched : own_options,
+                           [&, c](const Coarse_surface_3& coarse, const Landmark_fields_3& fields) {
+                             return make_body(c, coarse, fields);
+                           });
+                       }
+                       catch(const Limb_direction_error& error) // the index is a local one
+                       {
+                         throw Limb_direction_error(
+                           limb_directions_of(Component_index(c), options.limb_directions,
+                                              prepared.vertex_map)[error.index()],
+                           error.defect());
+                       }
                        return results[c].is_usable();
                      });
   if(results.size() > 1)

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "stance_target.h"
+#include "Rigid_limb.h"
 #include "Straight_limb.h"
+#include "limb_goals.h"
 
 #include <CGAL/Canonical_pose_3/Options.h>
 #include <CGAL/Canonical_pose_3/Skeleton_3.h>
@@ -17,42 +19,11 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
-#include <stdexcept>
 
 namespace CGAL {
 namespace Canonical_pose_3 {
 namespace internal {
 namespace {
-
-using Stance = Method_options::Stance;
-
-// Directions of the limbs on the left, and of the feet; of arms, hands are straight.
-struct Directions
-{
-  Eigen::Vector3d arms, legs, feet;
-  bool are_arms_legs; // which have feet
-};
-
-Directions directions_of(const Stance stance, const Skeleton_3::Kind kind)
-{
-  const bool is_person = kind == Skeleton_3::Kind::PERSON;
-  if(is_person == (stance == Stance::STAND))
-    throw std::invalid_argument(
-      is_person ? "standing is a stance of animals with four legs, but the shape is like a person"
-                : "the stance is one of persons, but the shape is like an animal with four legs");
-  const Eigen::Vector3d level(1, 0, 0), down(0, -1, 0), foot(0, -.35, 1), paw(0, -1, 1);
-  switch(stance)
-  {
-  case Stance::A:
-    return {{1, -1, 0}, {.03, -1, 0}, foot, false};
-  case Stance::VITRUVIAN:
-    return {level, {.4, -1, 0}, foot, false};
-  case Stance::STAND:
-    return {down, down, paw, true};
-  default:
-    return {level, {.03, -1, 0}, foot, false};
-  }
-}
 
 // The trunk, straight: what is near the arms turns about its axis, so that these are level, and what is near the legs.
 Stance_target trunk(const Body_plan& body)
@@ -78,8 +49,9 @@ Stance_target trunk(const Body_plan& body)
 }
 
 // Moves the points of a limb, and blends them with the trunk near its root. There, and in wrist or ankle, nothing is matched.
+template <class Moved_limb>
 void blend(const Body_plan& body, const Limb& limb, const Point_matrix& points,
-           const Point_matrix& trunk, const Straight_limb& moved, Stance_target& result)
+           const Point_matrix& trunk, const Moved_limb& moved, Stance_target& result)
 {
   constexpr double least_share = .03;
   for(Eigen::Index v = 0; v < points.rows(); ++v)
@@ -126,10 +98,19 @@ void rest_neck_and_tail(const Body_plan& body, const Point_matrix& straight, Sta
 
 } // namespace
 
-Stance_target stance_target(const Body_plan& body, const Stance stance)
+Eigen::Vector3d direction_of_limb(const Body_plan& body, const Limb& limb,
+                                  const Point_matrix& points)
+{
+  constexpr double share_of_joint = .25;
+  return (body.end_joint(points, limb)
+          - body.center(points, limb, limb.root + share_of_joint * (limb.end - limb.root)))
+    .transpose();
+}
+
+Stance_target stance_target(const Body_plan& body, const Method_options::Stance stance,
+                            const Limb_goals& goals)
 {
   constexpr double least_stretch = .85, largest_stretch = 1.1;
-  const Directions directions = directions_of(stance, body.kind());
   Stance_target result = trunk(body);
   const Point_matrix straight = result.points;
   // The canonical pose is stretched; both limbs of a pair are as long as in the input, where it is not bent too much to tell.
@@ -142,18 +123,23 @@ Stance_target stance_target(const Body_plan& body, const Stance stance)
   for(std::size_t i = 0; i < body.limbs().size(); ++i)
   {
     const Limb& limb = body.limbs()[i];
-    const bool is_arm = i < 2, has_foot = !is_arm || directions.are_arms_legs;
-    const Eigen::Matrix3d& frame = body.frames()[is_arm ? 0 : 1];
+    const Limb_goal& goal = goals[i];
+    const Eigen::Matrix3d& frame = body.frames()[i < 2 ? 0 : 1];
     const Point_matrix points = (body.pose().rowwise() - body.origin()) * frame.transpose();
-    Eigen::Vector3d direction = is_arm ? directions.arms : directions.legs;
-    if(i % 2 == 1)
-      direction[0] *= -1;
-    result.directions[i] = direction.normalized();
-    const Straight_limb moved(body, limb, points, result.directions[i], stretches[i / 2],
-                              has_foot ? std::optional(directions.feet) : std::nullopt);
-    blend(body, limb, points, straight, moved, result);
+    if(goal.direction && goal.is_straightened)
+    {
+      const Straight_limb moved(body, limb, points, *goal.direction, stretches[i / 2],
+                                goal.direction_of_tip);
+      blend(body, limb, points, straight, moved, result);
+      result.directions[i] = *goal.direction;
+    }
+    else
+    {
+      blend(body, limb, points, straight, Rigid_limb(body, limb, points, goal.direction), result);
+      result.directions[i] = direction_of_limb(body, limb, result.points).normalized();
+    }
   }
-  if(stance == Stance::STAND)
+  if(stance == Method_options::Stance::STAND)
     rest_neck_and_tail(body, straight, result);
   result.points *= body.unit();
   return result;

@@ -5,6 +5,7 @@
 #define CANONICAL_POSE_3_ENGINE_STANCE_STANCE_TARGET_H
 
 #include "Body_plan.h"
+#include "limb_goals.h"
 
 #include <CGAL/Canonical_pose_3/Options.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
@@ -26,8 +27,13 @@ struct Stance_target
   std::array<Eigen::Vector3d, 4> directions; // of the limbs
 };
 
-// Throws std::invalid_argument if the body is not of the kind of the stance.
-Stance_target stance_target(const Body_plan& body, Method_options::Stance stance);
+// From a limb's upper part to wrist or ankle, if the vertices of the body are at `points`.
+Eigen::Vector3d direction_of_limb(const Body_plan& body, const Limb& limb,
+                                  const Point_matrix& points);
+
+// `stance`: what the trunk of an animal does.
+Stance_target stance_target(const Body_plan& body, Method_options::Stance stance,
+                            const Limb_goals& goals);
 
 } // namespace internal
 } // namespace Canonical_pose_3

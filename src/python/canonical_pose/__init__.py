@@ -212,10 +212,16 @@ def pose(vertices, faces=None, *, cells=None, return_target=False, progress=None
         `detail_length` and `tikhonov`.
     injective : bool
         Whether no cell may be inverted. By default, true except with `paper_weights`.
-    stance : "canonical", "t", "a", "vitruvian" or "stand"
+    stance : "canonical", "t", "a", "vitruvian" or "stand"; or dict, or sequence of tuples
         The canonical pose; or, of a person, arms level ("t", "vitruvian") or 45 degrees downward
         ("a"), legs parallel or apart ("vitruvian"); or, of an animal, four legs straight downward
-        ("stand"). Shapes without such limbs are refused.
+        ("stand"). Shapes without such limbs are refused. A dict has a direction (x, y, z) per limb:
+        to the left of the body, upward, to the front; with "as-is" after it, if the limb keeps the
+        bends of the canonical pose, instead of becoming straight. Keys are "left arm", "right
+        arm", "left leg", "right leg", "left front leg", "right front leg", "left hind leg", "right
+        hind leg", or a vertex of the limb. The other limbs are those of the item "stance", one of
+        the names above, or keep their canonical pose relative to the trunk. The same as a
+        sequence: [("stance", "a"), ("left arm", 1, 2, 0), (1234, 0, -1, .5, "as-is")].
     frame : "auto", "input", "canonical" or "body"
         The position of the pose: near the input; in the principal axes of the pose; or upright, the
         front toward +z and the feet on y = 0. By default, the last one for a stance, else the first

@@ -259,7 +259,8 @@ class _RecordedOptions(_OptionsButLandmarks, total=False):
     landmarks: int
 
 class _OptionsOfInput(TypedDict, total=False):
-    stance: _Stance
+    stance: (_Stance | Mapping[Any, _Stance | Sequence[float | str]]
+             | Sequence[Sequence[float | str]])
     frame: _Frame
     matching_weights: ArrayLike | None
     stiffness: ArrayLike | None

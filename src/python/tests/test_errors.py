@@ -183,6 +183,19 @@ def test_cells(cells, message):
     ({"components": "all"}, "option components is 'all'"),
     ({"frame": "none"}, "option frame is 'none', but must be one of auto, body, canonical, input"),
     ({"solver": "lu"}, "option solver is 'lu'"),
+    ({"stance": "x"}, "option stance is 'x', but must be one of a, canonical, stand, t, vitruvian"),
+    ({"stance": {"stance": "x"}}, "stance: element 0 names the stance 'x', but must name one of a, canonical"),
+    ({"stance": {"left arm": (1, 0, 0), "left wing": (1, 0, 0)}},
+     "stance: element 1 names the limb 'left wing', but must name one of left arm, left front leg, "),
+    ({"stance": {-1: (1, 0, 0)}}, "stance: element 0 begins neither with the name of a limb nor with the index"),
+    ({"stance": {"left arm": (1, 0)}}, "stance: element 0 has 3 values, but must have 4 or 5"),
+    ({"stance": [("left arm", 1, 0, 0, "bent")]}, "stance: element 0 ends in 'bent', but must end in 'straight' or"),
+    ({"stance": [()]}, "stance: element 0 is empty"),
+    ({"stance": {"left arm": (0, 0, 0)}}, "limb direction 0 has a direction of length 0"),
+    ({"stance": {"left arm": (0, np.nan, 0)}}, "limb direction 0 has a direction that is not finite"),
+    ({"stance": {240: (1, 0, 0)}}, "limb direction 0 names vertex 240, but there are 240"),
+    ({"stance": 2 * [("left arm", 1, 0, 0)]}, "limb direction 1 names the left arm, which occurs before"),
+    ({"stance": {"left arm": (1, 0, 0)}}, "no head and four limbs were found"),
     ({"paper_weights": (0, 1)}, "option paper_weights.alpha is 0, but must be > 0"),
     ({"matching_weights": [1, 2]}, "2 numbers are given as matching weight, but it takes 240"),
     ({"matching_weights": [[1, 2]]}, "matching_weights must have 1 dimension, but is 1 x 2"),
@@ -223,7 +236,8 @@ def test_types_of_parts(tube):
 
 @pytest.mark.parametrize("options", [
     {"detail_length": "short"}, {"landmarks": 3.5}, {"kernel": 3}, {"spring": 3},
-    {"spring": [3]}, {"injective": "maybe"}, {"threads": [1]}, {"paper_weights": 3}, {"handle": [(0, "a", 0, 0)]},
+    {"spring": [3]}, {"stance": 3}, {"stance": ["t"]}, {"stance": {"left arm": ("1", "0", "up")}},
+    {"stance": [("left arm", 1, 0, 0, True)]}, {"injective": "maybe"}, {"threads": [1]}, {"paper_weights": 3}, {"handle": [(0, "a", 0, 0)]},
 ])
 def test_types_of_options(options, tube):
     with pytest.raises(TypeError, match="option .* must be"):

@@ -108,6 +108,19 @@ def test_constraints_and_values(tool, tube, tmp_path):
     assert pose.tobytes() == read_off(tmp_path / "pose.off")[0].tobytes()
 
 
+def test_stances(tool, figure, tmp_path):
+    """A file has the lines of a sequence, which are the items of a dict."""
+    vertices, faces = figure
+    write_off(tmp_path / "shape.off", vertices, faces)
+    (tmp_path / "wave.txt").write_text("stance a\nright arm -.5 1 0 as-is\nleft leg .2 -1 .3\n")
+    tool("pose", tmp_path / "shape.off", "-o", tmp_path / "pose.off", "--stance", tmp_path / "wave.txt")
+    items = {"stance": "a", "right arm": (-.5, 1, 0, "as-is"), "left leg": np.array([.2, -1, .3])}
+    for stance in (items, [("stance", "a"), ("right arm", -.5, 1, 0, "as-is"), ("left leg", .2, -1, .3)]):
+        pose, report = canonical_pose.pose(vertices, faces, stance=stance)
+        assert pose.tobytes() == read_off(tmp_path / "pose.off")[0].tobytes()
+        assert report["skeleton"]["kind"] == "person"
+
+
 def test_given_distances_and_paper_weights(tool, tube, tmp_path):
     vertices, faces = tube
     write_off(tmp_path / "shape.off", vertices, faces)

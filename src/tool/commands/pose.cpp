@@ -5,9 +5,11 @@
 
 #include "Output_files.h"
 #include "Report.h"
+#include "Stance_file.h"
 #include "command_options.h"
 #include "commands.h"
 #include "compute_pose.h"
+#include "method_options.h"
 #include "shown_results.h"
 #include "formats/Cgal_types.h"
 #include "formats/Mesh_file.h"
@@ -16,6 +18,7 @@
 
 #include <cstdlib>
 #include <iostream>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -69,6 +72,18 @@ CGAL::Canonical_pose_3::Landmark_fields_3 given_fields(const std::string& path,
   }
 }
 
+// The pose. What is wrong with a direction of a limb is told by its line.
+Result pose_in(const std::optional<Stance_file>& stance, const Mesh_file& input,
+               const Options& options)
+try
+{
+  return compute_pose(input, options);
+}
+catch(const CGAL::Canonical_pose_3::Limb_direction_error& error)
+{
+  throw stance->error(error);
+}
+
 void add_pose_options(Command_options& o)
 {
   add_input(o);
@@ -86,7 +101,7 @@ void add_pose_options(Command_options& o)
   add_path(o, "--given-distances", o.arguments.given_distances,
            "take these geodesic distances, as geodesics writes them, for the first target");
   add_constraints(o);
-  add_method_option(o, "stance");
+  add_stance(o);
   add_method_option(o, "frame");
   add_report(o);
   add_method_options(o);
@@ -119,14 +134,18 @@ int run_pose(Arguments& arguments)
   if(arguments.output == "-")
     arguments.output += extension_of_format(written_format(format_of(arguments.input)));
   check_formats(arguments);
-  std::vector<std::string> inputs = {arguments.matching_weights, arguments.stiffness,
-                                     arguments.given_target, arguments.given_distances};
+  std::vector<std::string> inputs
+    = {arguments.stance_file, arguments.matching_weights, arguments.stiffness,
+       arguments.given_target, arguments.given_distances};
   // The pose may replace the input.
   if(!is_same_file(arguments.input, arguments.output))
     inputs.push_back(arguments.input);
   const std::vector<std::string> outputs
     = {arguments.output, arguments.target, arguments.scene, arguments.report};
   Output_files files(outputs, inputs);
+  std::optional<Stance_file> stance;
+  if(!arguments.stance_file.empty())
+    stance.emplace(arguments.stance_file).set(arguments.options);
   Mesh_file input = read_mesh_file(arguments.input, Source::KEPT);
   const bool is_shown = !arguments.target.empty() || !arguments.scene.empty()
                         || !is_rewritable(input, format_of(arguments.output));
@@ -144,7 +163,7 @@ int run_pose(Arguments& arguments)
   const double seconds_to_read = clock.lap();
 
   arguments.say("computing the pose");
-  Result result = compute_pose(input, watched_options(arguments));
+  Result result = pose_in(stance, input, watched_options(arguments));
   CGAL::Canonical_pose_3::Registration_summary& summary = result.summary;
   summary.stages.insert(summary.stages.begin(), {"read", seconds_to_read});
   const bool has_skin = result.skeleton && format_of(arguments.output) == Format::GLB;
@@ -166,7 +185,9 @@ int run_pose(Arguments& arguments)
   if(!arguments.scene.empty())
     add_losses_of_shown(summary.warnings, "the scene lacks", input, arguments.scene, true);
   files.write(arguments.scene, [&](std::ostream& out) {
-    write_glb(out, shown_pose(input, result, arguments.options.stance));
+    write_glb(
+      out, shown_pose(input, result,
+                      stance ? stance->name() : method_option("stance").value(arguments.options)));
   });
   summary.add_seconds("write", clock.lap());
   files.write(arguments.report, [&](std::ostream& out) {
