@@ -261,14 +261,15 @@ TEST(Stances, directions_that_are_refused)
 }
 
 // Exact: the axes; which of the legs are those in front follows from the rest shape of the animal, which looks toward +z. The
-// head is level, and the tail hangs.
+// head is level, with its own shape, and the tail hangs.
 TEST(Stances, animal_from_any_posture)
 {
   const Articulated_animal animal(NUMBER_OF_VERTICES);
   const Point_matrix rest = to_matrix(animal.points());
-  Eigen::Index front, back, left;
+  Eigen::Index front, back, ear, left;
   rest.col(2).maxCoeff(&front);
   rest.col(2).minCoeff(&back);
+  rest.col(1).maxCoeff(&ear);
   rest.col(0).maxCoeff(&left);
   for(const auto& posture : Articulated_animal::named_poses())
   {
@@ -292,6 +293,10 @@ TEST(Stances, animal_from_any_posture)
     EXPECT_LT(std::abs(std::atan2(head[1], head[2])), 30 * CGAL_PI / 180);
     EXPECT_LT(tail[1], 0);
     EXPECT_LT(tail[2], 0);
+    // Ears are as far from the nose as in the input.
+    EXPECT_NEAR((result.pose.row(ear) - result.pose.row(front)).norm()
+                  / (points.row(ear) - points.row(front)).norm(),
+                1, .25);
   }
 }
 

@@ -53,7 +53,8 @@ public:
 
   double unit() const { return m_unit; } // the root of the area of the pose
   const Point_matrix& pose() const { return m_pose; }
-  const Eigen::VectorXd& shares() const { return m_shares; } // of the area
+  Point_matrix rest() const { return m_unit_of_rest / m_unit * m_rest; } // in the unit of the pose
+  const Eigen::VectorXd& shares() const { return m_shares; }             // of the area
 
   // Left and right arms (or front legs), left and right legs (or hind legs).
   const std::array<Limb, 4>& limbs() const { return m_limbs; }

@@ -5,6 +5,8 @@
 #include "Rigid_limb.h"
 #include "Straight_limb.h"
 #include "limb_goals.h"
+#include "smooth_step.h"
+#include "../target/aligning_motion.h"
 
 #include <CGAL/Canonical_pose_3/Options.h>
 #include <CGAL/Canonical_pose_3/Skeleton_3.h>
@@ -96,6 +98,24 @@ void rest_neck_and_tail(const Body_plan& body, const Point_matrix& straight, Sta
     move(*body.tail(), -60, -30, std::nullopt);
 }
 
+// Gives the head the shape that it has in the input: the canonical pose bends what sticks out of it, such as ears.
+void restore_head(const Body_plan& body, Stance_target& result)
+{
+  constexpr double width = .1; // in which it is blended with the neck
+  const Limb& head = body.head();
+  const Point_matrix rest = body.rest();
+  Eigen::VectorXd shares(rest.rows());
+  for(Eigen::Index v = 0; v < rest.rows(); ++v)
+    shares[v] = smooth_step((head.end - head.distances[v]) / width);
+  const Eigen::VectorXd weights = shares.cwiseProduct(body.shares());
+  if(!(weights.sum() > 0))
+    return;
+  const Point_matrix moved
+    = (aligning_motion(rest, result.points, weights) * rest.transpose()).transpose();
+  for(Eigen::Index v = 0; v < rest.rows(); ++v)
+    result.points.row(v) += shares[v] * (moved.row(v) - result.points.row(v));
+}
+
 } // namespace
 
 Eigen::Vector3d direction_of_limb(const Body_plan& body, const Limb& limb,
@@ -141,6 +161,7 @@ Stance_target stance_target(const Body_plan& body, const Method_options::Stance 
   }
   if(stance == Method_options::Stance::STAND)
     rest_neck_and_tail(body, straight, result);
+  restore_head(body, result);
   result.points *= body.unit();
   return result;
 }
