@@ -67,7 +67,7 @@ Stance_file::Stance_file(const std::string& path) : m_path(path)
     throw std::invalid_argument("'" + path + "': " + error.what());
   }
   for(std::size_t i = 0; i < lines.size(); ++i)
-    if(const Words words = words_of(lines[i]); !words.empty())
+    if(const Words words = words_of(lines[i].substr(0, lines[i].find('#'))); !words.empty())
       words[0] == "stance" ? read_stance(words, i + 1) : read_line(words, i + 1);
   if(m_directions.empty() && m_line_of_stance == 0)
     throw std::invalid_argument("'" + path + "': there are no directions of limbs");

@@ -60,17 +60,26 @@ std::vector<Location> locations(const Matchable_data& shape, const Point_matrix&
   return result;
 }
 
-// Of values at vertices, over those of components that are not small.
-double mean_of_counted(const Matchable_data& shape, const Eigen::VectorXd& values)
+// Which vertices of the input are on components that are not small.
+std::vector<bool> counted_vertices(const Matchable_data& shape)
 {
-  std::vector<bool> is_counted(shape.number_of_vertices, false);
+  std::vector<bool> has_row(shape.number_of_vertices, false), result;
   for(std::size_t row = 0; row < shape.surface.origins.size(); ++row)
     if(shape.is_counted[row])
-      is_counted[shape.surface.origins[row]] = true;
+      has_row[shape.surface.origins[row]] = true;
+  for(std::size_t v = 0; v < shape.number_of_vertices; ++v)
+    result.push_back(has_row[shape.surface.representatives[v]]);
+  return result;
+}
+
+// Of values at these vertices.
+double mean_of_counted(const Matchable_data& shape, const Eigen::VectorXd& values)
+{
+  const std::vector<bool> is_counted = counted_vertices(shape);
   Eigen::VectorXd result(values.size());
   Eigen::Index number = 0;
   for(std::size_t v = 0; v < shape.number_of_vertices; ++v)
-    if(is_counted[shape.surface.representatives[v]])
+    if(is_counted[v])
       result[number++] = values[static_cast<Eigen::Index>(v)];
   return result.head(number).mean();
 }
@@ -136,11 +145,14 @@ std::vector<Candidate> candidates(const Matchable_data& a, const Matchable_data&
   constexpr double largest_ratio = 2, clear_ratio = 1.3;
   constexpr Eigen::Index few_functions = 28, more_functions = 60;
   Indices landmarks_of_a, landmarks_of_b;
+  const std::vector<bool> is_counted_of_a = counted_vertices(a),
+                          is_counted_of_b = counted_vertices(b);
   for(const auto& [v, w] : options.landmarks)
-  {
-    landmarks_of_a.push_back(v);
-    landmarks_of_b.push_back(w);
-  }
+    if(is_counted_of_a[v] && is_counted_of_b[w])
+    {
+      landmarks_of_a.push_back(v);
+      landmarks_of_b.push_back(w);
+    }
   landmarks_of_a = coarse_vertices(a, landmarks_of_a);
   landmarks_of_b = coarse_vertices(b, landmarks_of_b);
   std::vector<Candidate> result;

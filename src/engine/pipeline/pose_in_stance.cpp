@@ -61,8 +61,17 @@ Component_options options_in_stance(const Component_options& options, const Surf
   return result;
 }
 
-// Names the limbs that are far from their directions, since something was in the way. `to_body`: from the pose to the frame of
-// the body.
+std::string in_degrees(const double angle)
+{
+  return std::to_string(static_cast<int>(std::round(angle))) + " degrees";
+}
+
+double angle_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b)
+{
+  return std::atan2(a.cross(b).norm(), a.dot(b)) * 180 / CGAL_PI;
+}
+
+// Names the limbs that are far from their directions. `to_body`: from the pose to the frame of the body.
 std::optional<std::string> warning_of_directions(const Body_plan& plan, const Point_matrix& pose,
                                                  const std::array<Eigen::Vector3d, 4>& directions,
                                                  const Eigen::Isometry3d& to_body)
@@ -71,18 +80,48 @@ std::optional<std::string> warning_of_directions(const Body_plan& plan, const Po
   std::string list;
   for(std::size_t i = 0; i < directions.size(); ++i)
   {
-    const Eigen::Vector3d direction
-      = to_body.linear() * direction_of_limb(plan, plan.limbs()[i], pose);
-    const double angle
-      = std::atan2(direction.cross(directions[i]).norm(), direction.dot(directions[i])) * 180
-        / CGAL_PI;
+    const double angle = angle_between(
+      to_body.linear() * direction_of_limb(plan, plan.limbs()[i], pose), directions[i]);
     if(angle > largest_angle)
-      list += (list.empty() ? "" : ", ") + name_of_limb(plan.kind(), i) + " by "
-              + std::to_string(static_cast<int>(std::round(angle))) + " degrees";
+      list
+        += (list.empty() ? "" : ", ") + name_of_limb(plan.kind(), i) + " by " + in_degrees(angle);
   }
   if(list.empty())
     return std::nullopt;
   return "limbs are off their directions in the stance: " + list;
+}
+
+// Names the limbs that should be straight, but are bent by far, or have another length than their partners.
+std::vector<std::string> warnings_of_straight_limbs(const Body_plan& plan, const Point_matrix& pose,
+                                                    const Limb_goals& goals)
+{
+  const double largest_bend = plan.kind() == Skeleton_3::Kind::PERSON ? 30 : 45;
+  constexpr double largest_ratio = 1.25;
+  std::string bent, unequal;
+  std::array<double, 4> lengths;
+  for(std::size_t i = 0; i < goals.size(); ++i)
+  {
+    const Limb& limb = plan.limbs()[i];
+    const Eigen::Vector3d root = plan.center(pose, limb, limb.root),
+                          middle = plan.center(pose, limb, (limb.root + limb.end) / 2),
+                          end = plan.end_joint(pose, limb);
+    lengths[i] = (middle - root).norm() + (end - middle).norm();
+    if(!goals[i].direction || !goals[i].is_straightened)
+      continue;
+    if(const double bend = angle_between(middle - root, end - middle); bend > largest_bend)
+      bent += (bent.empty() ? "" : ", ") + name_of_limb(plan.kind(), i) + " by " + in_degrees(bend);
+  }
+  for(const std::size_t i : {0, 2})
+    if((std::max)(lengths[i], lengths[i + 1])
+       > largest_ratio * (std::min)(lengths[i], lengths[i + 1]))
+      unequal += (unequal.empty() ? "" : ", ") + name_of_limb(plan.kind(), i) + " and "
+                 + name_of_limb(plan.kind(), i + 1);
+  std::vector<std::string> result;
+  if(!bent.empty())
+    result.push_back("limbs are bent in the stance: " + bent);
+  if(!unequal.empty())
+    result.push_back("limbs have different lengths in the stance: " + unequal);
+  return result;
 }
 
 // Directions with vertices of the pose, with those of the surface.
@@ -141,12 +180,12 @@ Result pose_in_stance(const Surface_component_3& surface, const Coarse_surface_3
   Result result;
   Point_matrix upright = plan.upright();
   std::optional<std::array<Eigen::Vector3d, 4>> directions;
+  Limb_goals goals;
   if(options.stance == Options::Stance::CANONICAL && options.limb_directions.empty())
     result = std::move(canonical);
   else
   {
-    const Limb_goals goals
-      = limb_goals(plan, options.stance, directions_on_surface(options.limb_directions, body));
+    goals = limb_goals(plan, options.stance, directions_on_surface(options.limb_directions, body));
     Target_3 target;
     target.is_given = true;
     target.summary = summary.target;
@@ -172,8 +211,13 @@ Result pose_in_stance(const Surface_component_3& surface, const Coarse_surface_3
   const Point_matrix pose = rows_at(result.pose, body.surface_vertices);
   result.skeleton = with_weights_at(result.pose, pose, skeleton_of_body(plan, pose, upright));
   if(directions)
+  {
+    std::vector<std::string>& warnings = result.summary.warnings;
     if(const auto warning = warning_of_directions(plan, pose, *directions, result.skeleton->frame))
-      result.summary.warnings.push_back(*warning);
+      warnings.push_back(*warning);
+    const auto others = warnings_of_straight_limbs(plan, pose, goals);
+    warnings.insert(warnings.end(), others.begin(), others.end());
+  }
   if(!plan.is_certain())
     result.summary.warnings.push_back(
       plan.kind() == Skeleton_3::Kind::PERSON

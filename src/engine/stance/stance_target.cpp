@@ -121,10 +121,7 @@ void restore_head(const Body_plan& body, Stance_target& result)
 Eigen::Vector3d direction_of_limb(const Body_plan& body, const Limb& limb,
                                   const Point_matrix& points)
 {
-  constexpr double share_of_joint = .25;
-  return (body.end_joint(points, limb)
-          - body.center(points, limb, limb.root + share_of_joint * (limb.end - limb.root)))
-    .transpose();
+  return (body.end_joint(points, limb) - body.center(points, limb, limb.root)).transpose();
 }
 
 Stance_target stance_target(const Body_plan& body, const Method_options::Stance stance,
