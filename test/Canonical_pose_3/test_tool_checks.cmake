@@ -99,7 +99,7 @@ function(expect_complete_report file)
       input.vertices input.faces input.components input.boundary_edges input.non_manifold input.degenerate_faces
       input.self_intersections body.kind body.vertices body.tetrahedra target.kernel target.landmarks
       target.covering_radius target.stress target.eigenvalues target.max_geodesic target.reflected
-      target.is_handedness_certain target.symmetry_distortion followers rounds
+      target.is_handedness_certain followers rounds
       registration.iterations registration.converged registration.energy registration.energy_match
       registration.energy_arap registration.inverted registration.flipped_faces registration.volume_ratio
       registration.median_edge_strain solver total_seconds peak_memory_bytes versions.cgal)
