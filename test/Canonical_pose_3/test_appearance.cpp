@@ -460,7 +460,10 @@ TEST(Appearance, files_beside_poses)
   };
   const std::string materials = fs::path(*mesh.appearance.files.begin()).filename().string();
   EXPECT_TRUE(rewritten(testing::TempDir() + "same_folder.obj", mesh).empty());
+  const fs::path current = fs::current_path();
+  fs::current_path(testing::TempDir()); // what is there does not count, though it is the same
   EXPECT_EQ(rewritten(folder + "/pose.obj", mesh).size(), 2u);
+  fs::current_path(current);
   const Mesh_file pose = read_shown_mesh_file(folder + "/pose.obj");
   EXPECT_EQ(corners_of(pose, true), corners_of(mesh, true));
   EXPECT_TRUE(rewritten(folder + "/pose.obj", mesh).empty());

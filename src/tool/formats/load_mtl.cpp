@@ -100,7 +100,8 @@ std::string content_beside(const std::string& path, std::string name, std::strin
     return {};
   std::replace(name.begin(), name.end(), '\\', '/');
   std::error_code error;
-  for(const fs::path& file : {fs::path(path), fs::canonical(path, error)})
+  const fs::path target = fs::canonical(path, error); // empty if there is no file yet
+  for(const fs::path& file : {fs::path(path), target.empty() ? fs::path(path) : target})
     for(const fs::path& other : {fs::path(name), fs::path(name).filename()})
       if(std::string content = content_of(file.parent_path() / other); !content.empty())
       {
