@@ -68,6 +68,8 @@ int run_shape(Arguments& arguments)
   std::ostringstream report, values;
   if(shape.summary)
   {
+    if(!arguments.output.empty())
+      add_losses_of_file(shape.summary->warnings, "the pose", input, arguments.output);
     shape.summary->stages.insert(shape.summary->stages.begin(), {"read", seconds_to_read});
     write_report(report, *shape.summary, clock.total());
   }
