@@ -240,6 +240,27 @@ TEST(Stances, limbs_as_they_are)
   EXPECT_LT(differences[0], .5 * differences[1]);
 }
 
+// An arm whose part beyond the elbow is shrunk is shorter than its partner, and a warning says so.
+TEST(Stances, limbs_of_different_lengths)
+{
+  const Articulated_figure figure(NUMBER_OF_VERTICES);
+  Point_matrix points = to_matrix(figure.points());
+  Options options;
+  options.frame = Options::Frame::BODY;
+  const Skeleton_3 skeleton = *result_of(points, figure.triangles(), options).skeleton;
+  const auto weights = [&](const std::string& name) {
+    return Eigen::VectorXd(skeleton.weights.col(&joint(skeleton, name) - skeleton.joints.data()));
+  };
+  const Eigen::VectorXd lower = weights("left elbow"), hand = weights("left wrist"),
+                        elbow = weights("left shoulder").cwiseProduct(lower);
+  const Eigen::RowVector3d center = elbow.transpose() * points / elbow.sum();
+  for(Eigen::Index v = 0; v < points.rows(); ++v)
+    points.row(v) -= .6 * (lower[v] + hand[v]) * (points.row(v) - center);
+  EXPECT_EQ(
+    result_of(points, figure.triangles(), in_stance(Stance::T)).summary.warnings,
+    std::vector<std::string>{"limbs have different lengths in the stance: left arm and right arm"});
+}
+
 // Each defect of a direction is told with its index.
 TEST(Stances, directions_that_are_refused)
 {

@@ -20,6 +20,8 @@
 
 #include <CGAL/number_type_config.h>
 
+#include <boost/algorithm/string/join.hpp>
+
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <Eigen/SparseCore>
@@ -71,56 +73,44 @@ double angle_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b)
   return std::atan2(a.cross(b).norm(), a.dot(b)) * 180 / CGAL_PI;
 }
 
-// Names the limbs that are far from their directions. `to_body`: from the pose to the frame of the body.
-std::optional<std::string> warning_of_directions(const Body_plan& plan, const Point_matrix& pose,
-                                                 const std::array<Eigen::Vector3d, 4>& directions,
-                                                 const Eigen::Isometry3d& to_body)
-{
-  constexpr double largest_angle = 15;
-  std::string list;
-  for(std::size_t i = 0; i < directions.size(); ++i)
-  {
-    const double angle = angle_between(
-      to_body.linear() * direction_of_limb(plan, plan.limbs()[i], pose), directions[i]);
-    if(angle > largest_angle)
-      list
-        += (list.empty() ? "" : ", ") + name_of_limb(plan.kind(), i) + " by " + in_degrees(angle);
-  }
-  if(list.empty())
-    return std::nullopt;
-  return "limbs are off their directions in the stance: " + list;
-}
-
-// Names the limbs that should be straight, but are bent by far, or have another length than their partners.
-std::vector<std::string> warnings_of_straight_limbs(const Body_plan& plan, const Point_matrix& pose,
-                                                    const Limb_goals& goals)
+// Names the limbs that are far from their directions, are bent by far though they should be straight, or have another length than
+// their partners. `to_body`: from the pose to the frame of the body.
+std::vector<std::string> warnings_of_limbs(const Body_plan& plan, const Point_matrix& pose,
+                                           const std::array<Eigen::Vector3d, 4>& directions,
+                                           const Limb_goals& goals,
+                                           const Eigen::Isometry3d& to_body)
 {
   const double largest_bend = plan.kind() == Skeleton_3::Kind::PERSON ? 30 : 45;
-  constexpr double largest_ratio = 1.25;
-  std::string bent, unequal;
+  constexpr double largest_angle = 15, largest_ratio = 1.25;
+  std::vector<std::string> off, bent, unequal;
   std::array<double, 4> lengths;
   for(std::size_t i = 0; i < goals.size(); ++i)
   {
     const Limb& limb = plan.limbs()[i];
-    const Eigen::Vector3d root = plan.center(pose, limb, limb.root),
-                          middle = plan.center(pose, limb, (limb.root + limb.end) / 2),
-                          end = plan.end_joint(pose, limb);
-    lengths[i] = (middle - root).norm() + (end - middle).norm();
-    if(!goals[i].direction || !goals[i].is_straightened)
-      continue;
-    if(const double bend = angle_between(middle - root, end - middle); bend > largest_bend)
-      bent += (bent.empty() ? "" : ", ") + name_of_limb(plan.kind(), i) + " by " + in_degrees(bend);
+    const std::string name = name_of_limb(plan.kind(), i);
+    const double angle
+      = angle_between(to_body.linear() * direction_of_limb(plan, limb, pose), directions[i]);
+    if(angle > largest_angle)
+      off.push_back(name + " by " + in_degrees(angle));
+    const Eigen::Vector3d middle = plan.center(pose, limb, (limb.root + limb.end) / 2),
+                          upper = middle - plan.center(pose, limb, limb.root).transpose(),
+                          lower = plan.end_joint(pose, limb).transpose() - middle;
+    lengths[i] = upper.norm() + lower.norm();
+    const double bend = angle_between(upper, lower);
+    if(goals[i].direction && goals[i].is_straightened && bend > largest_bend)
+      bent.push_back(name + " by " + in_degrees(bend));
   }
   for(const std::size_t i : {0, 2})
     if((std::max)(lengths[i], lengths[i + 1])
        > largest_ratio * (std::min)(lengths[i], lengths[i + 1]))
-      unequal += (unequal.empty() ? "" : ", ") + name_of_limb(plan.kind(), i) + " and "
-                 + name_of_limb(plan.kind(), i + 1);
+      unequal.push_back(name_of_limb(plan.kind(), i) + " and " + name_of_limb(plan.kind(), i + 1));
   std::vector<std::string> result;
-  if(!bent.empty())
-    result.push_back("limbs are bent in the stance: " + bent);
-  if(!unequal.empty())
-    result.push_back("limbs have different lengths in the stance: " + unequal);
+  for(const auto& [text, limbs] : {std::make_pair("limbs are off their directions", off),
+                                   std::make_pair("limbs are bent", bent),
+                                   std::make_pair("limbs have different lengths", unequal)})
+    if(!limbs.empty())
+      result.push_back(std::string(text)
+                       + " in the stance: " + boost::algorithm::join(limbs, ", "));
   return result;
 }
 
@@ -212,11 +202,8 @@ Result pose_in_stance(const Surface_component_3& surface, const Coarse_surface_3
   result.skeleton = with_weights_at(result.pose, pose, skeleton_of_body(plan, pose, upright));
   if(directions)
   {
-    std::vector<std::string>& warnings = result.summary.warnings;
-    if(const auto warning = warning_of_directions(plan, pose, *directions, result.skeleton->frame))
-      warnings.push_back(*warning);
-    const auto others = warnings_of_straight_limbs(plan, pose, goals);
-    warnings.insert(warnings.end(), others.begin(), others.end());
+    const auto warnings = warnings_of_limbs(plan, pose, *directions, goals, result.skeleton->frame);
+    result.summary.warnings.insert(result.summary.warnings.end(), warnings.begin(), warnings.end());
   }
   if(!plan.is_certain())
     result.summary.warnings.push_back(
