@@ -110,30 +110,64 @@ TEST(Surface_chords, of_a_ball)
     EXPECT_NEAR(chord.length, 2, 2 * 0.08 * 0.08);
 }
 
+// Both surfaces, whose distance on the surface is that along a straight line and a detour.
+struct Two_parts
+{
+  Two_parts(const shapes::Triangle_soup& one, const shapes::Triangle_soup& other,
+            const double detour)
+    : soup(one), size_of_one(one.points.size())
+  {
+    for(const auto& t : other.triangles)
+      soup.triangles.push_back({{t[0] + size_of_one, t[1] + size_of_one, t[2] + size_of_one}});
+    soup.points.insert(soup.points.end(), other.points.begin(), other.points.end());
+    distances = straight_distances(soup);
+    const std::size_t step = soup.points.size() / static_cast<std::size_t>(distances.cols());
+    for(Eigen::Index i = 0; i < distances.rows(); ++i)
+      for(Eigen::Index j = 0; j < distances.cols(); ++j)
+        if((static_cast<std::size_t>(i) < size_of_one)
+           != (static_cast<std::size_t>(j) * step < size_of_one))
+          distances(i, j) += detour;
+  }
+
+  // Chords between parallel planes end in the part where they start, at the distance of its planes.
+  void expect_chords_within_parts(const double side, const double height_of_one,
+                                  const double height_of_other) const
+  {
+    const Chords chords(soup, distances, side);
+    for(const Chord& chord : chords.chords)
+      if(std::abs(chords.normal(chord.face)[2]) > 0.5)
+      {
+        const bool is_in_one = chords.triangles[chord.face][0] < size_of_one;
+        EXPECT_NEAR(chord.length, is_in_one ? height_of_one : height_of_other, 1e-12);
+        ASSERT_TRUE(chord.exit_vertex);
+        EXPECT_EQ(*chord.exit_vertex < size_of_one, is_in_one);
+      }
+    EXPECT_GT(chords.chords.size(), 400u);
+  }
+
+  shapes::Triangle_soup soup;
+  std::size_t size_of_one;
+  Eigen::MatrixXd distances;
+};
+
 // Two plates that overlap by half of their height, and are far apart by geodesics: the ray through
 // one of them crosses the side of the other, but the chord ends at the opposite side of the first.
 TEST(Surface_chords, of_overlapping_limbs)
 {
-  shapes::Triangle_soup both = plate(0);
-  const shapes::Triangle_soup other = plate(0.02);
-  const std::size_t n = both.points.size();
-  for(auto t : other.triangles)
-    both.triangles.push_back({{t[0] + n, t[1] + n, t[2] + n}});
-  both.points.insert(both.points.end(), other.points.begin(), other.points.end());
-  Eigen::MatrixXd distances = straight_distances(both);
-  for(Eigen::Index i = 0; i < distances.rows(); ++i)
-    for(Eigen::Index j = 0; j < distances.cols(); ++j)
-      if((i < Eigen::Index(n)) != (j < distances.cols() / 2))
-        distances(i, j) += 0.4;
-  const Chords plates(both, distances, 0.03);
-  for(const Chord& chord : plates.chords)
-    if(std::abs(plates.normal(chord.face)[2]) > 0.5)
-    {
-      EXPECT_NEAR(chord.length, 0.04, 1e-12);
-      ASSERT_TRUE(chord.exit_vertex);
-      EXPECT_EQ(*chord.exit_vertex < n, plates.triangles[chord.face][0] < n);
-    }
-  EXPECT_GT(plates.chords.size(), 400u);
+  Two_parts(plate(0), plate(0.02), 0.4).expect_chords_within_parts(0.03, 0.04, 0.04);
+}
+
+// A thin plate inside a block, close to its top, as a hand that is drawn inside the trunk: seen from the bottom of the block,
+// the plate is not much farther by geodesics than along the ray; seen from the plate, the top of the block is.
+TEST(Surface_chords, of_a_limb_inside_another_one)
+{
+  const shapes::Triangle_soup block
+    = shapes::boundary(shapes::tetrahedral_box(12, 12, 6, {{0.4, 0.4, 0.3}}));
+  shapes::Triangle_soup inside
+    = shapes::boundary(shapes::tetrahedral_box(12, 12, 1, {{0.2, 0.2, 0.02}}));
+  for(auto& p : inside.points)
+    p = {p[0] + 0.1, p[1] + 0.1, p[2] + 0.26};
+  Two_parts(block, inside, 0.15).expect_chords_within_parts(0.02, 0.3, 0.02);
 }
 
 // A box without lid: there is no exit from its bottom, until a cap closes it.

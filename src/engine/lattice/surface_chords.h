@@ -9,12 +9,14 @@
 #include <CGAL/Canonical_pose_3/internal/lattice/Geodesic_bounds.h>
 #include <CGAL/Canonical_pose_3/internal/support/for_each_block.h>
 
+#include <boost/container/small_vector.hpp>
 #include <boost/functional/hash.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <map>
 #include <optional>
 #include <stdexcept>
@@ -154,9 +156,9 @@ inline std::vector<Surface_sample> sample_surface(const Row_points& points,
 }
 
 // Finds where the ray from a sample against the normal leaves the part of the solid bounded by the
-// sample. Usually this is the first exit. Where parts of the solid overlap, exits of other parts
-// may come first: then it is the first exit whose face is not much farther by geodesics than along
-// the ray.
+// sample. Usually this is the first exit. Where parts of the solid overlap, entries and exits along
+// the line of the ray are paired such that they are hardly farther from each other by geodesics
+// than along the ray.
 class Exit_search
 {
 public:
@@ -170,52 +172,132 @@ public:
   std::optional<Hit> operator()(const Surface_sample& sample, const Eigen::Vector3d& inward) const
   {
     std::optional<Hit> exit;
-    int depth = 1;
     m_rays.trace(sample.point, inward, sample.face, [&](const Hit& hit) {
-      depth += hit.is_exit ? -1 : 1;
       if(hit.is_exit)
         exit = hit;
-      return depth > 0 && !(exit && is_plausible(sample, *exit));
+      return false;
     });
-    if(!exit || is_plausible(sample, *exit))
-      return exit;
-
-    // the sample may be inside other parts of the solid, which the ray must exit, too
-    depth = 1;
-    m_rays.trace(sample.point, -inward, sample.face, [&](const Hit& hit) {
-      depth += hit.is_exit ? 1 : -1;
-      return true;
-    });
-    exit.reset();
-    m_rays.trace(sample.point, inward, sample.face, [&](const Hit& hit) {
-      depth += hit.is_exit ? -1 : 1;
-      if(hit.is_exit && (!exit || distance(sample, hit) < distance(sample, *exit)))
-        exit = hit;
-      return depth > 0 && !(exit && is_plausible(sample, *exit));
-    });
-    if(exit && is_impossible(sample, *exit))
+    const Hit start = {0, sample.face, false};
+    if(!exit || detour(start, *exit) > PLAUSIBLE_DETOUR)
+      exit = exit_of_pair(start, crossings(sample, inward));
+    if(exit && is_impossible(start, *exit))
       exit.reset();
     return exit;
   }
 
 private:
-  bool is_plausible(const Surface_sample& sample, const Hit& hit) const
+  // Entries and exits on a line, in its direction.
+  using Crossings = boost::container::small_vector<Hit, 16>;
+
+  static constexpr double PLAUSIBLE_DETOUR = 1.6;
+
+  // From the sample, and entries before it into parts that it is in, to where the ray leaves all of them.
+  Crossings crossings(const Surface_sample& sample, const Eigen::Vector3d& inward) const
   {
-    return distance(sample, hit) <= 1.6 * hit.distance + 0.01;
+    Crossings result = {{0, sample.face, false}};
+    int number_of_left_parts = 0;
+    m_rays.trace(sample.point, -inward, sample.face, [&](const Hit& hit) {
+      if(!hit.is_exit)
+        ++number_of_left_parts;
+      else if(number_of_left_parts > 0)
+        --number_of_left_parts;
+      else
+        result.push_back({-hit.distance, hit.face, false});
+      return true;
+    });
+    auto depth = static_cast<std::ptrdiff_t>(result.size());
+    m_rays.trace(sample.point, inward, sample.face, [&](const Hit& hit) {
+      depth += hit.is_exit ? -1 : 1;
+      result.push_back(hit);
+      return depth > 0;
+    });
+    return result;
+  }
+
+  // The pairs of entries and exits of which that of the sample, the first entry, is sought.
+  class Pairing
+  {
+  public:
+    Pairing(const Exit_search& search, const Crossings& crossings)
+      : m_search(search), m_crossings(crossings), m_is_open(crossings.size(), false)
+    {
+      pair_from(0, 0, 0);
+    }
+
+    std::size_t exit() const { return m_exit; } // 0: none
+
+  private:
+    void pair_from(const std::size_t i, const double cost, const std::size_t exit)
+    {
+      if(!(cost < m_least_cost))
+        return;
+      if(i == m_crossings.size())
+      {
+        if(exit != 0)
+        {
+          m_least_cost = cost;
+          m_exit = exit;
+        }
+        return;
+      }
+      if(!m_crossings[i].is_exit)
+      {
+        m_is_open[i] = true;
+        pair_from(i + 1, cost, exit);
+        m_is_open[i] = false;
+        return;
+      }
+      for(std::size_t entry = 0; entry < i; ++entry)
+        if(m_is_open[entry])
+        {
+          m_is_open[entry] = false;
+          const double detour = m_search.detour(m_crossings[entry], m_crossings[i]);
+          pair_from(i + 1, cost + std::log((std::max)(detour / PLAUSIBLE_DETOUR, 1.)),
+                    entry == 0 ? i : exit);
+          m_is_open[entry] = true;
+        }
+    }
+
+    const Exit_search& m_search;
+    const Crossings& m_crossings;
+    boost::container::small_vector<bool, 16> m_is_open;
+    double m_least_cost = std::numeric_limits<double>::infinity();
+    std::size_t m_exit = 0;
+  };
+
+  std::optional<Hit> exit_of_pair(const Hit& start, const Crossings& crossings) const
+  {
+    constexpr std::size_t most = 12; // all pairs of more are too many
+    std::size_t exit = 0;
+    if(crossings.size() <= most)
+      exit = Pairing(*this, crossings).exit();
+    else
+      for(std::size_t i = 0; i < crossings.size(); ++i)
+        if(crossings[i].is_exit
+           && (exit == 0 || detour(start, crossings[i]) < detour(start, crossings[exit])))
+          exit = i;
+    return exit == 0 ? std::nullopt : std::make_optional(crossings[exit]);
+  }
+
+  // How much farther an exit is by geodesics than along the ray, but for a short distance.
+  double detour(const Hit& entry, const Hit& exit) const
+  {
+    constexpr double least_distance = .00625;
+    return distance(entry, exit) / (exit.distance - entry.distance + least_distance);
   }
 
   // Whether the exit is certainly on another part, as at a contact that was cut, where parts have
   // coincident borders.
-  bool is_impossible(const Surface_sample& sample, const Hit& hit) const
+  bool is_impossible(const Hit& entry, const Hit& exit) const
   {
-    return distance(sample, hit) > 1.6 * hit.distance + 0.3;
+    return distance(entry, exit) > PLAUSIBLE_DETOUR * exit.distance + 0.3;
   }
 
-  // a lower bound of the geodesic distance; 0 to a cap
-  double distance(const Surface_sample& sample, const Hit& hit) const
+  // A lower bound of the geodesic distance; 0 to a cap.
+  double distance(const Hit& entry, const Hit& exit) const
   {
-    return hit.face < m_triangles.size()
-             ? m_bounds(m_triangles[sample.face][0], m_triangles[hit.face][0])
+    return entry.face < m_triangles.size() && exit.face < m_triangles.size()
+             ? m_bounds(m_triangles[entry.face][0], m_triangles[exit.face][0])
              : 0;
   }
 
