@@ -13,10 +13,13 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <boost/algorithm/string/join.hpp>
+
 #include <Eigen/Geometry>
 
 #include <gtest/gtest.h>
 
+#include "engine/stance/relief_in_front.h"
 #include "matchers.h"
 #include "shapes.h"
 
@@ -88,6 +91,20 @@ Eigen::RowVector3d at(const Result& result, const std::size_t vertex)
   return result.pose.row(static_cast<Eigen::Index>(vertex));
 }
 
+// Of what is near a vertex, from one pose to another one.
+Eigen::Matrix3d rotation_at(const std::size_t vertex, const double radius, const Point_matrix& from,
+                            const Point_matrix& to)
+{
+  const auto v = static_cast<Eigen::Index>(vertex);
+  std::vector<Eigen::Index> near;
+  for(Eigen::Index i = 0; i < from.rows(); ++i)
+    if((from.row(i) - from.row(v)).norm() < radius)
+      near.push_back(i);
+  return Eigen::umeyama(Eigen::Matrix3Xd(from(near, Eigen::all).transpose()),
+                        Eigen::Matrix3Xd(to(near, Eigen::all).transpose()), false)
+    .topLeftCorner<3, 3>();
+}
+
 // The skeleton of a body of this kind, whose pose is as good as a pose should be.
 const Skeleton_3& checked_skeleton(const Result& result, const Skeleton_3::Kind kind)
 {
@@ -100,7 +117,7 @@ const Skeleton_3& checked_skeleton(const Result& result, const Skeleton_3::Kind 
 }
 
 // Exact: directions of limbs, left, up and front. The figure stands with its front toward +z, so its left hand has x > 0; the
-// postures hide nothing of that.
+// postures hide nothing of that. Its rest shape has level palms.
 TEST(Stances, person_from_any_posture)
 {
   const Articulated_figure figure(NUMBER_OF_VERTICES);
@@ -108,6 +125,8 @@ TEST(Stances, person_from_any_posture)
                     right_hand = figure.landmark(Landmark::RIGHT_HAND),
                     left_foot = figure.landmark(Landmark::LEFT_FOOT),
                     head = figure.landmark(Landmark::HEAD);
+  const Point_matrix rest = to_matrix(figure.points({}));
+  const double length_of_hand = .1 * (rest.col(0).maxCoeff() - rest.col(0).minCoeff());
   std::vector<Point_matrix> poses;
   for(const auto& posture : Articulated_figure::named_poses())
   {
@@ -129,6 +148,8 @@ TEST(Stances, person_from_any_posture)
     EXPECT_LT(at(result, right_hand)[0], result.pose.col(0).minCoeff() + .1 * size);
     EXPECT_GT(at(result, head)[1], .95 * size);
     EXPECT_GT(at(result, left_foot)[2], joint(skeleton, "left ankle").position[2] + .05 * size);
+    for(const std::size_t hand : {left_hand, right_hand})
+      EXPECT_GT(rotation_at(hand, length_of_hand, rest, result.pose)(1, 1), .9) << hand;
     poses.push_back(result.pose);
   }
   for(std::size_t i = 1; i < poses.size(); ++i)
@@ -259,6 +280,20 @@ TEST(Stances, limbs_of_different_lengths)
   EXPECT_EQ(
     result_of(points, figure.triangles(), in_stance(Stance::T)).summary.warnings,
     std::vector<std::string>{"limbs have different lengths in the stance: left arm and right arm"});
+}
+
+// A spring pulls a hand to the head, so the arm cannot be straight, and a warning says so.
+TEST(Stances, limb_that_a_constraint_bends)
+{
+  const Articulated_figure figure(NUMBER_OF_VERTICES);
+  const Point_matrix points = to_matrix(figure.points());
+  const double height = points.col(1).maxCoeff() - points.col(1).minCoeff();
+  Options options = in_stance(Stance::T);
+  options.constraints.springs
+    = {{figure.landmark(Landmark::LEFT_HAND), figure.landmark(Landmark::HEAD), .2 * height, 1}};
+  const auto warnings = result_of(points, figure.triangles(), options).summary.warnings;
+  ASSERT_EQ(warnings.size(), 1u) << boost::algorithm::join(warnings, "\n");
+  EXPECT_EQ(warnings[0].find("limbs are bent in the stance: left arm by "), 0u) << warnings[0];
 }
 
 // Each defect of a direction is told with its index.
@@ -426,6 +461,24 @@ TEST(Stances, other_shapes_are_refused)
   const auto ball = Canonical_pose_test::icosphere_soup(2, 1);
   EXPECT_THROW_WITH(result_of(to_matrix(ball.points), ball.triangles, in_stance(Stance::T)),
                     std::invalid_argument, "no head and four limbs were found");
+}
+
+// Exact: the reflected head has the opposite value. A sphere, whose mesh is the same in front and at the back, has none; one with a
+// nose has more relief where the nose is.
+TEST(Stances, relief_of_the_face)
+{
+  const auto sphere = Canonical_pose_test::icosphere_soup(4, 1.);
+  Point_matrix points = to_matrix(sphere.points);
+  const Eigen::Matrix3d frame = Eigen::Matrix3d::Identity();
+  EXPECT_NEAR(CP::internal::relief_in_front(points, sphere.triangles, frame), 0, 1e-9);
+  for(Eigen::Index v = 0; v < points.rows(); ++v)
+    if(points(v, 2) > .8)
+      points(v, 2) += points(v, 2) - .8;
+  const double relief = CP::internal::relief_in_front(points, sphere.triangles, frame);
+  EXPECT_GT(relief, .5);
+  Eigen::Matrix3d reversed;
+  reversed << -1, 0, 0, 0, 1, 0, 0, 0, -1;
+  EXPECT_NEAR(CP::internal::relief_in_front(points, sphere.triangles, reversed), -relief, 1e-9);
 }
 
 // The prism over a star with five points, all alike: none is a head.

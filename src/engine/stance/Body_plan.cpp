@@ -4,6 +4,7 @@
 #include "Body_plan.h"
 #include "extremities.h"
 #include "limb_pairs.h"
+#include "relief_in_front.h"
 #include "../surface/root_of_area.h"
 #include "../target/aligning_motion.h"
 
@@ -150,7 +151,7 @@ Body_plan::Body_plan(const Surface_component_3& surface, const Coarse_surface_3&
   m_shares /= m_shares.sum();
   find_limbs(coarse, measure);
   set_joints();
-  set_frames(coarse, measure);
+  set_frames(surface, coarse, measure);
 }
 
 double Body_plan::girth(const Limb& limb, const double distance) const
@@ -412,9 +413,10 @@ Eigen::Vector3d Body_plan::direction_of_leg(const Limb& limb) const
          * (center(m_rest, limb, limb.end) - center(m_rest, limb, limb.root)).transpose();
 }
 
-void Body_plan::set_frames(const Coarse_surface_3& coarse, const Measure_distances& measure)
+void Body_plan::set_frames(const Surface_component_3& surface, const Coarse_surface_3& coarse,
+                           const Measure_distances& measure)
 {
-  constexpr double least_evidence = .05;
+  constexpr double least_evidence = .05, weight_of_face = .05;
   const bool is_person = m_kind == Skeleton_3::Kind::PERSON;
   if(are_legs_on_other_sides(coarse, measure))
     std::swap(m_limbs[2], m_limbs[3]);
@@ -425,8 +427,19 @@ void Body_plan::set_frames(const Coarse_surface_3& coarse, const Measure_distanc
   };
   double evidence = 0;
   if(is_person)
+  {
     for(const std::size_t i : {2, 3})
       evidence += third(left[1]).dot(direction_of_toes(m_limbs[i]));
+    std::vector<std::array<std::size_t, 3>> triangles_of_head;
+    for(const auto& triangle : surface.triangles)
+      if(std::all_of(triangle.begin(), triangle.end(), [&](const std::size_t v) {
+           return head().distances[static_cast<Eigen::Index>(v)] < head().end;
+         }))
+        triangles_of_head.push_back(triangle);
+    Eigen::Matrix3d frame;
+    frame << left[0], m_axis, third(left[0]);
+    evidence += weight_of_face * relief_in_front(m_pose, triangles_of_head, frame);
+  }
   else
     for(std::size_t i = 0; i < 4; ++i)
       evidence -= third(left[i / 2]).dot(direction_of_leg(m_limbs[i])) / 2;

@@ -114,7 +114,8 @@ private:
   void find_limbs(const Coarse_surface_3& coarse, const Measure_distances& measure);
   void set_trunk();
   void set_joints();
-  void set_frames(const Coarse_surface_3& coarse, const Measure_distances& measure);
+  void set_frames(const Surface_component_3& surface, const Coarse_surface_3& coarse,
+                  const Measure_distances& measure);
   bool are_legs_on_other_sides(const Coarse_surface_3& coarse,
                                const Measure_distances& measure) const;
   Eigen::RowVector3d joint(const Limb& limb) const { return center(m_pose, limb, limb.root); }

@@ -5,6 +5,7 @@
 #define CANONICAL_POSE_3_ENGINE_STANCE_STRAIGHT_LIMB_H
 
 #include "Body_plan.h"
+#include "smooth_step.h"
 
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
@@ -22,7 +23,7 @@ namespace Canonical_pose_3 {
 namespace internal {
 
 // A limb that is straightened in a direction, from its root: sections move with their centers, and are rotated such that the
-// center line becomes straight, from one section to the next about the axis in which it is bent there.
+// center line becomes straight, from one section to the next about the axis in which it is bent there. Then it can be twisted.
 class Straight_limb
 {
 public:
@@ -31,7 +32,8 @@ public:
   Straight_limb(const Body_plan& body, const Limb& limb, const Point_matrix& points,
                 const Eigen::Vector3d& direction, const double stretch,
                 const std::optional<Eigen::Vector3d>& direction_of_tip)
-    : m_distances(limb.distances), m_end(limb.end), m_width_of_end((std::min)(.05, .1 * limb.root))
+    : m_distances(limb.distances), m_end(limb.end), m_width_of_end((std::min)(.05, .1 * limb.root)),
+      m_direction(direction)
   {
     constexpr double length_of_section = .05, width = .035;
     const auto number = static_cast<std::size_t>(
@@ -61,11 +63,22 @@ public:
     }
     if(direction_of_tip)
     {
-      const Eigen::Vector3d tip
-        = straightened(points.row(static_cast<Eigen::Index>(limb.tip)).transpose(), 0);
-      m_rotation_of_tip
-        = Eigen::Quaterniond::FromTwoVectors(tip - m_positions[0], *direction_of_tip);
+      const auto to_tip = [&]() -> Eigen::Vector3d {
+        return straightened(points.row(static_cast<Eigen::Index>(limb.tip)).transpose(), 0)
+               - m_positions[0];
+      };
+      twist(angle_about(direction, to_tip(), *direction_of_tip), .5);
+      m_rotation_of_tip = Eigen::Quaterniond::FromTwoVectors(to_tip(), *direction_of_tip);
     }
+  }
+
+  const Eigen::Vector3d& direction() const { return m_direction; }
+
+  // Turns the limb about its line, by a share of the angle that grows from the root to a share of the length.
+  void twist(const double angle, const double share_of_length)
+  {
+    m_twist = angle;
+    m_length_of_twist = share_of_length * (m_length * static_cast<double>(m_rotations.size()));
   }
 
   // Where a vertex of the limb is moved.
@@ -88,6 +101,20 @@ public:
   }
 
 private:
+  // By which a vector is turned about a direction to be as near as possible to another one; 0 if either is almost in the direction.
+  static double angle_about(const Eigen::Vector3d& direction, const Eigen::Vector3d& from,
+                            const Eigen::Vector3d& to)
+  {
+    constexpr double least_share = .3;
+    const auto across = [&](const Eigen::Vector3d& v) -> Eigen::Vector3d {
+      return v - v.dot(direction) * direction;
+    };
+    const Eigen::Vector3d a = across(from), b = across(to);
+    if(a.norm() < least_share * from.norm() || b.norm() < least_share * to.norm())
+      return 0;
+    return std::atan2(a.cross(b).dot(direction), a.dot(b));
+  }
+
   Eigen::Vector3d tangent(const std::size_t k) const { return m_centers[k] - m_centers[k + 1]; }
 
   Eigen::Vector3d straightened(const Eigen::Vector3d& point, const double distance) const
@@ -104,11 +131,16 @@ private:
     const auto mixed = [&](const std::vector<Eigen::Vector3d>& values) {
       return Eigen::Vector3d((1 - share) * values[k] + share * values[k + 1]);
     };
-    return mixed(m_positions) + rotation * (point - mixed(m_centers));
+    const double twist
+      = m_twist * smooth_step((m_end + m_length * last - distance) / m_length_of_twist);
+    return mixed(m_positions)
+           + Eigen::AngleAxisd(twist, m_direction) * (rotation * (point - mixed(m_centers)));
   }
 
   const Eigen::VectorXd& m_distances;
-  double m_end, m_width_of_end, m_length;              // the last one: of a section
+  double m_end, m_width_of_end, m_length; // the last one: of a section
+  Eigen::Vector3d m_direction;
+  double m_twist = 0, m_length_of_twist = 1;
   std::vector<Eigen::Vector3d> m_centers, m_positions; // from the end to the root
   std::vector<Eigen::Quaterniond> m_rotations;         // of the sections between them
   std::optional<Eigen::Quaterniond> m_rotation_of_tip;

@@ -42,7 +42,8 @@ Named_directions directions_of(const Stance stance, const Kind kind)
   if(is_person == (stance == Stance::STAND))
     throw std::invalid_argument(
       is_person ? "standing is a stance of animals with four legs, but the shape is like a person"
-                : "the stance is one of persons, but the shape is like an animal with four legs");
+                : "T, A and Vitruvian are stances of persons, but the shape is like an animal with "
+                  "four legs");
   const Eigen::Vector3d level(1, 0, 0), down(0, -1, 0);
   switch(stance)
   {

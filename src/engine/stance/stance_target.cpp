@@ -14,6 +14,7 @@
 #include <CGAL/number_type_config.h>
 
 #include <Eigen/Core>
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -67,6 +68,46 @@ void blend(const Body_plan& body, const Limb& limb, const Point_matrix& points,
     if(is_in_joint || moved.is_in_end(v))
       result.weights[v] = 0;
   }
+}
+
+// The angle by which a hand is turned about its arm so that it lies level, with the palm downward and the thumb in front; 0 if it is
+// not wide, or if the arm points to the front. `moved`: the straight arm.
+double angle_of_hand(const Body_plan& body, const Limb& arm, const bool is_left,
+                     const Point_matrix& points, const Straight_limb& moved)
+{
+  constexpr double least_ratio = 1.15, least_across = .5;
+  const Eigen::Vector3d front = Eigen::Vector3d::UnitZ(), &direction = moved.direction(),
+                        across = front - front.dot(direction) * direction;
+  if(across.norm() < least_across)
+    return 0;
+  Eigen::Matrix<double, 3, 2> axes; // their sides: the thumb's and, of the left hand, the palm's
+  axes << across.normalized(), direction.cross(across).normalized();
+  Eigen::VectorXd shares = Eigen::VectorXd::Zero(points.rows());
+  Eigen::MatrixX2d hand = Eigen::MatrixX2d::Zero(points.rows(), 2);
+  for(Eigen::Index v = 0; v < points.rows(); ++v)
+    if(arm.distances[v] < arm.end)
+    {
+      shares[v] = body.shares()[v];
+      hand.row(v) = (axes.transpose() * moved(points.row(v).transpose(), v)).transpose();
+    }
+  if(!(shares.sum() > 0))
+    return 0;
+  shares /= shares.sum();
+  const Eigen::RowVector2d mean = shares.transpose() * hand;
+  hand.rowwise() -= mean;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(hand.transpose() * shares.asDiagonal()
+                                                              * hand);
+  const Eigen::Vector2d deviations = solver.eigenvalues().cwiseMax(0).cwiseSqrt();
+  if(!(deviations[1] > least_ratio * deviations[0]))
+    return 0;
+  // By distance from the tip, the half at the wrist has the thumb, on its side and on that of the palm. The other half is opposite.
+  const Eigen::RowVector2d fingers
+    = (arm.distances.array() < arm.end / 2).select(shares, 0).transpose() * hand;
+  Eigen::Vector2d wide = solver.eigenvectors().col(1);
+  const Eigen::Vector2d deep(-wide[1], wide[0]);
+  if(fingers.dot(wide) / deviations[1] + (is_left ? 1 : -1) * fingers.dot(deep) / deviations[0] > 0)
+    wide = -wide;
+  return -std::atan2(wide[1], wide[0]);
 }
 
 // The direction in the plane of up and front whose angle from the front is the nearest one within limits, in degrees.
@@ -145,8 +186,10 @@ Stance_target stance_target(const Body_plan& body, const Method_options::Stance 
     const Point_matrix points = (body.pose().rowwise() - body.origin()) * frame.transpose();
     if(goal.direction && goal.is_straightened)
     {
-      const Straight_limb moved(body, limb, points, *goal.direction, stretches[i / 2],
-                                goal.direction_of_tip);
+      Straight_limb moved(body, limb, points, *goal.direction, stretches[i / 2],
+                          goal.direction_of_tip);
+      if(!goal.direction_of_tip)
+        moved.twist(angle_of_hand(body, limb, i % 2 == 0, points, moved), 1);
       blend(body, limb, points, straight, moved, result);
       result.directions[i] = *goal.direction;
     }
