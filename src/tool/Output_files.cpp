@@ -83,21 +83,9 @@ struct Unfinished_file
   Unfinished_file* next;
 };
 std::atomic<Unfinished_file*> unfinished_files{nullptr};
+std::atomic<pid_t> owner{0}; // of the files: not a child before it becomes another program
 std::atomic<bool> is_committing{false};
 std::atomic<int> signal_during_commit{0};
-
-void add_unfinished_file(const char* const path)
-{
-  auto* const file = new Unfinished_file{path, true, unfinished_files.load()};
-  unfinished_files.store(file);
-}
-
-void drop_unfinished_file(const fs::path& path)
-{
-  for(Unfinished_file* file = unfinished_files; file; file = file->next)
-    if(file->path == path.string())
-      file->exists = false;
-}
 
 // Only what is safe in a handler.
 extern "C" void remove_files_and_exit(const int signal)
@@ -107,7 +95,7 @@ extern "C" void remove_files_and_exit(const int signal)
     signal_during_commit = signal;
     return;
   }
-  for(Unfinished_file* file = unfinished_files; file; file = file->next)
+  for(Unfinished_file* file = unfinished_files; file && owner == getpid(); file = file->next)
     if(file->exists)
       unlink(file->path.c_str());
   _exit(128 + signal);
@@ -134,11 +122,11 @@ fs::path make_beside(const fs::path& place, const Make& make)
   for(int attempt = 0;; ++attempt)
   {
     fs::path name = beside(place, attempt);
-    add_unfinished_file(name.c_str());
+    add_unfinished_file(name.string());
     if(make(name.c_str()) >= 0)
       return name;
     const int error = errno;
-    drop_unfinished_file(name);
+    drop_unfinished_file(name.string());
     errno = error;
     if(errno != EEXIST || attempt == most_attempts)
       return {};
@@ -203,8 +191,22 @@ private:
 
 } // namespace
 
+void add_unfinished_file(const std::string& path)
+{
+  auto* const file = new Unfinished_file{path, true, unfinished_files.load()};
+  unfinished_files.store(file);
+}
+
+void drop_unfinished_file(const std::string& path)
+{
+  for(Unfinished_file* file = unfinished_files; file; file = file->next)
+    if(file->path == path)
+      file->exists = false;
+}
+
 void remove_files_on_signals()
 {
+  owner = getpid();
   for(const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGXFSZ})
   {
     struct sigaction action = {};
@@ -261,7 +263,7 @@ Output_files::~Output_files()
       if(!name.empty())
       {
         fs::remove(name, error);
-        drop_unfinished_file(name);
+        drop_unfinished_file(name.string());
       }
   is_committing = false;
   if(signal_during_commit != 0)
@@ -342,7 +344,7 @@ void Output_files::commit()
       undo(i);
       throw std::runtime_error(cannot_write(m_files[i].path, error.message()));
     }
-    drop_unfinished_file(m_files[i].beside);
+    drop_unfinished_file(m_files[i].beside.string());
     m_files[i].beside.clear();
   }
 }

@@ -20,6 +20,10 @@ struct Companion_files;
 // committed, and exits with 128 plus the number of the signal. A signal during commit() waits for its end.
 void remove_files_on_signals();
 
+// Lets signals remove a file, too, until it is dropped.
+void add_unfinished_file(const std::string& path);
+void drop_unfinished_file(const std::string& path);
+
 // Where messages go: not to the standard output if it is one of the outputs.
 std::ostream& messages_beside(const std::vector<std::string>& outputs);
 

@@ -41,6 +41,27 @@ expect_exit(0 collection same_mtl --database same_mtl.db --poses out/same_mtl --
 run_tool(collection --list --json --database same_mtl.db)
 expect_match("${stdout}" "the pose names 'm.mtl', which is beside the input, but not copied")
 
+# A row is a line, with a tab between columns.
+file(REMOVE_RECURSE ${WORK}/odd ${WORK}/odd.db)
+file(MAKE_DIRECTORY ${WORK}/odd)
+file(WRITE "${WORK}/odd/a\tb\nc\\d.off" "OFF\n0 0 0\n")
+run_tool(collection odd --database odd.db)
+expect_match("${stdout}" "refused\t[^\n]*/a.tb.nc..d.off\t[^\n]*\n$")
+run_tool(collection --list --database odd.db)
+expect_match("${stdout}" "^refused\t[^\n\t]*/a[\\]tb[\\]nc[\\][\\]d.off\t[^\n\t]*\t[^\n\t]*\n$")
+
+# A signal leaves no lock, at whatever moment.
+find_program(timeout timeout)
+foreach(seconds IN ITEMS .03 .1 .2 .4)
+  foreach(signal IN ITEMS INT TERM HUP)
+    file(REMOVE ${WORK}/ended.db)
+    execute_process(COMMAND ${timeout} -s ${signal} ${seconds} ${TOOL} collection ball.off --database ended.db
+      WORKING_DIRECTORY ${WORK} OUTPUT_QUIET ERROR_QUIET)
+    file(GLOB files ${WORK}/ended.db.lock)
+    expect_match("<${files}>" "^<>$")
+  endforeach()
+endforeach()
+
 # Files that were moved are recognized; copies are not.
 set(quick --descriptor shape-distribution-d2 --rounds 0)
 file(REMOVE_RECURSE ${WORK}/moved ${WORK}/moved.db ${WORK}/here)
@@ -244,7 +265,6 @@ if(MAKE_FIGURE)
   endmacro()
 
   # Killed in the middle, then run to the end: the same.
-  find_program(timeout timeout)
   foreach(seconds IN ITEMS .15 .3 .45)
     execute_process(COMMAND ${timeout} -s KILL ${seconds} ${TOOL} collection figures --database killed.db ${quick}
       WORKING_DIRECTORY ${WORK} OUTPUT_QUIET ERROR_QUIET)

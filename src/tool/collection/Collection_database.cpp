@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "Collection_database.h"
+#include "Output_files.h"
 
 #include <sqlite3.h>
 
@@ -177,11 +178,13 @@ public:
   {
     while(!is_held(database))
       ::close(m_file);
+    add_unfinished_file(m_path);
   }
   Write_lock(const Write_lock&) = delete;
   Write_lock& operator=(const Write_lock&) = delete;
   ~Write_lock()
   {
+    drop_unfinished_file(m_path); // afterward, there may be that of another process
     unlink(m_path.c_str());
     ::close(m_file);
   }

@@ -18,13 +18,25 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Outcome, path and message, with tabs between them.
-std::string line_of(const Shape_row& row, const std::string& before_message = "")
+// With the letters that would end a column or a row as in C.
+std::string escaped(const std::string& text)
 {
-  return name_of(row.outcome) + '\t' + row.key.path
-         + (row.message.empty() && before_message.empty() ? ""
-                                                          : '\t' + before_message + row.message)
-         + '\n';
+  std::string result;
+  for(const char c : text)
+    result += c == '\n'   ? "\\n"
+              : c == '\r' ? "\\r"
+              : c == '\t' ? "\\t"
+              : c == '\\' ? "\\\\"
+                          : std::string(1, c);
+  return result;
+}
+
+// Outcome, path, options if they are shown, and message, with tabs between them.
+std::string line_of(const Shape_row& row, const bool has_options = false)
+{
+  return name_of(row.outcome) + '\t' + escaped(row.key.path)
+         + (has_options ? '\t' + escaped(row.key.options) : "")
+         + (row.message.empty() && !has_options ? "" : '\t' + escaped(row.message)) + '\n';
 }
 
 Json json_of(const Shape_row& row)
@@ -83,7 +95,7 @@ void list_collection(const Arguments& arguments)
       all.push_back(json_of(row));
     }
     else
-      std::cout << line_of(row, row.key.options + '\t');
+      std::cout << line_of(row, true);
   });
   if(arguments.is_json)
     std::cout << all.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
