@@ -191,6 +191,7 @@ void add_losses_of_shown(std::vector<std::string>& warnings, const std::string& 
     return;
   const Format format = format_of(path);
   std::vector<std::string> names = losses(input, format, false, false);
+  names.erase(std::remove(names.begin(), names.end(), COMMENTS), names.end()); // of another file
   if(format == Format::PLY && has_vertex_colors && !input.appearance.vertex_colors.empty())
     names.insert(names.begin(), "colors");
   add_losses(warnings, result, names);

@@ -109,7 +109,7 @@ TEST(Appearance, of_a_file)
   EXPECT_EQ(appearance.texture_coordinates[0], (std::array<float, 2>{0, .25f}));
   ASSERT_EQ(appearance.materials.size(), 3u);
   EXPECT_EQ(appearance.materials[0].image, IMAGE);
-  EXPECT_EQ(appearance.materials[0].color, (std::array<double, 4>{1, 1, 1, 1}));
+  EXPECT_EQ(appearance.materials[0].color, (std::array<double, 4>{.2, .3, .4, 1}));
   EXPECT_EQ(appearance.materials[1].color, (std::array<double, 4>{1, 0, 0, .5}));
   EXPECT_EQ(appearance.materials[1].alpha_mode, "BLEND");
   EXPECT_EQ(appearance.materials[2].image, "");
@@ -127,12 +127,13 @@ TEST(Appearance, is_carried_to_other_formats)
   EXPECT_EQ(corners_of(written(mesh, ".glb"), true), corners_of(mesh, true));
   EXPECT_EQ(corners_of(written(mesh, ".obj"), true, true), corners_of(mesh, true, true));
   EXPECT_EQ(corners_of(written(written(mesh, ".glb"), ".obj"), true), corners_of(mesh, true));
-  EXPECT_EQ(losses(mesh, Format::GLB), Names());
+  EXPECT_EQ(losses(mesh, Format::GLB), Names{"polygons"});
   for(const auto& [extension, format] : {std::make_pair(".ply", Format::PLY), std::make_pair(".obj", Format::OBJ)})
   {
     EXPECT_EQ(corners_of(written(mesh, extension), false), corners_of(mesh, false)) << extension;
-    EXPECT_EQ(losses(mesh, format),
-              format == Format::OBJ ? Names() : (Names{"normals", "colors of materials"}));
+    EXPECT_EQ(losses(mesh, format), format == Format::OBJ ? Names()
+                                                          : (Names{"normals", "colors of materials",
+                                                                   "names of materials"}));
   }
   EXPECT_EQ(written(mesh, ".off").appearance.vertex_colors, mesh.appearance.vertex_colors);
   EXPECT_EQ(losses(mesh, Format::OFF), (Names{"normals", "texture coordinates", "materials"}));
@@ -183,6 +184,9 @@ TEST(Appearance, losses_of_all_pairs_of_formats)
           if(const auto kept = attributes_of(result);
              std::find(kept.begin(), kept.end(), name) == kept.end())
             lost.push_back(name);
+        if(to == ".ply" && result.appearance.has_materials()
+           && mesh.appearance.materials.at(0).name == "shown")
+          lost.push_back("names of materials");
         std::vector<std::string> named
           = losses(mesh, format_of("a" + to, Use::WRITE), false, with_files);
         std::sort(lost.begin(), lost.end());
@@ -383,6 +387,26 @@ TEST(Appearance, materials)
   }
   EXPECT_EQ(appearance("newmtl m\nmap_Kd -s 1 1 1 no such.png\n").missing,
             std::set<std::string>{"the texture 'no such.png'"});
+  // A factor of the texture, unless nothing could be seen.
+  const std::string texture = "map_Kd " + image + '\n';
+  for(const bool is_first : {false, true})
+  {
+    const auto with = [&](const std::string& factor) {
+      return color(is_first ? factor + texture : texture + factor);
+    };
+    EXPECT_EQ(with("Kd .5 .25 0\n"), (Color_of_material{.5, .25, 0, 1}));
+    EXPECT_EQ(with("Kd 0 0 0\n"), (Color_of_material{1, 1, 1, 1}));
+    EXPECT_EQ(with("Kd 0\nd .5\n"), (Color_of_material{1, 1, 1, .5}));
+  }
+  EXPECT_EQ(color("Kd 0 0 0\nmap_Kd no such.png\n"), (Color_of_material{0, 0, 0, 1}));
+  // Neither is carried.
+  EXPECT_EQ(appearance("newmtl m\nKd 1 1 1\nd 1\n" + texture + "map_d " + image + '\n').missing,
+            std::set<std::string>());
+  EXPECT_EQ(appearance("newmtl m\nKs 1 1 1\n").missing, std::set<std::string>{OTHER_PROPERTIES});
+  for(const char* const map : {"bump", "map_Bump", "map_d"})
+    EXPECT_EQ(appearance("newmtl m\n" + texture + map + " other.png\n").missing,
+              std::set<std::string>{OTHER_MAPS})
+      << map;
 }
 
 // OBJ has its materials beside it. Images that are files are not copied; others are, and replace none.
@@ -401,7 +425,7 @@ TEST(Appearance, files_beside_obj)
   const std::string path = written_file("c.obj", ""), stem = fs::path(path).stem().string();
   EXPECT_EQ(write_with_files_beside(mesh, path), Names{stem + ".mtl"});
   const std::string image = name_of(mesh.appearance.materials[0].image_path);
-  EXPECT_EQ(content(beside(path, stem + ".mtl")), "newmtl with_blanks\nKd 1 1 1\nd 1\nmap_Kd "
+  EXPECT_EQ(content(beside(path, stem + ".mtl")), "newmtl with_blanks\nKd 0.2 0.3 0.4\nd 1\nmap_Kd "
                                                     + image + "\nnewmtl red\nKd 1 0 0\nd 0.5\n");
   EXPECT_NE(content(path).find("\nusemtl red\n"), std::string::npos);
 
@@ -499,6 +523,13 @@ TEST(Appearance, ranges_of_colors)
             (Color{51, 0, 255}));
   EXPECT_EQ(first_color("b.obj", "v 0 0 0 .2 0 1\nv 1 0 0 0 0 0\nv 0 1 0 0 0 0\nf 1 2 3\n"),
             (Color{51, 0, 255}));
+  // Fractions of which some are whole, and texture coordinates after bytes.
+  EXPECT_EQ(first_color("a.off", "COFF\n3 1 0\n0 0 0 0 0 1\n1 0 0 .2 0 1\n0 1 0 0 0 0\n3 0 1 2\n"),
+            (Color{0, 0, 255}));
+  EXPECT_EQ(
+    first_color("a.off",
+                "STCOFF\n3 1 0\n0 0 0 51 0 255 .5 .5\n1 0 0 0 0 0 0 0\n0 1 0 0 0 0 0 0\n3 0 1 2\n"),
+    (Color{51, 0, 255}));
   for(const auto& [type, numbers] :
       {std::make_pair("uchar", "51 0 255"), std::make_pair("ushort", "13107 0 65535"),
        std::make_pair("float", ".2 0 1")})

@@ -467,7 +467,7 @@ TEST(Gltf, unsupported_content_is_refused_by_name)
   expect_refusal("/nodes/0/skin", 0, "a node names skin 0, but there are 0");
   expect_refusal("/nodes/0",
                  {{"mesh", 0}, {"translation", {1e308, 0, 0}}, {"scale", {1e308, 1, 1}}},
-                 "has a coordinate that is not finite");
+                 "has a coordinate that is too large");
   expect_refusal("/accessors/0/count", 1000000000000000,
                  "the accessor of POSITION is longer than its buffer view");
   expect_refusal("/accessors/0/type", "VEC2", "does not have 3 components");
@@ -785,7 +785,7 @@ TEST(Gltf, materials_of_scenes)
                     extension = "the extension 'KHR_materials_unlit' of materials";
   EXPECT_EQ(losses(mesh, Format::GLB, false), (std::vector<std::string>{extension, own_coordinates}));
   EXPECT_EQ(losses(mesh, Format::OBJ, false),
-            (std::vector<std::string>{"the opacity of colors", "maps of materials other than colors",
+            (std::vector<std::string>{"the opacity of colors", OTHER_MAPS, OTHER_PROPERTIES,
                                       extension, own_coordinates}));
   for(const bool is_scene : {false, true})
   {
@@ -828,6 +828,36 @@ TEST(Gltf, materials_of_scenes)
     EXPECT_EQ(written_colors[3], 13107);
     EXPECT_EQ(written_colors[7], 65535);
   }
+}
+
+// What no other format has is named; what this program writes itself is not.
+TEST(Gltf, what_other_formats_lack)
+{
+  using Names = std::vector<std::string>;
+  std::string bytes = written(ball());
+  EXPECT_EQ(losses(read_shown_mesh_file(written_file("plain.glb", bytes)), Format::OFF),
+            Names{"materials"});
+  json model = json_of(bytes);
+  json& primitive = model["meshes"][0]["primitives"][0];
+  json& attributes = primitive["attributes"];
+  attributes.erase("NORMAL");
+  attributes["_HEAT"] = attributes["COLOR_1"] = attributes["TEXCOORD_0"] = attributes["TEXCOORD_1"]
+    = attributes["POSITION"];
+  model["asset"]["copyright"] = "someone";
+  model["cameras"] = {{{"type", "perspective"}, {"perspective", {{"yfov", 1}, {"znear", 1}}}}};
+  model["extensionsUsed"] = {"KHR_lights_punctual", "KHR_materials_unlit", "KHR_texture_transform"};
+  model["nodes"].push_back({{"name", "parent"}, {"camera", 0}, {"children", {0}}});
+  model["nodes"][0]["extras"] = {{"note", "by hand"}};
+  model["scenes"] = {{{"nodes", {1}}}, {{"nodes", {0}}}};
+  const Mesh_file mesh = read_shown_mesh_file(written_file("all.glb", with_json(bytes, model)));
+  const auto lost = losses(mesh, Format::OFF);
+  EXPECT_EQ(
+    std::set<std::string>(lost.begin(), lost.end()),
+    (std::set<std::string>{"materials", "texture coordinates", "other sets of texture coordinates",
+                           "the attribute COLOR_1", "the attribute _HEAT", "cameras", "nodes",
+                           "other scenes", "names of nodes and meshes", "the copyright", "extras",
+                           "the extension KHR_lights_punctual"}));
+  EXPECT_EQ(losses(mesh, Format::GLB), Names());
 }
 
 // With a vertex twice in the strip, and without indices; the pose has triangles.
@@ -928,7 +958,9 @@ TEST(Gltf, rewritten)
       accessor.erase("max");
     }
   EXPECT_EQ(changed, model);
-  EXPECT_EQ(attributes_of_file(mesh), (std::vector<std::string>{"normals", "materials"}));
+  EXPECT_EQ(attributes_of_file(mesh),
+            (std::vector<std::string>{"normals", "materials", "nodes", "names of nodes and meshes",
+                                      "extras"}));
   // In the scene, normals of the rest pose are those of an ellipsoid; they turn as the positions do.
   const std::vector<float> before = numbers<float>(file, "NORMAL"),
                            after = numbers<float>(out.str(), "NORMAL");

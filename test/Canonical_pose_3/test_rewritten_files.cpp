@@ -49,6 +49,18 @@ std::string rewritten(const Mesh_file& mesh, const std::vector<Vertex_values>& v
   return out.str();
 }
 
+template <class T>
+std::string bytes_of(const std::vector<T>& values, const bool is_big_endian = false)
+{
+  std::string result;
+  for(const T& value : values)
+  {
+    std::string bytes(reinterpret_cast<const char*>(&value), sizeof(T));
+    result += is_big_endian ? std::string(bytes.rbegin(), bytes.rend()) : bytes;
+  }
+  return result;
+}
+
 // Numbers may differ by rounding.
 void expect_same_text(const std::string& text, const std::string& expected)
 {
@@ -119,16 +131,112 @@ TEST(Rewritten_files, attributes)
     attributes_of_file(
       read("a.mesh", "MeshVersionFormatted 2\nDimension 3\nVertices\n4\n0 0 0 0\n1 0 0 0\n0 1 0 0\n"
                      "0 0 1 0\nNormals\n1\n0 0 1\nTetrahedra\n1\n1 2 3 4 1\nEnd\n")),
-    Names{"turned normals"});
+    (Names{"labels", "the section Normals"}));
   EXPECT_EQ(attributes_of_file(read("a.ply", "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
                                              "property float z\nproperty uchar red\nelement face 1\n"
                                              "property list uchar int vertex_indices\nelement edge 0\nproperty int v\n"
                                              "end_header\n0 0 0 9\n1 0 0 9\n0 1 0 9\n3 0 1 2\n")),
             (Names{"colors", "the element edge"}));
+  EXPECT_EQ(
+    losses(read("normals.mesh",
+                "MeshVersionFormatted 2\nDimension 3\nVertices\n4\n0 0 0 0\n1 0 0 0\n0 1 0 0\n"
+                "0 0 1 0\nNormals\n1\n0 0 1\nTetrahedra\n1\n1 2 3 4 1\nEnd\n"),
+           Format::MEDIT),
+    Names{"turned normals"});
   const Mesh_file colored
     = read("a.off", "COFF\n3 1 0\n0 0 0 9 9 9\n1 0 0 9 9 9\n0 1 0 9 9 9\n3 0 1 2\n");
   EXPECT_EQ(losses(colored, Format::OFF), Names());
   EXPECT_EQ(losses(colored, Format::PLY), Names{"colors"});
+}
+
+// What no other format has is named, too, wherever it is in the file, and what has no meaning is not.
+TEST(Rewritten_files, what_other_formats_lack)
+{
+  using Names = std::vector<std::string>;
+  struct Case
+  {
+    std::string name, text;
+    Names lost;
+    Format other = Format::OFF;
+  };
+  const std::string vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\n", points = "0 0 0\n1 0 0\n0 1 0\n";
+  const std::string facet = "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 "
+                            "1 0\nendloop\nendfacet\n";
+  const auto stl = [](const std::string& header, const std::string& attribute) {
+    return header + std::string(80 - header.size(), '\0') + bytes_of<unsigned>({1})
+           + bytes_of<float>({0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0}) + attribute;
+  };
+  const std::string zero(2, '\0');
+  const std::string medit
+    = "MeshVersionFormatted 2\nDimension 3\nVertices\n4\n0 0 0 0\n1 0 0 0\n0 1 0 0\n0 0 1 0\n"
+      "Tetrahedra\n1\n1 2 3 4 ";
+  const std::vector<Case> cases = {
+    {"plain.obj", vertices + "s off\nf 1 2 3\ns 0\n", {}},
+    {"all.obj",
+     "# by hand\n" + vertices
+       + "s 1\nf 1 2 3\nl 1 \\\n 2\np 1\nvp 1 2\ncstype bspline\ncurv 0 1 1 2\nend\n",
+     {"lines", "points", "curves and surfaces", "smoothing groups", "comments"}},
+    {"others.obj", vertices + "f 1 2 3\nusemap none\n", {"other statements"}},
+    {"numbers.obj",
+     "v 0 0 0 1\nv 1 0 0 1.0\nv 0 1 0\nvt 0 0 0.0\nf 1 2 3\n",
+     {"texture coordinates"}},
+    {"further.obj",
+     "v 0 0 0 2\nv 1 0 0\nv 0 1 0\nvt 0 0 .5\nf 1 2 3\n",
+     {"texture coordinates", "further numbers of vertices", "third texture coordinates"}},
+    {"last.obj", vertices + "v 0 0 1 1 0 0\nf 1 2 3\n", {"colors"}},
+    {"plain.off", "OFF\n3 1 0\n" + points + "3 0 1 2\n", {}},
+    {"colored.off",
+     "OFF\n3 2 0\n0 0 0\n1 0 0 9 9 9\n0 1 0\n3 0 1 2\n3 0 2 1 9 9 9 # blue\n",
+     {"further numbers of vertices", "colors of faces", "comments"},
+     Format::OBJ},
+    {"map.off",
+     "COFF\n3 1 0\n0 0 0 1 2 3\n1 0 0 7\n0 1 0 1 2 3\n3 0 1 2\n",
+     {"colors"},
+     Format::OBJ},
+    {"plain.stl", "solid\n" + facet + "endsolid\n", {}},
+    {"named.stl",
+     "solid one\n" + facet + "endsolid one\nsolid\n" + facet + "endsolid\n",
+     {"solids", "names of solids"}},
+    {"plain.bin.stl", stl("", zero), {}},
+    {"blank.bin.stl", stl("   ", zero), {}},
+    {"header.bin.stl", stl("exported", zero), {"the header"}},
+    {"magics.bin.stl",
+     stl("COLOR=abcd,MATERIAL=abcdefgh", "\x12\x34"),
+     {"colors", "attributes of faces"}},
+    {"plain.mesh", medit + "0\nTriangles 0\nEnd\n", {}, Format::VTU},
+    {"labels.mesh", medit + "7\nEnd\n", {}, Format::VTU},
+    {"labels.mesh", medit + "7\nEnd\n", {"labels"}},
+    {"all.mesh",
+     medit + "0\nTriangles 1\n1 2 3 4\nCorners\n1\n2\nEnd # of all\n",
+     {"the section Triangles", "the section Corners", "comments"},
+     Format::VTU},
+    {"plain.ply",
+     "ply\nformat ascii 1.0\ncomment TextureFile a.png\nelement vertex 3\nproperty int x\nproperty "
+     "int y\n"
+     "property int z\nend_header\n"
+       + points,
+     {"materials"}},
+    {"all.ply",
+     "ply\nformat ascii 1.0\ncomment made by hand\nelement vertex 3\nproperty float x\nproperty "
+     "float y\n"
+     "property float z\nproperty float quality\nelement camera 0\nproperty int view\nend_header\n"
+     "0 0 0 1\n1 0 0 2\n0 1 0 3\n",
+     {"comments", "the element camera", "the property quality"}}};
+  for(const Case& c : cases)
+  {
+    SCOPED_TRACE(c.name);
+    Mesh_file mesh = read(c.name, c.text);
+    load_appearance(mesh);
+    EXPECT_EQ(losses(mesh, c.other), c.lost);
+    EXPECT_EQ(losses(mesh, mesh.source->format),
+              mesh.source->format == Format::PLY && c.name == "plain.ply"
+                ? Names{"integer positions"}
+                : Names());
+  }
+  EXPECT_EQ(losses(read("isolated.obj", vertices + "v 9 9 9\nf 1 2 3\n"), Format::STL),
+            Names{"isolated vertices"});
+  EXPECT_EQ(losses(read("square.obj", vertices + "v 1 1 0\nf 1 2 4 3\n"), Format::GLB),
+            Names{"polygons"});
 }
 
 // Two triangles with a right angle between them, which are unfolded: at the hard edge, each side has copies of the
@@ -225,18 +333,6 @@ TEST(Rewritten_files, values_in_ply)
   EXPECT_EQ(twice.find("strain"), twice.rfind("strain"));
 }
 
-template <class T>
-std::string bytes_of(const std::vector<T>& values, const bool is_big_endian = false)
-{
-  std::string result;
-  for(const T& value : values)
-  {
-    std::string bytes(reinterpret_cast<const char*>(&value), sizeof(T));
-    result += is_big_endian ? std::string(bytes.rbegin(), bytes.rend()) : bytes;
-  }
-  return result;
-}
-
 // Binary PLY keeps its encoding and the types of its numbers.
 TEST(Rewritten_files, binary_ply)
 {
@@ -267,15 +363,83 @@ TEST(Rewritten_files, binary_ply)
   }
 }
 
-// Integers cannot hold a pose.
-TEST(Rewritten_files, positions_that_are_integers)
+// An ASCII file as a binary one.
+std::string binary_of_ply(const std::string& text, const bool is_big_endian)
 {
-  const Mesh_file mesh
-    = read("integers.ply", "ply\nformat ascii 1.0\nelement vertex 3\nproperty int x\nproperty int y\nproperty int z\n"
-                           "element face 1\nproperty list uchar int vertex_indices\nend_header\n"
-                           "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
-  EXPECT_FALSE(is_rewritable(mesh, Format::PLY));
-  EXPECT_FALSE(is_rewritable(read("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"), Format::PLY));
+  struct Property
+  {
+    std::string count, type; // the count of a list
+  };
+  std::vector<std::pair<std::size_t, std::vector<Property>>> elements;
+  std::istringstream in(text);
+  std::string result, line;
+  while(result.find("end_header") == std::string::npos && std::getline(in, line))
+  {
+    std::istringstream words(line);
+    std::string keyword, type, name;
+    words >> keyword >> type;
+    if(keyword == "element" && words >> name)
+      elements.push_back({std::stoul(name), {}});
+    Property property{"", type};
+    if(type == "list")
+      words >> property.count >> property.type;
+    if(keyword == "property")
+      elements.back().second.push_back(property);
+    result += keyword == "format"
+                ? std::string("format binary_") + (is_big_endian ? "big" : "little") + "_endian 1.0"
+                : line;
+    result += '\n';
+  }
+  const auto convert = [&](const std::string& type) {
+    std::string word;
+    in >> word;
+    const double x = std::stod(word);
+    result += type == "char"    ? bytes_of<signed char>({static_cast<signed char>(x)})
+              : type == "uchar" ? bytes_of<unsigned char>({static_cast<unsigned char>(x)})
+              : type == "short" ? bytes_of<short>({static_cast<short>(x)}, is_big_endian)
+              : type == "int"   ? bytes_of<int>({static_cast<int>(x)}, is_big_endian)
+              : type == "uint"  ? bytes_of<unsigned>({static_cast<unsigned>(x)}, is_big_endian)
+              : type == "float" ? bytes_of<float>({static_cast<float>(x)}, is_big_endian)
+                                : bytes_of<double>({x}, is_big_endian);
+    return x;
+  };
+  for(const auto& [number, properties] : elements)
+    for(std::size_t i = 0; i < number; ++i)
+      for(const Property& property : properties)
+        for(double n = property.count.empty() ? 1 : convert(property.count); n > 0; --n)
+          convert(property.type);
+  return result;
+}
+
+// Integers cannot hold a pose: they become numbers that can, and nothing else changes.
+TEST(Rewritten_files, integers_of_ply)
+{
+  const auto header = [](const std::string& normal, const std::string& y, const std::string& x,
+                         const std::string& strain, const std::string& of_face) {
+    return "ply\nformat ascii 1.0\ncomment scanned by hand\nobj_info 7\nelement vertex 3\n"
+           "property list uchar short neighbors\nproperty "
+           + normal + " nz\nproperty " + normal + " ny\nproperty " + normal
+           + " nx\nproperty uchar red\nproperty " + y + " y\nproperty " + x
+           + " x\nproperty float z\nproperty " + strain
+           + " strain\nelement face 1\nproperty list uchar int vertex_indices\nproperty " + of_face
+           + " nz\nproperty int label\nend_header\n";
+  };
+  Eigen::VectorXd strains(3);
+  strains << .5, .25, .125;
+  const std::string text = header("char", "short", "uint", "uchar", "short")
+                           + "2 7 8 127 0 0 9 0 0 0 1\n0 127 0 0 8 0 4000000001 0 2\n"
+                             "0 127 0 0 7 300 0 0 3\n3 0 1 2 5 77\n",
+                    expected = header("double", "double", "double", "double", "double")
+                               + "2 7 8 0 -127 0 9 -0 0 0 0.5\n0 0 -127 0 8 -0 4000000001 0 0.25\n"
+                                 "0 0 -127 0 7 -0 0 300 0.125\n3 0 1 2 0 77\n";
+  const Mesh_file mesh = read("integers.ply", text);
+  const std::vector<Vertex_values> values = {{"strain", strains}};
+  expect_same_text(rewritten(mesh, values), expected);
+  EXPECT_EQ(losses(mesh, Format::PLY),
+            (std::vector<std::string>{"integer normals", "integer positions"}));
+  for(const bool is_big_endian : {false, true})
+    EXPECT_EQ(rewritten(read("integers.ply", binary_of_ply(text, is_big_endian)), values),
+              binary_of_ply(expected, is_big_endian));
 }
 
 // Header and attributes stay, and the normal is that of the triangle.

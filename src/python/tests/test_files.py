@@ -59,9 +59,10 @@ def test_like(tmp_path):
     vertices = canonical_pose.load(path).vertices
     canonical_pose.save(path, 2 * vertices, like=path)
     assert path.read_text() == "# mine\nv 0 0 0\nv 2 0 0\nv 0 2 0\nvt 0 .5\nf 1/1 2/1 3/1\n"
-    canonical_pose.save(tmp_path / "a.ply", vertices, like=path)
+    with pytest.warns(UserWarning, match="lacks comments of"):
+        canonical_pose.save(tmp_path / "a.ply", vertices, like=path)
     assert b" texcoord\n" in (tmp_path / "a.ply").read_bytes()
-    with pytest.warns(UserWarning, match="lacks texture coordinates of"):
+    with pytest.warns(UserWarning, match="lacks texture coordinates, comments of"):
         canonical_pose.save(tmp_path / "a.stl", vertices, like=path)
     with pytest.raises(TypeError, match="are those of the file"):
         canonical_pose.save(path, vertices, [[0, 1, 2]], like=path)

@@ -263,7 +263,8 @@ std::vector<std::string> warnings_of(const Mesh_file& input, const Mesh_file& ot
     std::vector<std::string> lost
       = losses(other, format_of(arguments.output), false, has_files_beside(arguments.output));
     std::set<std::string> transferred = other.appearance.missing;
-    transferred.insert({"materials", "colors of materials", "maps of materials other than colors"});
+    transferred.insert(
+      {"materials", "colors of materials", "names of materials", OTHER_MAPS, OTHER_PROPERTIES});
     const auto is_other = [&](const std::string& name) { return transferred.count(name) == 0; };
     lost.erase(std::remove_if(lost.begin(), lost.end(), is_other), lost.end());
     add_losses(result, "the surface lacks", lost, "OTHER");

@@ -49,7 +49,22 @@ struct Material
   Material_map metallic_roughness_map, normal_map, occlusion_map, emission_map;
   std::array<double, 2> scale = {1, 1},
                         offset = {0, 0}; // of texture coordinates while they are read
+
+  // Whether it has numbers that materials of no other format have.
+  bool has_numbers_of_gltf() const
+  {
+    const auto numbers = [](const Material& m) {
+      return std::tie(m.metallic, m.roughness, m.strength_of_normals, m.strength_of_occlusion,
+                      m.emission, m.is_double_sided);
+    };
+    const Material plain;
+    return numbers(*this) != numbers(plain) || alpha_mode == "MASK" || Sampler() < sampler;
+  }
 };
+
+// Names of what is lost.
+inline constexpr const char* OTHER_MAPS = "maps of materials other than colors";
+inline constexpr const char* OTHER_PROPERTIES = "other properties of materials";
 
 // What a surface has beside its shape, as far as several formats have it. What is empty, it does not have.
 struct Appearance

@@ -121,10 +121,12 @@ std::string bytes_of_file(const std::string& path)
     if(is_gzip(bytes))
       bytes = decompressed(bytes);
   }
-  if(bytes.find_first_not_of(" \t\r\n") == std::string::npos)
+  if(bytes.find_first_not_of(" \t\r\n\x1A") == std::string::npos)
     throw std::invalid_argument("the file is empty");
   return bytes;
 }
+
+constexpr double LARGEST_COORDINATE = 1e90; // of which powers do not overflow
 
 // A format, and how to recognize and read it.
 struct Format_entry
@@ -254,6 +256,9 @@ Format format_of(const std::string& path, const Use use)
   {
     if(const auto format = use == Use::READ ? format_by_content(path) : std::nullopt)
       return *format;
+    std::error_code error;
+    if(use == Use::READ && (is_stream(path) || fs::exists(path, error)))
+      bytes_of_file(path); // unless it is empty, or a directory
     std::string message
       = (use == Use::READ && is_stream(path) ? "the content of " + name_of_input(path)
                                              : "the extension of '" + path + "'")
@@ -279,6 +284,8 @@ Mesh_file read_mesh_file(const std::string& path, const Source source)
                                 + ") are written, but not read");
   std::string bytes = bytes_of_file(path);
   const bool is_text = format != Format::GLB && !(format == Format::STL && is_binary_stl(bytes));
+  if(format == Format::GLTF)
+    bytes.erase(bytes.find_last_not_of('\x1A') + 1);
   const bool has_byte_order_mark = is_text && remove_byte_order_mark(bytes);
   Mesh_file mesh;
   mesh.is_checked = source != Source::UNCHECKED;
@@ -379,8 +386,11 @@ void check_is_finite(const Mesh_file& mesh, const std::array<double, 3>& point,
                      const Element& element)
 {
   for(const double x : point)
-    if(!std::isfinite(x) && mesh.is_checked)
-      throw std::invalid_argument(element.name() + " has a coordinate that is not finite");
+    if(!std::isfinite(x) ? mesh.is_checked : std::abs(x) > LARGEST_COORDINATE)
+      throw std::invalid_argument(element.name()
+                                  + (std::isfinite(x)
+                                       ? " has a coordinate that is too large: choose another unit"
+                                       : " has a coordinate that is not finite"));
 }
 
 void check_is_polygon(const long long number_of_corners, const Element& face)

@@ -140,6 +140,7 @@ inline void load_appearance_for(Mesh_file& mesh, const Format format)
 
 // What the file of a mesh holds beside positions and faces, for instance "texture coordinates".
 std::vector<std::string> attributes_of_file(const Mesh_file& mesh);
+inline constexpr const char* COMMENTS = "comments"; // one of them
 
 // A file that the file of a mesh names, or an image that its MTL file names.
 struct File_beside

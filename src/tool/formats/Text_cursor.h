@@ -44,7 +44,7 @@ inline bool remove_byte_order_mark(std::string& text)
 }
 
 // Reads words and numbers from a text, one after the other. '#' starts a comment, up to the end of
-// the line. Lines end in LF, CR LF, or CR alone.
+// the line. Lines end in LF, CR LF, or CR alone. What DOS writes at the end of a text is left out.
 class Text_cursor
 {
 public:
@@ -55,7 +55,10 @@ public:
   explicit Text_cursor(const std::string& text, const Lines lines = Lines::SINGLE)
     : m_position(text.c_str()), m_end(m_position + text.size()),
       m_is_continued(lines == Lines::CONTINUED)
-  {}
+  {
+    while(m_end != m_position && m_end[-1] == '\x1A')
+      --m_end;
+  }
 
   // Returns the next word, on any line; empty at the end of the text.
   std::string_view word()

@@ -47,6 +47,8 @@ void load_off(const std::string& bytes, const Mesh_file& mesh, Appearance& appea
   if(!has_colors && !has_normals)
     return;
   std::vector<std::array<float, 3>> normals;
+  std::vector<std::vector<double>> colors;
+  bool is_fraction = false, are_numbers = false; // of colors elsewhere
   for(std::size_t v = 0; v < mesh.points.size(); ++v)
   {
     text.word();
@@ -55,24 +57,24 @@ void load_off(const std::string& bytes, const Mesh_file& mesh, Appearance& appea
     if(has_normals)
       for(float& x : normals.emplace_back())
         x = static_cast<float>(text.number_or(text.word_on_line(), 0));
-    std::array<double, 4> color;
-    bool is_fraction = false;
-    std::string_view word;
-    for(double& x : color)
+    std::vector<double>& color = colors.emplace_back();
+    const std::size_t channels = has_coordinates ? 3 : 4;
+    for(std::string_view word; color.size() < channels && !(word = text.word_on_line()).empty();)
     {
-      word = text.word_on_line();
       is_fraction = is_fraction || word.find('.') != std::string_view::npos;
-      x = text.number_or(word, 0);
+      color.push_back(text.number_or(word, 0));
     }
-    const double largest = is_fraction ? 1 : 255;
-    if(has_colors)
-    {
-      appearance.vertex_colors.push_back(
-        {byte_of(color[0], largest), byte_of(color[1], largest), byte_of(color[2], largest)});
-      appearance.vertex_opacities.push_back(
-        word.empty() || has_coordinates ? 255 : byte_of(color[3], largest));
-    }
+    are_numbers = are_numbers || color.size() == 1;
     text.skip_line();
+  }
+  const double largest = is_fraction ? 1 : 255;
+  for(std::size_t v = 0; v < colors.size() && has_colors && !are_numbers; ++v)
+  {
+    std::vector<double>& color = colors[v];
+    color.resize((std::max)(color.size(), std::size_t(3)), 0);
+    appearance.vertex_colors.push_back(
+      {byte_of(color[0], largest), byte_of(color[1], largest), byte_of(color[2], largest)});
+    appearance.vertex_opacities.push_back(color.size() < 4 ? 255 : byte_of(color[3], largest));
   }
   if(has_normals)
     appearance.normals = at_corners(normals, mesh.faces);

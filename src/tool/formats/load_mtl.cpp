@@ -49,6 +49,13 @@ std::string small_letters(std::string_view word)
   return result;
 }
 
+// Whether an image follows.
+bool is_map_of_mtl(const std::string& keyword)
+{
+  static const std::set<std::string> others = {"bump", "decal", "disp", "norm", "refl"};
+  return keyword.compare(0, 4, "map_") == 0 || others.count(keyword) > 0;
+}
+
 // Reads what follows map_Kd: options, then the name of a file, which may have blanks.
 std::string read_image_name(Text_cursor& text, Material& material)
 {
@@ -144,7 +151,7 @@ bool load_mtl(const std::string& path, const std::string& name, Appearance& appe
       material = &appearance.materials.emplace_back();
       material->name = material_name;
     }
-    else if(keyword == "kd" && material->image.empty())
+    else if(keyword == "kd")
     {
       double red = -1; // that of the others that are not given
       for(std::size_t k = 0; k < 3; ++k)
@@ -166,31 +173,33 @@ bool load_mtl(const std::string& path, const std::string& name, Appearance& appe
       }
     }
     else if(keyword == "map_kd")
-    {
       load_image_beside(path, read_image_name(text, *material), appearance, *material);
-      if(!material->image.empty())
-        std::fill(material->color.begin(), material->color.begin() + 3, 1.);
-    }
     else if(keyword == "map_d") // the opacity of the same image
     {
       Material ignored;
-      if(!material->image.empty() && type_of_image(material->image) != "image/jpeg"
-         && content_beside(path, read_image_name(text, ignored)) == material->image)
+      if(material->image.empty()
+         || content_beside(path, read_image_name(text, ignored)) != material->image)
+        appearance.missing.insert(OTHER_MAPS);
+      else if(type_of_image(material->image) != "image/jpeg")
         material->alpha_mode = "BLEND";
     }
+    else
+      appearance.missing.insert(is_map_of_mtl(keyword) ? OTHER_MAPS : OTHER_PROPERTIES);
   }
+  // Some programs write black for the color of what has a texture.
+  for(Material& other : appearance.materials)
+    if(!other.image.empty() && std::count(other.color.begin(), other.color.begin() + 3, 0.) == 3)
+      std::fill(other.color.begin(), other.color.begin() + 3, 1.);
   return true;
 }
 
 std::vector<std::string> images_of_mtl(const std::string& bytes)
 {
-  static const std::set<std::string> keywords = {"bump", "decal", "disp", "norm", "refl"};
   std::vector<std::string> result;
   Text_cursor text(bytes);
   Material ignored;
   for(std::string_view word = text.word(); !word.empty(); text.skip_line(), word = text.word())
-    if(const std::string keyword = small_letters(word);
-       keyword.compare(0, 4, "map_") == 0 || keywords.count(keyword) > 0)
+    if(is_map_of_mtl(small_letters(word)))
       result.push_back(read_image_name(text, ignored));
   return result;
 }

@@ -34,7 +34,8 @@ class Ply_reader
 {
 public:
   Ply_reader(const std::string& bytes, Mesh_file& mesh)
-    : m_text(bytes), m_mesh(mesh), m_header(read_ply_header(m_text)), m_byte(m_text.position())
+    : m_text(bytes), m_mesh(mesh), m_header(read_ply_header(m_text)), m_byte(m_text.position()),
+      m_end(bytes.data() + bytes.size())
   {}
 
   void run()
@@ -117,7 +118,7 @@ private:
   {
     if(!m_header.is_binary)
       return m_text.number(m_text.word(), e);
-    if(static_cast<std::size_t>(m_text.end() - m_byte) < type.size)
+    if(static_cast<std::size_t>(m_end - m_byte) < type.size)
       throw std::invalid_argument("the file is truncated: it ends in " + e.name());
     const double number = m_header.number_at(m_byte, type);
     m_byte += type.size;
@@ -129,7 +130,7 @@ private:
   {
     if(!m_header.is_binary)
       return m_text.check_is_at_end(last);
-    const std::string_view rest(m_byte, static_cast<std::size_t>(m_text.end() - m_byte));
+    const std::string_view rest(m_byte, static_cast<std::size_t>(m_end - m_byte));
     if(rest.find_first_not_of(" \t\r\n") != std::string_view::npos)
       throw std::invalid_argument("the file goes on for " + std::to_string(rest.size())
                                   + " bytes after " + last.name() + ", the last one announced");
@@ -139,6 +140,7 @@ private:
   Mesh_file& m_mesh;
   const Ply_header m_header;
   const char* m_byte; // next byte of the binary data
+  const char* const m_end;
   std::vector<long long> m_corners; // of all faces; the vertices may follow later
   std::vector<std::size_t> m_ends;  // of the faces, among the corners
 };

@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
+#include <cstddef>
 #include <ostream>
 #include <set>
 #include <string>
@@ -35,7 +37,51 @@ void rewrite_medit(std::ostream& out, const std::string& bytes, const Points& po
   copy.finish();
 }
 
+std::vector<std::string> attributes_of_medit(const Mesh_file& mesh)
+{
+  static const std::set<std::string_view> others
+    = {"MeshVersionFormatted", "Dimension", "Vertices", "Tetrahedra", "End"};
+  std::vector<std::string> result;
+  const auto has_labels = [](const std::vector<long long>& labels) {
+    return std::any_of(labels.begin(), labels.end(), [](const long long x) { return x != 0; });
+  };
+  if(has_labels(mesh.point_references) || has_labels(mesh.cell_references))
+    result.push_back("labels");
+  Text_cursor text(mesh.source->bytes);
+  for(std::string_view word = text.word(); !word.empty(); word = text.word())
+    if(std::isalpha(static_cast<unsigned char>(word[0])) && others.count(word) == 0)
+    {
+      const std::string name = "the section " + std::string(word);
+      if(text.word() != "0") // elements
+        result.push_back(name);
+      text.skip_line();
+    }
+  if(has_comments(mesh.source->bytes))
+    result.push_back(COMMENTS);
+  return result;
+}
+
+bool has_isolated_vertices(const Mesh_file& mesh)
+{
+  std::vector<bool> has_face(mesh.points.size(), false);
+  for(const Face_list::Face face : mesh.faces)
+    for(const std::size_t v : face)
+      has_face[v] = true;
+  return std::find(has_face.begin(), has_face.end(), false) != has_face.end();
+}
+
 } // namespace
+
+bool has_comments(const std::string& bytes)
+{
+  const auto begins_word = [&](const std::size_t i) {
+    return i == 0 || std::isspace(static_cast<unsigned char>(bytes[i - 1]));
+  };
+  std::size_t i = bytes.find('#');
+  while(i != std::string::npos && !begins_word(i))
+    i = bytes.find('#', i + 1);
+  return i != std::string::npos;
+}
 
 std::vector<std::string> attributes_of_file(const Mesh_file& mesh)
 {
@@ -50,15 +96,10 @@ std::vector<std::string> attributes_of_file(const Mesh_file& mesh)
   case Format::PLY:
     return attributes_of_ply(mesh.source->bytes);
   case Format::STL:
-    return has_rest_of_stl(mesh.source->bytes)
-             ? std::vector<std::string>{"what follows the last face"}
-             : std::vector<std::string>();
-  case Format::MEDIT: // the rest of the file is kept
-    return mesh.source->bytes.find("Normals") == std::string::npos
-             ? std::vector<std::string>()
-             : std::vector<std::string>{"turned normals"};
+    return attributes_of_stl(mesh);
+  case Format::MEDIT:
+    return attributes_of_medit(mesh);
   case Format::GLB:
-  case Format::GLTF:
     return attributes_of_gltf(mesh);
   default:
     return {};
@@ -75,9 +116,8 @@ bool is_rewritable(const Mesh_file& mesh, const Format format)
   case Format::OBJ:
   case Format::STL:
   case Format::MEDIT:
-    return true;
   case Format::PLY:
-    return holds_positions(mesh.source->bytes);
+    return true;
   case Format::GLB:
     return is_rewritable_glb(mesh);
   default:
@@ -89,8 +129,14 @@ std::vector<std::string> losses(const Mesh_file& mesh, const Format format, cons
                                 const bool has_files_beside)
 {
   std::vector<std::string> names = attributes_of_file(mesh);
-  const std::set<std::string> always
-    = {"animations", "images that are not beside it", "morph targets", "skins", "turned normals"};
+  if(is_rewritten && format == Format::PLY)
+    names = integers_of_ply(mesh.source->bytes);
+  if(is_rewritten && std::count(names.begin(), names.end(), "the section Normals") > 0)
+    names.push_back("turned normals");
+  const std::set<std::string> always = {"animations",      "images that are not beside it",
+                                        "integer normals", "integer positions",
+                                        "morph targets",   "skins",
+                                        "turned normals"};
   const bool has_materials
     = format == Format::GLB || (format == Format::OBJ && has_files_beside)
       || (format == Format::PLY && has_files_beside && mesh.appearance.has_images());
@@ -109,6 +155,8 @@ std::vector<std::string> losses(const Mesh_file& mesh, const Format format, cons
       return has_colors && !appearance.vertex_colors.empty();
     if(name == "texture coordinates")
       return has_textures && !appearance.texture_coordinates.empty();
+    if(name == "labels")
+      return format == Format::VTU || format == Format::MEDIT;
     return name == "materials" && has_materials && appearance.has_materials();
   };
   names.erase(std::remove_if(names.begin(), names.end(), is_kept), names.end());
@@ -118,10 +166,23 @@ std::vector<std::string> losses(const Mesh_file& mesh, const Format format, cons
   if(!is_rewritten && has_materials && format == Format::PLY
      && mesh.appearance.has_material(is_colored))
     names.push_back("colors of materials");
+  const auto has_name = [](const Material& m) { return !m.name.empty(); };
+  if(!is_rewritten && has_materials && format == Format::PLY
+     && mesh.appearance.has_material(has_name))
+    names.push_back("names of materials");
   if(!is_rewritten && has_materials && format != Format::GLB && mesh.appearance.has_other_maps())
-    names.push_back("maps of materials other than colors");
+    names.push_back(OTHER_MAPS);
+  if(!is_rewritten && has_materials && format != Format::GLB
+     && mesh.appearance.has_material([](const Material& m) { return m.has_numbers_of_gltf(); }))
+    names.push_back(OTHER_PROPERTIES);
   if(!is_rewritten && has_materials)
     names.insert(names.end(), mesh.appearance.missing.begin(), mesh.appearance.missing.end());
+  const auto is_polygon = [](const Face_list::Face face) { return face.size() > 3; };
+  if(!is_rewritten && format == Format::GLB
+     && std::any_of(mesh.faces.begin(), mesh.faces.end(), is_polygon))
+    names.push_back("polygons");
+  if(!is_rewritten && format == Format::STL && !mesh.is_tetrahedral && has_isolated_vertices(mesh))
+    names.push_back("isolated vertices");
   std::vector<std::string> result; // each name once
   for(std::string& name : names)
     if(std::find(result.begin(), result.end(), name) == result.end())

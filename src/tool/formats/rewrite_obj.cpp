@@ -7,7 +7,6 @@
 
 #include <Eigen/Core>
 
-#include <array>
 #include <cstddef>
 #include <map>
 #include <ostream>
@@ -131,13 +130,24 @@ private:
   std::vector<std::size_t> m_first; // for each normal, the index of the first that is written
 };
 
-bool has_color_of_obj(Text_cursor text)
+// What follows the coordinates of vertices, or of textures.
+struct Further_numbers
 {
-  std::size_t numbers = 0;
-  while(!text.word_on_line().empty())
-    ++numbers;
-  return numbers >= 6;
-}
+  bool are_colors = false, are_others = false;
+
+  // Of a row with so many coordinates; zeros, and the weight of a vertex if it is 1, tell nothing.
+  void add(Text_cursor& text, const std::size_t coordinates, const std::size_t colors,
+           const double plain)
+  {
+    std::size_t number = 0;
+    bool is_told = false;
+    for(std::string_view word = text.word_on_line(); !word.empty(); word = text.word_on_line())
+      is_told = (number++ >= coordinates && text.number_or(word, plain) != plain) || is_told;
+    const bool has_colors = colors > 0 && number >= coordinates + colors;
+    are_colors = are_colors || has_colors;
+    are_others = are_others || (has_colors ? number > coordinates + colors : is_told);
+  }
+};
 
 } // namespace
 
@@ -184,23 +194,59 @@ void rewrite_obj(std::ostream& out, const std::string& bytes, const Mesh_file& m
 
 std::vector<std::string> attributes_of_obj(const std::string& bytes)
 {
+  static const std::vector<std::pair<std::string, std::set<std::string_view>>> names
+    = {{"", {"f", "fo", "mtllib"}},
+       {"normals", {"vn"}},
+       {"texture coordinates", {"vt"}},
+       {"materials", {"usemtl"}},
+       {"groups", {"g"}},
+       {"objects", {"o"}},
+       {"lines", {"l"}},
+       {"points", {"p"}},
+       {"curves and surfaces",
+        {"vp", "cstype", "deg", "bmat", "step", "curv", "curv2", "surf", "parm", "trim", "hole",
+         "scrv", "sp", "end", "con", "ctech", "stech"}}};
   std::set<std::string_view> words;
-  bool has_colors = false; // of the first vertex
-  Text_cursor text(bytes);
+  Further_numbers of_vertices, of_textures;
+  bool has_smoothing = false;
+  Text_cursor text(bytes, Text_cursor::Lines::CONTINUED);
   for(std::string_view word = text.word(); !word.empty(); text.skip_line(), word = text.word())
-    if(words.insert(word).second && word == "v")
-      has_colors = has_color_of_obj(text);
+    if(word == "v")
+      of_vertices.add(text, 3, 3, 1);
+    else if(word == "s")
+    {
+      const std::string_view group = text.word_on_line();
+      has_smoothing = has_smoothing || (group != "off" && group != "0");
+    }
+    else
+    {
+      words.insert(word);
+      if(word == "vt")
+        of_textures.add(text, 2, 0, 0);
+      while(!text.word_on_line().empty()) // also on lines on which it goes on
+        ;
+    }
   std::vector<std::string> result;
-  if(has_colors)
+  if(of_vertices.are_colors)
     result.push_back("colors");
-  const std::array<std::pair<const char*, const char*>, 5> texts = {{{"vn", "normals"},
-                                                                     {"vt", "texture coordinates"},
-                                                                     {"usemtl", "materials"},
-                                                                     {"g", "groups"},
-                                                                     {"o", "objects"}}};
-  for(const auto& [word, name] : texts)
-    if(words.count(word) > 0)
+  for(const auto& [name, of_name] : names)
+  {
+    const std::size_t before = words.size();
+    for(const std::string_view word : of_name)
+      words.erase(word);
+    if(words.size() < before && !name.empty())
       result.push_back(name);
+  }
+  if(of_vertices.are_others)
+    result.push_back("further numbers of vertices");
+  if(of_textures.are_others)
+    result.push_back("third texture coordinates");
+  if(has_smoothing)
+    result.push_back("smoothing groups");
+  if(!words.empty())
+    result.push_back("other statements");
+  if(has_comments(bytes))
+    result.push_back(COMMENTS);
   return result;
 }
 

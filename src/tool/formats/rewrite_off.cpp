@@ -33,16 +33,12 @@ std::vector<Eigen::Vector3d> normals_of_off(Text_cursor text, const std::size_t 
   return result;
 }
 
-// Whether the first face has a color. `text` is at the first vertex.
-bool has_face_colors(Text_cursor text, const Off_header& header)
+std::size_t number_of_words(Text_cursor& text)
 {
-  if(header.is_on_one_line)
-    return false;
-  for(std::size_t v = 0; v < header.vertices && !text.word().empty(); ++v)
-    text.skip_line();
-  for(double corners = text.number_or(text.word(), 0); corners > 0; --corners)
-    text.word();
-  return !text.word_on_line().empty();
+  std::size_t result = 0;
+  while(!text.word_on_line().empty())
+    ++result;
+  return result;
 }
 
 } // namespace
@@ -80,10 +76,30 @@ std::vector<std::string> attributes_of_off(const std::string& bytes)
   Text_cursor text(bytes);
   const Off_header header(text);
   std::vector<std::string> result;
+  std::size_t most = 2; // numbers after the first one of a vertex
   for(const char c : header.letters)
+  {
     result.push_back(c == 'N' ? "normals" : c == 'C' ? "colors" : "texture coordinates");
-  if(has_face_colors(text, header))
+    most += c == 'N' ? 3 : c == 'C' ? 4 : 1;
+  }
+  bool has_more = false, has_colors = false;
+  for(std::size_t v = 0; v < header.vertices && !header.is_on_one_line; ++v)
+  {
+    text.word();
+    has_more = number_of_words(text) > most || has_more;
+  }
+  for(std::size_t f = 0; f < header.faces && !header.is_on_one_line; ++f)
+  {
+    for(double corners = text.number_or(text.word(), 0); corners > 0; --corners)
+      text.word();
+    has_colors = number_of_words(text) > 0 || has_colors;
+  }
+  if(has_more)
+    result.push_back("further numbers of vertices");
+  if(has_colors)
     result.push_back("colors of faces");
+  if(has_comments(bytes))
+    result.push_back(COMMENTS);
   return result;
 }
 

@@ -45,12 +45,17 @@ public:
     for(const Ply_element& element : m_header.elements)
       for(std::size_t i = 0; i < element.number; ++i)
         copy_element(element, i);
-    m_out.write(m_byte, m_text.end() - m_byte);
+    m_out.write(m_byte, m_bytes.data() + m_bytes.size() - m_byte);
   }
 
   static bool has_normals(const Ply_element& element, const Ply_property& property)
   {
     return (element.is_vertex() || element.is_face()) && normal_coordinate_of(property) < 3;
+  }
+
+  static bool has_positions(const Ply_element& element, const Ply_property& property)
+  {
+    return element.is_vertex() && coordinate_of(property) < 3;
   }
 
 private:
@@ -69,17 +74,31 @@ private:
                         [&](const Ply_property& p) { return values_of(p) == &values; });
   }
 
+  // Whether integers become other numbers, which a pose needs.
+  bool is_widened(const Ply_element& element, const Ply_property& property) const
+  {
+    return property.value.is_integer
+           && (has_normals(element, property) || has_positions(element, property)
+               || (element.is_vertex() && values_of(property)));
+  }
+
   // With the properties that are added, after those of a vertex. A texture that is named after the file keeps its name.
   void write_header()
   {
     Text_cursor text(m_bytes);
     Text_copy copy(m_out, m_bytes);
-    std::size_t element = 0;
+    std::size_t element = 0, property = 0;
     for(std::string_view word = text.word(); word != "end_header"; word = text.word())
     {
       element += word == "element";
+      property = word == "element" ? 0 : property;
+      Text_cursor type = text;
       const char* const line = text.position();
       text.next_line();
+      if(word == "property"
+         && is_widened(m_header.elements[element - 1],
+                       m_header.elements[element - 1].properties[property++]))
+        copy.replace(type.word_on_line(), "double");
       if(word == "comment" && !is_standard_stream(m_mesh.source->path))
       {
         const std::string_view comment(line, static_cast<std::size_t>(text.position() - line));
@@ -152,7 +171,9 @@ private:
       for_each_property(element,
                         [&](const Ply_property& property, double, const char* const begin) {
                           if(const auto value = new_value(element, property, i))
-                            m_out << m_header.bytes_of(*value, property.value);
+                            m_out << m_header.bytes_of(*value, is_widened(element, property)
+                                                                 ? ply_number_type_of_double()
+                                                                 : property.value);
                           else
                             m_out.write(begin, m_byte - begin);
                         });
@@ -241,6 +262,17 @@ std::string name_of_attribute(const Ply_element& element, const Ply_property& pr
   return "the property " + property.name;
 }
 
+// Other than those that name textures.
+bool has_comments_of_ply(const std::string& bytes)
+{
+  Text_cursor text(bytes);
+  for(std::string_view word = text.word(); word != "end_header";
+      text.skip_line(), word = text.word())
+    if(word == "obj_info" || (word == "comment" && text.word_on_line() != "TextureFile"))
+      return true;
+  return false;
+}
+
 } // namespace
 
 void rewrite_ply(std::ostream& out, const Mesh_file& mesh, const Points& points,
@@ -249,16 +281,20 @@ void rewrite_ply(std::ostream& out, const Mesh_file& mesh, const Points& points,
   Ply_rewriter(out, mesh, points, values).run();
 }
 
-bool holds_positions(const std::string& bytes)
+std::vector<std::string> integers_of_ply(const std::string& bytes)
 {
   Text_cursor text(bytes);
+  std::vector<std::string> result;
   for(const Ply_element& element : read_ply_header(text).elements)
     for(const Ply_property& property : element.properties)
-      if(((element.is_vertex() && coordinate_of(property) < 3)
-          || Ply_rewriter::has_normals(element, property))
-         && property.value.is_integer)
-        return false;
-  return true;
+      if(property.value.is_integer)
+      {
+        if(Ply_rewriter::has_positions(element, property))
+          result.push_back("integer positions");
+        if(Ply_rewriter::has_normals(element, property))
+          result.push_back("integer normals");
+      }
+  return result;
 }
 
 std::vector<std::string> attributes_of_ply(const std::string& bytes)
@@ -274,6 +310,8 @@ std::vector<std::string> attributes_of_ply(const std::string& bytes)
           result.push_back(name_of_attribute(element, property));
   if(!names_of_textures(bytes, std::string()).empty())
     result.push_back("materials");
+  if(has_comments_of_ply(bytes))
+    result.push_back(COMMENTS);
   std::sort(result.begin(), result.end());
   result.erase(std::unique(result.begin(), result.end()), result.end());
   return result;

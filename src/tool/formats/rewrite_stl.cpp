@@ -90,6 +90,28 @@ void rewrite_binary_stl(std::ostream& out, const std::string& bytes, const Mesh_
   out << result;
 }
 
+// Of a text with solids.
+std::vector<std::string> attributes_of_stl_text(const std::string& bytes)
+{
+  Text_cursor text(bytes);
+  std::size_t solids = 0;
+  bool has_names = false;
+  for(std::string_view word = text.word(); !word.empty(); text.skip_line(), word = text.word())
+    if(word.size() == 5 && std::tolower(static_cast<unsigned char>(word[0])) == 's')
+    {
+      ++solids;
+      has_names = !text.word_on_line().empty() || has_names;
+    }
+  std::vector<std::string> result;
+  if(solids > 1)
+    result.push_back("solids");
+  if(has_names)
+    result.push_back("names of solids");
+  if(has_comments(bytes))
+    result.push_back(COMMENTS);
+  return result;
+}
+
 } // namespace
 
 void rewrite_stl(std::ostream& out, const std::string& bytes, const Mesh_file& mesh,
@@ -97,6 +119,30 @@ void rewrite_stl(std::ostream& out, const std::string& bytes, const Mesh_file& m
 {
   is_binary_stl_content(bytes) ? rewrite_binary_stl(out, bytes, mesh, points)
                                : rewrite_stl_text(out, bytes, mesh, points);
+}
+
+std::vector<std::string> attributes_of_stl(const Mesh_file& mesh)
+{
+  const std::string& bytes = mesh.source->bytes;
+  if(!is_binary_stl_content(bytes))
+    return attributes_of_stl_text(bytes);
+  std::vector<std::string> result;
+  const std::string_view header = std::string_view(bytes).substr(0, STL_HEADER_SIZE - 4);
+  if(header.find("COLOR=") != std::string_view::npos
+     || header.find("MATERIAL=") != std::string_view::npos)
+    result.push_back("colors");
+  else if(header.find_first_not_of(std::string_view(" \t\r\n\0", 5)) != std::string_view::npos)
+    result.push_back("the header");
+  const std::size_t last_bytes = STL_HEADER_SIZE + STL_FACE_SIZE - 2; // of a face
+  for(std::size_t f = 0; f < mesh.faces.size(); ++f)
+    if(bytes.compare(last_bytes + STL_FACE_SIZE * f, 2, std::string(2, '\0')) != 0)
+    {
+      result.push_back("attributes of faces");
+      break;
+    }
+  if(has_rest_of_stl(bytes))
+    result.push_back("what follows the last face");
+  return result;
 }
 
 } // namespace Canonical_pose_tool

@@ -82,13 +82,18 @@ void rewrite_ply(std::ostream& out, const Mesh_file& mesh,
                  const std::vector<std::array<double, 3>>& points,
                  const std::vector<Vertex_values>& values);
 
-// Whether PLY can have other positions: integers cannot hold any.
-bool holds_positions(const std::string& bytes);
-
 // What files have beside positions and faces.
 std::vector<std::string> attributes_of_off(const std::string& bytes);
 std::vector<std::string> attributes_of_obj(const std::string& bytes);
 std::vector<std::string> attributes_of_ply(const std::string& bytes);
+
+std::vector<std::string> attributes_of_stl(const Mesh_file& mesh);
+
+// Whether a text has comments after a '#'.
+bool has_comments(const std::string& bytes);
+
+// What the same file with other positions has not.
+std::vector<std::string> integers_of_ply(const std::string& bytes);
 
 } // namespace Canonical_pose_tool
 
