@@ -429,7 +429,7 @@ TEST(Rewritten_files, integers_of_ply)
   const std::string text = header("char", "short", "uint", "uchar", "short")
                            + "2 7 8 127 0 0 9 0 0 0 1\n0 127 0 0 8 0 4000000001 0 2\n"
                              "0 127 0 0 7 300 0 0 3\n3 0 1 2 5 77\n",
-                    expected = header("double", "double", "double", "double", "double")
+                    expected = header("float", "float", "double", "float", "float")
                                + "2 7 8 0 -127 0 9 -0 0 0 0.5\n0 0 -127 0 8 -0 4000000001 0 0.25\n"
                                  "0 0 -127 0 7 -0 0 300 0.125\n3 0 1 2 0 77\n";
   const Mesh_file mesh = read("integers.ply", text);

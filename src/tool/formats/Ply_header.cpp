@@ -148,6 +148,7 @@ void check(const Ply_header& header)
 
 } // namespace
 
+Ply_number_type ply_number_type_of_float() { return number_type<float>(); }
 Ply_number_type ply_number_type_of_double() { return number_type<double>(); }
 
 std::size_t coordinate_of(const Ply_property& property)

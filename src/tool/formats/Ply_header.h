@@ -21,6 +21,7 @@ struct Ply_number_type
   void (*store)(double value, char* bytes);
 };
 
+Ply_number_type ply_number_type_of_float();
 Ply_number_type ply_number_type_of_double();
 
 struct Ply_property

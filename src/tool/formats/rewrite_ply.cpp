@@ -82,6 +82,24 @@ private:
                || (element.is_vertex() && values_of(property)));
   }
 
+  // Some programs do not read doubles of the other byte order.
+  Ply_number_type written_type(const Ply_element& element, const Ply_property& property) const
+  {
+    if(!is_widened(element, property))
+      return property.value;
+    return has_normals(element, property) || property.value.size < sizeof(float)
+             ? ply_number_type_of_float()
+             : ply_number_type_of_double();
+  }
+
+  void replace_type(Text_copy& copy, const std::string_view type, const Ply_element& element,
+                    const Ply_property& property) const
+  {
+    if(is_widened(element, property))
+      copy.replace(type,
+                   written_type(element, property).size == sizeof(float) ? "float" : "double");
+  }
+
   // With the properties that are added, after those of a vertex. A texture that is named after the file keeps its name.
   void write_header()
   {
@@ -95,10 +113,9 @@ private:
       Text_cursor type = text;
       const char* const line = text.position();
       text.next_line();
-      if(word == "property"
-         && is_widened(m_header.elements[element - 1],
-                       m_header.elements[element - 1].properties[property++]))
-        copy.replace(type.word_on_line(), "double");
+      if(word == "property")
+        replace_type(copy, type.word_on_line(), m_header.elements[element - 1],
+                     m_header.elements[element - 1].properties[property++]);
       if(word == "comment" && !is_standard_stream(m_mesh.source->path))
       {
         const std::string_view comment(line, static_cast<std::size_t>(text.position() - line));
@@ -171,9 +188,7 @@ private:
       for_each_property(element,
                         [&](const Ply_property& property, double, const char* const begin) {
                           if(const auto value = new_value(element, property, i))
-                            m_out << m_header.bytes_of(*value, is_widened(element, property)
-                                                                 ? ply_number_type_of_double()
-                                                                 : property.value);
+                            m_out << m_header.bytes_of(*value, written_type(element, property));
                           else
                             m_out.write(begin, m_byte - begin);
                         });
