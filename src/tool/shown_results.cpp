@@ -187,8 +187,6 @@ void add_losses_of_shown(std::vector<std::string>& warnings, const std::string& 
                          const Mesh_file& input, const std::string& path,
                          const bool has_vertex_colors)
 {
-  if(input.is_tetrahedral)
-    return;
   const Format format = format_of(path);
   std::vector<std::string> names = losses(input, format, false, false);
   names.erase(std::remove(names.begin(), names.end(), COMMENTS), names.end()); // of another file
