@@ -198,6 +198,11 @@ file(WRITE ${WORK}/classes.txt "ball a\ncopy\ta\nnobody b\n")
 run_tool(evaluate --database moved.db --classes classes.txt --rounds 0)
 expect_match("${exit_code}${stderr}" "^0canonical-pose: warning: the database has no described shape of this name, which has a class: 'nobody'\n$")
 
+file(WRITE ${WORK}/commas.txt "ball\ta, \"b\"\ncopy\ta, \"b\"\n")
+expect_exit(0 evaluate --database moved.db --classes commas.txt --rounds 0 --csv out/commas.csv)
+file(READ ${WORK}/out/commas.csv curves)
+expect_match("${curves}" "\nnearest,[^,]*,\"a, \"\"b\"\"\",\"a, \"\"b\"\"\",2\n")
+
 # A database of the version before, with one row per path, is read, and upgraded before it is written.
 find_program(SQLITE sqlite3)
 if(SQLITE)

@@ -18,25 +18,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// With the letters that would end a column or a row as in C.
-std::string escaped(const std::string& text)
-{
-  std::string result;
-  for(const char c : text)
-    result += c == '\n'   ? "\\n"
-              : c == '\r' ? "\\r"
-              : c == '\t' ? "\\t"
-              : c == '\\' ? "\\\\"
-                          : std::string(1, c);
-  return result;
-}
-
 // Outcome, path, options if they are shown, and message, with tabs between them.
 std::string line_of(const Shape_row& row, const bool has_options = false)
 {
-  return name_of(row.outcome) + '\t' + escaped(row.key.path)
-         + (has_options ? '\t' + escaped(row.key.options) : "")
-         + (row.message.empty() && !has_options ? "" : '\t' + escaped(row.message)) + '\n';
+  return name_of(row.outcome) + '\t' + in_one_line(row.key.path)
+         + (has_options ? '\t' + in_one_line(row.key.options) : "")
+         + (row.message.empty() && !has_options ? "" : '\t' + in_one_line(row.message)) + '\n';
 }
 
 Json json_of(const Shape_row& row)
@@ -61,6 +48,18 @@ Json json_of(const Shape_row& row)
 }
 
 } // namespace
+
+std::string in_one_line(const std::string& text)
+{
+  std::string result;
+  for(const char c : text)
+    result += c == '\n'   ? "\\n"
+              : c == '\r' ? "\\r"
+              : c == '\t' ? "\\t"
+              : c == '\\' ? "\\\\"
+                          : std::string(1, c);
+  return result;
+}
 
 void write_summary(std::ostream& out, const std::vector<std::string>& paths,
                    const std::size_t number_computed, const std::string& options,

@@ -14,6 +14,9 @@
 
 namespace Canonical_pose_tool {
 
+// A text without line ends and tabs, which become \n, \r and \t, as a backslash becomes two.
+std::string in_one_line(const std::string& text);
+
 // How many of these shapes have which outcome, and the shapes without a result.
 void write_summary(std::ostream& out, const std::vector<std::string>& paths,
                    std::size_t number_computed, const std::string& options,

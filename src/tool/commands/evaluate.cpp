@@ -186,6 +186,17 @@ void write_tables(std::ostream& out, const std::vector<Named_evaluation>& evalua
       write_line(out, name + ' ' + shapes.names[c], evaluation.mean_of_class(c));
 }
 
+// A field of CSV.
+std::string quoted(const std::string& text)
+{
+  if(text.find_first_of(",\"\r\n") == std::string::npos)
+    return text;
+  std::string result = "\"";
+  for(const char c : text)
+    result += c == '"' ? "\"\"" : std::string(1, c);
+  return result + '"';
+}
+
 // Curves and class confusion, a line per value.
 void write_csv(std::ostream& out, const std::vector<Named_evaluation>& evaluations,
                const Classified_shapes& shapes)
@@ -207,8 +218,8 @@ void write_csv(std::ostream& out, const std::vector<Named_evaluation>& evaluatio
     for(const std::size_t a : classes_of_queries(shapes))
       for(std::size_t b = 0; b < shapes.names.size(); ++b)
         if(const std::size_t number = evaluation.confusion(a, b); number > 0)
-          out << "nearest," << name << ',' << shapes.names[a] << ',' << shapes.names[b] << ','
-              << number << '\n';
+          out << "nearest," << name << ',' << quoted(shapes.names[a]) << ','
+              << quoted(shapes.names[b]) << ',' << number << '\n';
 }
 
 nlohmann::ordered_json json_of(const Retrieval_measures& m)

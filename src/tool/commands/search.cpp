@@ -10,6 +10,7 @@
 #include "collection/Collection_database.h"
 #include "formats/Mesh_file.h"
 #include "collection/described_collection.h"
+#include "collection/list_collection.h"
 
 #include <nlohmann/json.hpp>
 
@@ -89,7 +90,7 @@ int run_search(Arguments& arguments)
     return EXIT_SUCCESS;
   std::ostream& out = messages_beside({arguments.report});
   for(std::size_t i = 0; i < answers.size(); ++i)
-    out << i + 1 << ' ' << answers[i].distance << ' ' << answers[i].path << '\n';
+    out << i + 1 << ' ' << answers[i].distance << ' ' << in_one_line(answers[i].path) << '\n';
   return EXIT_SUCCESS;
 }
 
