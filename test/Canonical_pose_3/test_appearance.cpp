@@ -139,6 +139,11 @@ TEST(Appearance, is_carried_to_other_formats)
   EXPECT_EQ(losses(mesh, Format::OFF), (Names{"normals", "texture coordinates", "materials"}));
   EXPECT_EQ(losses(mesh, Format::STL),
             (Names{"colors", "normals", "texture coordinates", "materials"}));
+  // A texture that nobody sees.
+  Mesh_file black = mesh;
+  black.appearance.materials[0].color = {0, 0, 0, 1};
+  EXPECT_EQ(written(written(black, ".glb"), ".obj").appearance.materials.at(0).color,
+            black.appearance.materials[0].color);
   // From glTF and PLY back to the others.
   EXPECT_EQ(corners_of(written(written(mesh, ".glb"), ".ply"), false), corners_of(mesh, false));
   EXPECT_EQ(corners_of(written(written(mesh, ".ply"), ".glb"), false), corners_of(mesh, false));

@@ -50,6 +50,8 @@ struct Material
   std::array<double, 2> scale = {1, 1},
                         offset = {0, 0}; // of texture coordinates while they are read
 
+  bool is_black() const { return color[0] == 0 && color[1] == 0 && color[2] == 0; }
+
   // Whether it has numbers that materials of no other format have.
   bool has_numbers_of_gltf() const
   {

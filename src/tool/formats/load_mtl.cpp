@@ -188,7 +188,7 @@ bool load_mtl(const std::string& path, const std::string& name, Appearance& appe
   }
   // Some programs write black for the color of what has a texture.
   for(Material& other : appearance.materials)
-    if(!other.image.empty() && std::count(other.color.begin(), other.color.begin() + 3, 0.) == 3)
+    if(!other.image.empty() && other.is_black())
       std::fill(other.color.begin(), other.color.begin() + 3, 1.);
   return true;
 }

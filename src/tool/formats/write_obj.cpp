@@ -75,7 +75,8 @@ private:
     const Material& material = m_appearance.materials[number];
     text << "newmtl " << m_names.at(number) << "\nKd " << material.color[0] << ' '
          << material.color[1] << ' ' << material.color[2] << "\nd " << material.color[3] << '\n';
-    if(material.image.empty() || m_appearance.texture_coordinates.empty())
+    // With a texture, black would be read as white.
+    if(material.image.empty() || m_appearance.texture_coordinates.empty() || material.is_black())
       return;
     const std::string image = m_images.name_of(material);
     text << "map_Kd " << image << '\n';
