@@ -41,12 +41,13 @@ namespace Canonical_pose_3 {
 namespace internal {
 namespace {
 
-// The registration to a stance: no vertex near a joint is matched, and nothing is refined.
+// The registration to a stance: no vertex near a joint is matched, and nothing is refined. The limbs of animals resist more, since they
+// are thick where they bend.
 Component_options options_in_stance(const Component_options& options, const Surface_body_3& body,
-                                    const Eigen::VectorXd& weights,
+                                    const Skeleton_3::Kind kind, const Eigen::VectorXd& weights,
                                     const Eigen::Index number_of_rows)
 {
-  constexpr double share_of_detail_length = .5;
+  const double share_of_detail_length = kind == Skeleton_3::Kind::PERSON ? .5 : .15;
   Component_options result = options;
   result.number_of_rounds = 0;
   result.registration.detail_length
@@ -186,7 +187,8 @@ Result pose_in_stance(const Surface_component_3& surface, const Coarse_surface_3
     target.points = align_target(stance.points, surface.points, plan.shares());
     result = registered_pose(
       surface, coarse, Landmark_fields_3{{}, Eigen::MatrixXd(coarse.surface.points.rows(), 0), 0},
-      target, body, options_in_stance(options, body, stance.weights, canonical.pose.rows()));
+      target, body,
+      options_in_stance(options, body, plan.kind(), stance.weights, canonical.pose.rows()));
     for(const Registration_summary::Stage& stage : summary.stages)
       result.summary.add_seconds(stage.first, stage.second);
     for(const std::string& warning : summary.warnings)

@@ -62,7 +62,7 @@ Named_directions directions_of(const Stance stance, const Kind kind)
 Eigen::Vector3d direction_of_foot(const Kind kind, const Eigen::Vector3d& leg)
 {
   const Eigen::Vector3d foot
-    = kind == Kind::PERSON ? Eigen::Vector3d(0, -.35, 1) : Eigen::Vector3d(0, -1, 1);
+    = kind == Kind::PERSON ? Eigen::Vector3d(0, -.35, 1) : Eigen::Vector3d(0, -1, .45);
   if(leg[2] == 0 && leg[1] <= 0)
     return foot;
   return Eigen::AngleAxisd(std::atan2(-leg[2], -leg[1]), Eigen::Vector3d::UnitX()) * foot;

@@ -154,7 +154,11 @@ void restore_head(const Body_plan& body, Stance_target& result)
   const Point_matrix moved
     = (aligning_motion(rest, result.points, weights) * rest.transpose()).transpose();
   for(Eigen::Index v = 0; v < rest.rows(); ++v)
+  {
     result.points.row(v) += shares[v] * (moved.row(v) - result.points.row(v));
+    if(shares[v] > 0 && shares[v] < 1)
+      result.weights[v] = 0;
+  }
 }
 
 } // namespace
