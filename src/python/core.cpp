@@ -210,6 +210,16 @@ arrays_of(const std::vector<CGAL::Canonical_pose_3::Surface_match_3::Location>& 
                         array_of(std::move(corners)).attr("reshape")(-1, 3), std::move(weights));
 }
 
+void check_landmarks(const py::object& vertices, const py::object& faces,
+                     const py::object& other_vertices, const py::object& other_faces,
+                     const std::vector<std::pair<std::size_t, std::size_t>>& landmarks)
+{
+  CGAL::Canonical_pose_3::Match_options options;
+  options.landmarks = landmarks;
+  options.check(surface_of(vertices, faces).points.size(),
+                surface_of(other_vertices, other_faces).points.size());
+}
+
 py::tuple match(const py::object& vertices, const py::object& faces, const py::object& pose,
                 const py::object& other_vertices, const py::object& other_faces,
                 const py::object& other_pose,
@@ -376,6 +386,7 @@ PYBIND11_MODULE(_core, module)
   module.def("compare", &compare);
   module.def("align_handedness", &align_handedness);
   module.def("mean_pose", &mean_pose);
+  module.def("check_landmarks", &check_landmarks);
   module.def("match", &match);
   module.def("matched_faces", &matched_faces);
   module.def("segment", &segment);

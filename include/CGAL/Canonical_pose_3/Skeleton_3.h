@@ -51,7 +51,7 @@ struct Skeleton_3
   Eigen::SparseMatrix<double, Eigen::RowMajor> weights;
 
   /// whether front and back of a person, or up and down of an animal, are told apart without doubt, by the
-  /// direction of the toes, or that of the legs of the input.
+  /// direction of the toes and the relief of the head, or by the direction of the legs of the input.
   bool is_front_certain = false;
 
   /// the rigid motion from the pose to the frame of the body: \f$ x \f$ to the left, \f$ y \f$ upward,

@@ -709,11 +709,13 @@ def match(vertices, faces, other_vertices, other_faces, *, pose=None, other_pose
     (8, 3)
     """
     options = {"components": "each", "progress": progress, **options}
+    landmarks = list(landmarks)
+    _core.check_landmarks(vertices, faces, other_vertices, other_faces, landmarks)
     poses = [given if given is not None else _pose_of(surface, surface_faces, **options)[0]
              for given, surface, surface_faces in ((pose, vertices, faces),
                                                    (other_pose, other_vertices, other_faces))]
     return Match(*_core.match(vertices, faces, poses[0], other_vertices, other_faces, poses[1],
-                              list(landmarks), options))
+                              landmarks, options))
 
 
 def shape_distance(vertices, faces, other_vertices, other_faces, *, descriptor=None, pose=None,
