@@ -47,7 +47,7 @@ Component_options options_in_stance(const Component_options& options, const Surf
                                     const Skeleton_3::Kind kind, const Eigen::VectorXd& weights,
                                     const Eigen::Index number_of_rows)
 {
-  const double share_of_detail_length = kind == Skeleton_3::Kind::PERSON ? .5 : .15;
+  const double share_of_detail_length = kind == Skeleton_3::Kind::PERSON ? .35 : .15;
   Component_options result = options;
   result.number_of_rounds = 0;
   result.registration.detail_length
