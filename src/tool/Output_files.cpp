@@ -230,8 +230,16 @@ bool is_same_file(const std::string& path, const std::string& other)
 }
 
 Output_files::Output_files(const std::vector<std::string>& paths,
-                           const std::vector<std::string>& inputs)
+                           const std::vector<std::string>& inputs, const std::string& replaced)
 {
+  std::map<std::string, std::string> input_of; // of the files that inputs name
+  for(const std::string& input : inputs)
+    for(const std::string& file : paths_beside(input))
+      input_of[file] = input;
+  for(const std::string& file : paths_beside(replaced))
+    input_of[file] = replaced;
+  for(const auto& [file, input] : input_of)
+    m_files_of_inputs.push_back(file);
   std::set<fs::path> places;
   for(const std::string& path : paths)
   {
@@ -249,6 +257,9 @@ Output_files::Output_files(const std::vector<std::string>& paths,
     for(const std::string& input : inputs)
       if(is_same_file(place.string(), input))
         throw std::invalid_argument(cannot_write(path, "it is an input"));
+    for(const auto& [file, input] : input_of)
+      if(is_same_file(place.string(), file))
+        throw std::invalid_argument(cannot_write(path, "the input '" + input + "' names it"));
     if(!places.insert(place).second)
       throw Usage_error(cannot_write(path, "another output has the same name"));
     m_places[path] = place;
@@ -302,7 +313,7 @@ void Output_files::write_file(const std::string& path, const fs::path& place,
   m_files.push_back({path, place, name});
   Descriptor_buffer buffer(descriptor);
   std::ostream out(&buffer);
-  Companion_files beside{place};
+  Companion_files beside{place, m_files_of_inputs};
   if(is_compressed(path))
   {
     std::ostringstream content;

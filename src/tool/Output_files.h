@@ -37,10 +37,12 @@ bool is_same_file(const std::string& path, const std::string& other);
 class Output_files
 {
 public:
-  // Checks whether `paths` can be written and are none of the inputs, ignoring empty ones. Writes
-  // nothing. Throws std::invalid_argument that names the path.
+  // Checks whether `paths` can be written and are none of the inputs, nor of the files that inputs name, ignoring empty
+  // ones. `replaced`: another input, which an output may replace. Writes nothing. Throws std::invalid_argument that names
+  // the path.
   explicit Output_files(const std::vector<std::string>& paths,
-                        const std::vector<std::string>& inputs = {});
+                        const std::vector<std::string>& inputs = {},
+                        const std::string& replaced = {});
 
   // Removes all files that were not committed.
   ~Output_files();
@@ -76,6 +78,7 @@ private:
   void undo(std::size_t number_of_renamed_files);
 
   std::map<std::string, std::filesystem::path> m_places;
+  std::vector<std::string> m_files_of_inputs;
   std::string m_standard_output;
   std::vector<File> m_files;
 };

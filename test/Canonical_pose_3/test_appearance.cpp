@@ -464,10 +464,14 @@ TEST(Appearance, files_beside_obj)
   EXPECT_EQ(corners_of(again, true), corners_of(embedded, true));
   EXPECT_EQ(again.appearance.materials[0].alpha_mode, "BLEND");
 
-  // Neither are materials that were read replaced.
-  const std::string same
-    = beside(path, fs::path(*mesh.appearance.files.begin()).stem().string() + ".obj");
-  EXPECT_EQ(write_with_files_beside(mesh, same), Names{fs::path(same).stem().string() + "_0.mtl"});
+  // Neither are materials that inputs name replaced.
+  const std::string materials = files_beside(mesh)[0].path;
+  const std::string name_of_other = fs::path(materials).stem().string();
+  std::ostringstream out;
+  Companion_files files{beside(path, name_of_other + ".obj"), {materials}};
+  write_mesh(out, Format::OBJ, mesh, &files);
+  ASSERT_EQ(files.contents.size(), 1u);
+  EXPECT_EQ(files.contents.begin()->first, name_of_other + "_0.mtl");
 }
 
 // A pose in another folder has the files beside it that its file names, unless others are there.
@@ -487,7 +491,7 @@ TEST(Appearance, files_beside_poses)
       std::ofstream(fs::path(path).parent_path() / name, std::ios::binary) << content;
     return beside.contents;
   };
-  const std::string materials = fs::path(*mesh.appearance.files.begin()).filename().string();
+  const std::string materials = fs::path(files_beside(mesh)[0].path).filename().string();
   EXPECT_TRUE(rewritten(testing::TempDir() + "same_folder.obj", mesh).empty());
   const fs::path current = fs::current_path();
   fs::current_path(testing::TempDir()); // what is there does not count, though it is the same

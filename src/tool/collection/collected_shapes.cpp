@@ -5,11 +5,8 @@
 
 #include "collection/collected_shapes.h"
 #include "formats/Mesh_file.h"
-#include "formats/readers.h"
 
 #include <boost/crc.hpp>
-
-#include <nlohmann/json.hpp>
 
 #include <array>
 #include <cstdint>
@@ -26,7 +23,6 @@ namespace Canonical_pose_tool {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
 
 // The surfaces in a folder and its folders. Links are followed, but no folder is visited twice.
 void add_folder(const fs::path& folder, std::set<fs::path>& visited, std::set<std::string>& paths)
@@ -53,23 +49,6 @@ try
 catch(const std::invalid_argument& error)
 {
   throw std::invalid_argument("the list '" + list + "' cannot be read: " + error.what());
-}
-
-// The files beside a scene (.gltf) that it names.
-std::vector<std::string> files_beside(const std::string& path)
-{
-  std::ifstream in(path, std::ios::binary);
-  const Json json = Json::parse(in, nullptr, false);
-  std::vector<std::string> result;
-  for(const char* const list : {"buffers", "images"})
-    if(const auto found = json.find(list); found != json.end())
-      for(const Json& entry : *found)
-        if(entry.is_object() && entry.contains("uri") && entry["uri"].is_string())
-        {
-          const std::string name = decoded_uri(entry["uri"].get<std::string>());
-          result.push_back((fs::path(path).parent_path() / name).string());
-        }
-  return result;
 }
 
 } // namespace
@@ -124,7 +103,7 @@ std::string checksum_of(const std::string& path)
   if(!add(path) && size == 0)
     return {};
   if(extension_of(path) == ".gltf")
-    for(const std::string& file : files_beside(path))
+    for(const std::string& file : paths_beside(path))
       add(file);
   std::array<char, 64> text;
   std::snprintf(text.data(), text.size(), "%ju-%016jx", size,

@@ -172,7 +172,6 @@ Mesh_file textured(Mesh_file mesh, const Mesh_file& other, const CP::Surface_mat
 {
   const Appearance& of_other = other.appearance;
   mesh.appearance = {};
-  mesh.appearance.files = of_other.files;
   mesh.appearance.texture_coordinates = CP::transferred_texture_coordinates(
     match, mesh.faces, matrix_of(points_of(other)), other.faces, of_other.texture_coordinates);
   mesh.appearance.materials = of_other.materials;

@@ -137,12 +137,12 @@ int run_pose(Arguments& arguments)
   std::vector<std::string> inputs
     = {arguments.stance_file, arguments.matching_weights, arguments.stiffness,
        arguments.given_target, arguments.given_distances};
-  // The pose may replace the input.
-  if(!is_same_file(arguments.input, arguments.output))
+  const bool is_replaced = is_same_file(arguments.input, arguments.output);
+  if(!is_replaced)
     inputs.push_back(arguments.input);
   const std::vector<std::string> outputs
     = {arguments.output, arguments.target, arguments.scene, arguments.report};
-  Output_files files(outputs, inputs);
+  Output_files files(outputs, inputs, is_replaced ? arguments.input : std::string());
   std::optional<Stance_file> stance;
   if(!arguments.stance_file.empty())
     stance.emplace(arguments.stance_file).set(arguments.options);

@@ -70,7 +70,6 @@ Mesh_file part_of(const Mesh_file& input, const std::vector<std::size_t>& parts,
         result.appearance.material_of_face.push_back(appearance.material_of_face[f]);
     }
   result.appearance.materials = appearance.materials;
-  result.appearance.files = appearance.files;
   return result;
 }
 

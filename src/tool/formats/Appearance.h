@@ -78,7 +78,6 @@ struct Appearance
   std::vector<Material> materials;
   std::vector<std::size_t> material_of_face;
   std::set<std::string> missing; // what the file names, but what was not found, for messages
-  std::set<std::string> files;   // of materials, which were read
 
   bool has_materials() const { return !material_of_face.empty(); }
   // Of a face or more.

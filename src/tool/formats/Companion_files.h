@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <vector>
 
 namespace Canonical_pose_tool {
 
@@ -14,6 +15,7 @@ namespace Canonical_pose_tool {
 struct Companion_files
 {
   std::filesystem::path path;                       // where that file will be
+  std::vector<std::string> kept = {};               // files that are not replaced
   std::map<std::string, std::string> contents = {}; // by names
 };
 

@@ -321,6 +321,24 @@ catch(const std::invalid_argument& error)
   throw std::invalid_argument("'" + path + "': " + error.what());
 }
 
+std::vector<std::string> paths_beside(const std::string& path)
+try
+{
+  std::error_code error;
+  std::vector<std::string> result;
+  if(!fs::is_regular_file(path, error))
+    return result;
+  const Format format = format_of(path);
+  if(format == Format::OBJ || format == Format::PLY || format == Format::GLTF)
+    for(File_beside& file : files_beside({format, bytes_of_file(path), path}))
+      result.push_back(std::move(file.path));
+  return result;
+}
+catch(const std::invalid_argument&)
+{
+  return {};
+}
+
 std::vector<std::string> read_lines(const std::string& path)
 {
   std::string bytes = bytes_of_file(path);

@@ -149,7 +149,11 @@ struct File_beside
 };
 
 // Those that are there.
+std::vector<File_beside> files_beside(const Source_file& source);
 std::vector<File_beside> files_beside(const Mesh_file& mesh);
+
+// The paths of those of a file that is not read yet; none if it cannot be read.
+std::vector<std::string> paths_beside(const std::string& path);
 
 // Whether the same file is, or will be, beside the file at `path` that rewrite_mesh() writes: it is, if it is in the folder
 // of the mesh, and replaces no other file.

@@ -5,6 +5,7 @@
 #include "Mesh_file.h"
 #include "Ply_header.h"
 #include "Text_cursor.h"
+#include "readers.h"
 
 #include <filesystem>
 #include <string>
@@ -47,18 +48,21 @@ bool is_there(const fs::path& path, const File_beside& file)
 
 } // namespace
 
-std::vector<File_beside> files_beside(const Mesh_file& mesh)
+std::vector<File_beside> files_beside(const Source_file& source)
 {
   std::vector<File_beside> result;
-  if(!mesh.source || is_standard_stream(mesh.source->path))
+  const std::string& path = source.path;
+  if(is_standard_stream(path))
     return result;
-  const std::string& path = mesh.source->path;
-  if(mesh.source->format == Format::PLY)
-    for(const std::string& name : names_of_textures(mesh.source->bytes, path))
+  if(source.format == Format::PLY)
+    for(const std::string& name : names_of_textures(source.bytes, path))
       add_file(name, path, result);
-  if(mesh.source->format != Format::OBJ)
+  if(source.format == Format::GLTF)
+    for(const std::string& name : files_of_gltf(source.bytes))
+      add_file(name, path, result);
+  if(source.format != Format::OBJ)
     return result;
-  Text_cursor text(mesh.source->bytes);
+  Text_cursor text(source.bytes);
   for(std::string_view word = text.word(); !word.empty(); text.skip_line(), word = text.word())
     if(word == "mtllib")
     {
@@ -71,6 +75,11 @@ std::vector<File_beside> files_beside(const Mesh_file& mesh)
         add_file(image, path, result);
     }
   return result;
+}
+
+std::vector<File_beside> files_beside(const Mesh_file& mesh)
+{
+  return mesh.source ? files_beside(*mesh.source) : std::vector<File_beside>();
 }
 
 bool is_copied(const Mesh_file& mesh, const File_beside& file, const std::string& path)

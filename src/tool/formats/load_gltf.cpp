@@ -242,6 +242,18 @@ void check_model(const std::string& bytes, const tinygltf::Model& model)
       throw std::invalid_argument("a primitive of mesh " + std::to_string(i) + " is not valid");
 }
 
+std::vector<std::string> files_of_gltf(const std::string& bytes)
+{
+  const auto json = nlohmann::ordered_json::parse(json_of(bytes), nullptr, false);
+  std::vector<std::string> result;
+  for(const char* const list : {"buffers", "images"})
+    if(const auto found = json.find(list); found != json.end())
+      for(const auto& entry : *found)
+        if(entry.is_object() && entry.contains("uri") && entry["uri"].is_string())
+          result.push_back(decoded_uri(entry["uri"].get<std::string>()));
+  return result;
+}
+
 std::optional<std::string> self_contained_glb(const std::string& bytes, const std::string& path)
 try
 {

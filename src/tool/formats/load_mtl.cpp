@@ -132,11 +132,9 @@ void load_image_beside(const std::string& path, const std::string& name, Appeara
 bool load_mtl(const std::string& path, const std::string& name, Appearance& appearance,
               std::map<std::string, std::size_t>& indices)
 {
-  std::string path_of_library;
-  std::string bytes = content_beside(path, name, &path_of_library);
+  std::string bytes = content_beside(path, name);
   if(bytes.empty())
     return false;
-  appearance.files.insert(path_of_library);
   remove_byte_order_mark(bytes);
   Text_cursor text(bytes);
   Material unnamed;

@@ -86,6 +86,9 @@ bool is_rewritable_glb(const Mesh_file& mesh);
 void rewrite_glb(std::ostream& out, const Mesh_file& mesh,
                  const std::vector<std::array<double, 3>>& points);
 
+// The names of the files that glTF names.
+std::vector<std::string> files_of_gltf(const std::string& bytes);
+
 // What binary or text glTF holds beside positions and faces.
 std::vector<std::string> attributes_of_gltf(const Mesh_file& mesh);
 

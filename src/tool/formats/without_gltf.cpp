@@ -24,6 +24,8 @@ std::optional<std::string> self_contained_glb(const std::string&, const std::str
   return std::nullopt;
 }
 
+std::vector<std::string> files_of_gltf(const std::string&) { return {}; }
+
 void load_appearance_of_gltf(Mesh_file&) {}
 
 bool is_rewritable_glb(const Mesh_file&) { return false; }

@@ -61,7 +61,7 @@ public:
     use_shortest_numbers(text);
     for(const std::size_t m : m_used)
       write(text, m);
-    // That of the shape itself may be replaced, but none of those that were read.
+    // One of an output before may be replaced, but none of those that inputs name.
     std::string name = m_images.stem() + ".mtl";
     for(int number = 0; is_read(m_beside.path.parent_path() / name); ++number)
       name = m_images.numbered(number, ".mtl");
@@ -99,7 +99,7 @@ private:
   bool is_read(const fs::path& path) const
   {
     std::error_code error;
-    return std::any_of(m_appearance.files.begin(), m_appearance.files.end(),
+    return std::any_of(m_beside.kept.begin(), m_beside.kept.end(),
                        [&](const std::string& file) { return fs::equivalent(file, path, error); });
   }
 
