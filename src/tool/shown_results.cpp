@@ -176,11 +176,15 @@ void add_losses_of_file(std::vector<std::string>& warnings, const std::string& r
              result + " in "
                + (is_standard_stream(path) ? "the standard output" : '\'' + path + '\'') + " lacks",
              losses(input, format, is_rewritten, has_files_beside(path)));
-  if(is_rewritten && !is_standard_stream(path))
-    for(const File_beside& file : files_beside(input))
-      if(!is_copied(input, file, path))
-        warnings.push_back(result + " names '" + file.name
-                           + "', which is beside the input, but not copied");
+  if(!is_rewritten || is_standard_stream(path))
+    return;
+  for(const std::string& name : names_not_beside(input, path))
+    warnings.push_back(result + " names '" + name + "', which is not beside it");
+  for(const File_beside& file : files_beside(input))
+    if(!is_copied(input, file, path))
+      warnings.push_back(
+        result + " names '" + file.name + "', which is beside the input, but " + NOT_COPIED
+        + (is_another_there(input, file, path) ? ": a different file of this name is there" : ""));
 }
 
 void add_losses_of_shown(std::vector<std::string>& warnings, const std::string& result,

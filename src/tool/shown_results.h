@@ -55,6 +55,9 @@ Shown_surface shown_pose(const Mesh_file& input, const CGAL::Canonical_pose_3::R
 void add_losses(std::vector<std::string>& warnings, const std::string& result,
                 const std::vector<std::string>& losses, const std::string& owner = "the input");
 
+// In warnings about files that a pose names.
+inline constexpr const char* NOT_COPIED = "not copied";
+
 // The same for what write_pose() or, if `is_new`, write_mesh() writes to a path.
 void add_losses_of_file(std::vector<std::string>& warnings, const std::string& result,
                         const Mesh_file& input, const std::string& path, bool is_new = false);

@@ -31,15 +31,17 @@ string(JSON options GET "${stdout}" 1 options)
 string(JSON vertices GET "${stdout}" 1 report input vertices)
 expect_match("${number} ${options} ${vertices}" "^2 --rounds 0 12$")
 
-# Of two MTL files of the same name, the second one is not copied, and its row says so.
+# Of two MTL files of the same name, the second one is not copied: its row and the summary say so.
 file(READ ${WORK}/ball.obj ball_obj)
 foreach(folder IN ITEMS 1 2)
   file(WRITE ${WORK}/same_mtl/${folder}/m.mtl "newmtl m\nKd 0 0 0.${folder}\n")
   file(WRITE ${WORK}/same_mtl/${folder}/${folder}.obj "mtllib m.mtl\nusemtl m\n${ball_obj}")
 endforeach()
 expect_exit(0 collection same_mtl --database same_mtl.db --poses out/same_mtl --descriptor shape-distribution-d2 --workers 1 --rounds 0)
+set(not_copied "the pose names 'm.mtl', which is beside the input, but not copied: a different file of this name is there")
+expect_match("${stdout}" "\nwarning: [^\n]*same_mtl/[12]/[12].obj: ${not_copied}\n$")
 run_tool(collection --list --json --database same_mtl.db)
-expect_match("${stdout}" "the pose names 'm.mtl', which is beside the input, but not copied")
+expect_match("${stdout}" "${not_copied}")
 
 # A row is a line, with a tab between columns.
 file(REMOVE_RECURSE ${WORK}/odd ${WORK}/odd.db)

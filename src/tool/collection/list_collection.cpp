@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "collection/list_collection.h"
+#include "shown_results.h"
 
 #include <nlohmann/json.hpp>
 
@@ -47,6 +48,18 @@ Json json_of(const Shape_row& row)
           {"report", report}};
 }
 
+// About the files that a pose names.
+std::vector<std::string> warnings_of_files(const Shape_row& row)
+{
+  const Json report = Json::parse(row.report, nullptr, false);
+  std::vector<std::string> result;
+  if(report.is_object() && report.contains("warnings"))
+    for(const std::string& warning : report["warnings"].get<std::vector<std::string>>())
+      if(warning.find(NOT_COPIED) != std::string::npos)
+        result.push_back(warning);
+  return result;
+}
+
 } // namespace
 
 std::string in_one_line(const std::string& text)
@@ -66,19 +79,25 @@ void write_summary(std::ostream& out, const std::vector<std::string>& paths,
                    Collection_database& database)
 {
   std::map<Outcome, std::size_t> numbers;
-  std::string failures;
+  std::string failures, warnings;
   for(const std::string& path : paths)
-    if(const auto row = database.row_of(path, options))
+    if(auto row = database.row_of(path, options))
     {
       ++numbers[row->outcome];
       if(row->outcome != Outcome::DONE)
         failures += line_of(*row);
+      else if(!row->pose.empty())
+      {
+        database.complete(*row);
+        for(const std::string& warning : warnings_of_files(*row))
+          warnings += "warning: " + in_one_line(path + ": " + warning) + '\n';
+      }
     }
   out << paths.size() << (paths.size() == 1 ? " shape, " : " shapes, ") << number_computed
       << " computed now\n";
   for(const auto& [outcome, number] : numbers)
     out << std::left << std::setw(14) << name_of(outcome) << number << '\n';
-  out << failures;
+  out << failures << warnings;
 }
 
 void list_collection(const Arguments& arguments)

@@ -155,9 +155,15 @@ std::vector<File_beside> files_beside(const Mesh_file& mesh);
 // The paths of those of a file that is not read yet; none if it cannot be read.
 std::vector<std::string> paths_beside(const std::string& path);
 
+// Those that a mesh from the standard input names, but that are not beside the file at `path`.
+std::vector<std::string> names_not_beside(const Mesh_file& mesh, const std::string& path);
+
 // Whether the same file is, or will be, beside the file at `path` that rewrite_mesh() writes: it is, if it is in the folder
 // of the mesh, and replaces no other file.
 bool is_copied(const Mesh_file& mesh, const File_beside& file, const std::string& path);
+
+// Whether a different file has its name there.
+bool is_another_there(const Mesh_file& mesh, const File_beside& file, const std::string& path);
 
 // Adds the files that are not there yet.
 void copy_files_beside(const Mesh_file& mesh, Companion_files& beside);

@@ -7,6 +7,7 @@
 #include "Text_cursor.h"
 #include "readers.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -25,7 +26,8 @@ std::string add_file(const std::string& name, const std::string& path,
 {
   File_beside file{name, {}, {}};
   file.content = content_beside(path, name, &file.path);
-  if(!file.content.empty())
+  const auto is_same = [&](const File_beside& other) { return other.path == file.path; };
+  if(!file.content.empty() && std::none_of(files.begin(), files.end(), is_same))
     files.push_back(file);
   return file.content;
 }
@@ -82,6 +84,32 @@ std::vector<File_beside> files_beside(const Mesh_file& mesh)
   return mesh.source ? files_beside(*mesh.source) : std::vector<File_beside>();
 }
 
+std::vector<std::string> names_not_beside(const Mesh_file& mesh, const std::string& path)
+{
+  std::vector<std::string> names;
+  if(!mesh.source || !is_standard_stream(mesh.source->path))
+    return names;
+  const std::string& bytes = mesh.source->bytes;
+  if(mesh.source->format == Format::PLY)
+    names = names_of_textures(bytes, path);
+  Text_cursor text(bytes);
+  if(mesh.source->format == Format::OBJ)
+    for(std::string_view word = text.word(); !word.empty(); text.skip_line(), word = text.word())
+      if(word == "mtllib")
+        names.push_back(rest_of_line(text));
+  const auto is_there = [&](const std::string& name) {
+    if(!content_beside(path, name).empty())
+      return true;
+    Text_cursor words(name); // or several names
+    std::string_view word = words.word();
+    while(!word.empty() && !content_beside(path, std::string(word)).empty())
+      word = words.word();
+    return word.empty();
+  };
+  names.erase(std::remove_if(names.begin(), names.end(), is_there), names.end());
+  return names;
+}
+
 bool is_copied(const Mesh_file& mesh, const File_beside& file, const std::string& path)
 {
   const std::string name = name_in_folder(mesh, file);
@@ -89,6 +117,14 @@ bool is_copied(const Mesh_file& mesh, const File_beside& file, const std::string
   const fs::path copy = fs::path(path).parent_path() / name;
   return !name.empty()
          && (is_there(copy, file) || (has_files_beside(path) && !fs::exists(copy, error)));
+}
+
+bool is_another_there(const Mesh_file& mesh, const File_beside& file, const std::string& path)
+{
+  const std::string name = name_in_folder(mesh, file);
+  std::error_code error;
+  const fs::path copy = fs::path(path).parent_path() / name;
+  return !name.empty() && fs::exists(copy, error) && !is_there(copy, file);
 }
 
 void copy_files_beside(const Mesh_file& mesh, Companion_files& beside)
