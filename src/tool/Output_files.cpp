@@ -96,8 +96,8 @@ extern "C" void remove_files_and_exit(const int signal)
     return;
   }
   for(Unfinished_file* file = unfinished_files; file && owner == getpid(); file = file->next)
-    if(file->exists)
-      unlink(file->path.c_str());
+    if(file->exists && unlink(file->path.c_str()) != 0)
+      rmdir(file->path.c_str()); // after the files in it, which are newer
   _exit(128 + signal);
 }
 

@@ -20,7 +20,7 @@ struct Companion_files;
 // committed, and exits with 128 plus the number of the signal. A signal during commit() waits for its end.
 void remove_files_on_signals();
 
-// Lets signals remove a file, too, until it is dropped.
+// Lets signals remove a file, or an empty folder, too, until it is dropped.
 void add_unfinished_file(const std::string& path);
 void drop_unfinished_file(const std::string& path);
 

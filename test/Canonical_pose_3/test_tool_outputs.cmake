@@ -71,6 +71,8 @@ file(WRITE ${WORK}/other.obj "mtllib other.mtl\nusemtl red\n${text}")
 expect_exit(0 pose other.obj --given-target red.obj --rounds 0 --target red_target.obj -o out/a.off)
 expect_content(red_target.mtl "newmtl red\nKd 1 0 0\n")
 expect_content(red_target_0.mtl "newmtl red\nKd 0 1 0\nd 1\n")
+run_sh("\"$TOOL\" pose - -o out/red.obj --rounds 0 --landmarks 12 --detail-length 0.3 < red.obj")
+expect_match("${exit_code}${stdout}" "^0.*\nwarning: the pose names 'red_target.mtl', which is not beside it\n$")
 foreach(parts IN ITEMS 3 2)
   expect_exit(0 segment red.obj --method sweep --parts ${parts} -o out/red_parts/)
 endforeach()
@@ -229,6 +231,13 @@ foreach(before IN ITEMS before "")
     expect_files(out/* out/c.json)
   endif()
 endforeach()
+
+# A signal removes the folder of parts.
+file(REMOVE_RECURSE ${WORK}/out ${WORK}/parts_pipe.off)
+file(MAKE_DIRECTORY ${WORK}/out)
+run_sh("mkfifo parts_pipe.off; \"$TOOL\" segment parts_pipe.off -o out/parts/ & tool=$!; exec 3> parts_pipe.off; kill -TERM $tool; wait $tool")
+expect_match("${exit_code}" "^143$")
+expect_files(out/* "")
 
 # A signal, at ten moments: the outputs are all there, or none, and nothing else is.
 find_program(TIMEOUT timeout)

@@ -81,7 +81,7 @@ public:
   {
     std::error_code error;
     if(!path.empty() && std::filesystem::create_directory(path, error))
-      m_created = path;
+      add_unfinished_file(m_created.emplace(path));
     else if(error)
       throw std::invalid_argument("'" + path + "' cannot be created: " + error.message());
   }
@@ -90,10 +90,16 @@ public:
     std::error_code error;
     if(m_created)
       std::filesystem::remove(*m_created, error);
+    keep();
   }
   Output_folder(const Output_folder&) = delete;
   Output_folder& operator=(const Output_folder&) = delete;
-  void keep() { m_created.reset(); }
+  void keep()
+  {
+    if(m_created)
+      drop_unfinished_file(*m_created);
+    m_created.reset();
+  }
 
 private:
   std::optional<std::string> m_created;
