@@ -115,7 +115,8 @@ TEST(Text_files, corners_of_obj)
         "1\xC2\xA0"
         "2\xC2\xA0"
         "3",
-        "is not ASCII"}};
+        "is not ASCII"},
+       {"\x01 1 2 3", "the keyword '?' has a control character"}};
   for(const auto& [face, defect] : cases)
     EXPECT_THROW_WITH(
       read_mesh_file(written_file("corners.obj", vertices + "f 1 2 3\n" + face + "\n")),

@@ -43,6 +43,7 @@ expect_exit(0 check ball.txt) # by its content
 file(WRITE ${WORK}/words.txt "no shape\n")
 expect_refusal("extension" pose words.txt -o out/a.off)
 expect_wrong_usage("canonical-pose: the extension of 'out/a.xyz' is not one of" pose ball.off -o out/a.xyz)
+expect_wrong_usage("'-' is not a .glb file" pose ball.off -o out/a.off --scene -)
 expect_exit(2 pose ball.off -o out/a.off --bogus 3)
 expect_match("${stderr}" "arguments were not expected: --bogus 3; see --help\n$")
 expect_refusal("no such directory" pose ball.off -o out/nowhere/a.off)

@@ -122,7 +122,9 @@ void check_formats(const Arguments& arguments)
         : "the pose of a surface cannot be a tetrahedral mesh (.mesh, .vtu)");
   if(!arguments.target.empty() && holds_tetrahedra(arguments.target))
     throw Usage_error("the target is a surface and cannot be a tetrahedral mesh (.mesh, .vtu)");
-  if(!arguments.scene.empty() && format_of_output(arguments.scene) != Format::GLB)
+  if(!arguments.scene.empty()
+     && (extension_of(arguments.scene) != ".glb"
+         || format_of_output(arguments.scene) != Format::GLB))
     throw Usage_error("'" + arguments.scene + "' is not a .glb file");
   if(is_tetrahedral && arguments.options.body != Options::Body::AUTOMATIC)
     throw Usage_error("--body: a tetrahedral mesh is its own body");

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cstddef>
 #include <stdexcept>
 #include <string>
@@ -80,10 +81,14 @@ void read_rest_of_corner(const Text_cursor& text, std::string_view word, const E
 // Other letters may be blanks of other kinds, and what follows them part of the line.
 void check_keyword_of_obj(const Text_cursor& text, const std::string_view word)
 {
-  if(std::any_of(word.begin(), word.end(), [](const char c) { return c < ' ' || c > '~'; }))
-    throw std::invalid_argument("the keyword " + Text_cursor::shown(word)
-                                + " has a letter that is not ASCII (line "
-                                + std::to_string(text.line()) + ")");
+  const auto odd
+    = std::find_if(word.begin(), word.end(), [](const char c) { return c < ' ' || c > '~'; });
+  if(odd != word.end())
+    throw std::invalid_argument("the keyword " + Text_cursor::shown(word) + " has a "
+                                + (std::iscntrl(static_cast<unsigned char>(*odd))
+                                     ? "control character"
+                                     : "letter that is not ASCII")
+                                + " (line " + std::to_string(text.line()) + ")");
 }
 
 } // namespace
