@@ -254,16 +254,20 @@ std::vector<std::string> warnings_of(const Mesh_file& input, const Mesh_file& ot
   if(is_input_rewritten(arguments))
     add_losses_of_file(result, "the surface", input, arguments.output);
   if(transfer == Transfer::COLORS || transfer == Transfer::TEXTURE)
-    add_losses(result, "the surface lacks", attributes_of_file(input));
+    add_losses(result, "the surface lacks", losses(input, format_of(arguments.output), false));
   if(transfer == Transfer::LABELS && !is_text(arguments.output))
     add_losses_of_shown(result, "the surface lacks", input, arguments.output, false);
-  if(transfer == Transfer::TEXTURE)
+  if(transfer == Transfer::COLORS || transfer == Transfer::TEXTURE)
   {
     std::vector<std::string> lost
       = losses(other, format_of(arguments.output), false, has_files_beside(arguments.output));
-    std::set<std::string> transferred = other.appearance.missing;
-    transferred.insert(
-      {"materials", "colors of materials", "names of materials", OTHER_MAPS, OTHER_PROPERTIES});
+    std::set<std::string> transferred = {OPACITY_OF_COLORS};
+    if(transfer == Transfer::TEXTURE)
+    {
+      transferred = other.appearance.missing;
+      transferred.insert(
+        {"materials", "colors of materials", "names of materials", OTHER_MAPS, OTHER_PROPERTIES});
+    }
     const auto is_other = [&](const std::string& name) { return transferred.count(name) == 0; };
     lost.erase(std::remove_if(lost.begin(), lost.end(), is_other), lost.end());
     add_losses(result, "the surface lacks", lost, "OTHER");

@@ -52,19 +52,24 @@ struct Material
 
   bool is_black() const { return color[0] == 0 && color[1] == 0 && color[2] == 0; }
 
-  // Whether it has numbers that materials of no other format have.
+  // Whether it has numbers that materials of no other format have, and that are neither those of other formats nor the
+  // default of glTF.
   bool has_numbers_of_gltf() const
   {
     const auto numbers = [](const Material& m) {
       return std::tie(m.metallic, m.roughness, m.strength_of_normals, m.strength_of_occlusion,
-                      m.emission, m.is_double_sided);
+                      m.emission);
     };
     const Material plain;
-    return numbers(*this) != numbers(plain) || alpha_mode == "MASK" || Sampler() < sampler;
+    Material default_of_gltf;
+    default_of_gltf.metallic = default_of_gltf.roughness = 1;
+    return (numbers(*this) != numbers(plain) && numbers(*this) != numbers(default_of_gltf))
+           || alpha_mode == "MASK" || Sampler() < sampler;
   }
 };
 
 // Names of what is lost.
+inline constexpr const char* OPACITY_OF_COLORS = "the opacity of colors";
 inline constexpr const char* OTHER_MAPS = "maps of materials other than colors";
 inline constexpr const char* OTHER_PROPERTIES = "other properties of materials";
 

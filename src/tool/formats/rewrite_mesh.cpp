@@ -161,7 +161,7 @@ std::vector<std::string> losses(const Mesh_file& mesh, const Format format, cons
   };
   names.erase(std::remove_if(names.begin(), names.end(), is_kept), names.end());
   if(!is_rewritten && format == Format::OBJ && !mesh.appearance.vertex_opacities.empty())
-    names.push_back("the opacity of colors");
+    names.push_back(OPACITY_OF_COLORS);
   const auto is_colored = [](const Material& m) { return m.color != Material().color; };
   if(!is_rewritten && has_materials && format == Format::PLY
      && mesh.appearance.has_material(is_colored))
