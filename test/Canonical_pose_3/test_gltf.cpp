@@ -737,6 +737,31 @@ TEST(Gltf, several_meshes_and_primitives)
   }
 }
 
+// Materials that are opaque have no opacity, whatever their numbers are; defaults are not told as lost.
+TEST(Gltf, opacity_of_opaque_materials)
+{
+  const Mesh_file plain = ball();
+  std::string bytes = written(plain);
+  json model = json_of(bytes);
+  json& primitive = model["meshes"][0]["primitives"][0];
+  primitive["attributes"]["COLOR_0"]
+    = add_accessor(bytes, model, "VEC4", 5126, std::vector<float>(4 * plain.points.size(), .5f),
+                   plain.points.size());
+  primitive["material"] = 0;
+  for(const bool is_opaque : {true, false})
+  {
+    model["materials"] = {{{"pbrMetallicRoughness", {{"baseColorFactor", {1, 0, 0, .25}}}}}};
+    if(!is_opaque)
+      model["materials"][0]["alphaMode"] = "BLEND";
+    const Mesh_file mesh
+      = read_shown_mesh_file(written_file("opacity.glb", with_json(bytes, model)));
+    EXPECT_EQ(mesh.appearance.materials.at(0).color[3], is_opaque ? 1 : .25);
+    EXPECT_EQ(mesh.appearance.vertex_opacities.empty(), is_opaque);
+    const auto lost = losses(mesh, Format::OBJ, false);
+    EXPECT_EQ(std::count(lost.begin(), lost.end(), OTHER_PROPERTIES), 0);
+  }
+}
+
 // Sides, cutoff, wrapping and filters of materials, their other images, and the opacity of colors, are those of the file,
 // wherever a surface with its appearance is written.
 TEST(Gltf, materials_of_scenes)

@@ -116,6 +116,8 @@ Material material_of(const tinygltf::Model& model, const tinygltf::Material& mat
   result.strength_of_occlusion = between_0_and_1(material.occlusionTexture.strength);
   if(material.alphaMode == "BLEND" || material.alphaMode == "MASK")
     result.alpha_mode = material.alphaMode;
+  else
+    result.color[3] = 1;
   result.alpha_cutoff = (std::max)(material.alphaCutoff, 0.);
   result.is_double_sided = material.doubleSided;
   const Material_map map_of_color = map_of(model, base.baseColorTexture.index);

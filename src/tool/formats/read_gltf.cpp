@@ -281,10 +281,17 @@ private:
     return std::nullopt;
   }
 
+  bool is_opaque(const Primitive& primitive) const
+  {
+    const auto material = static_cast<std::size_t>(primitive.material);
+    return primitive.material < 0 || material >= m_appearance.materials.size()
+           || m_appearance.materials[material].alpha_mode == "OPAQUE";
+  }
+
   void read_colors(const Primitive& primitive, const std::vector<std::size_t>& corners)
   {
     std::optional<Gltf_numbers> colors = numbers(primitive, "COLOR_0", 4, corners);
-    const bool has_opacity = colors.has_value();
+    const bool has_opacity = colors.has_value() && !is_opaque(primitive);
     if(!colors)
       colors = numbers(primitive, "COLOR_0", 3, corners);
     if(!colors)

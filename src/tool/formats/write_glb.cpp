@@ -296,9 +296,23 @@ private:
         .push_back(t);
     m_primitive.mode = TINYGLTF_MODE_TRIANGLES;
     const bool has_variant = appearance.has_materials() && has_colors_of_results();
+    const auto is_opaque = [&](const std::size_t t) {
+      return std::all_of(
+        m_split.faces[t].begin(), m_split.faces[t].end(),
+        [&](const std::size_t v) { return appearance.vertex_opacities[v] == 255; });
+    };
+    // Of triangles with this material; otherwise, opacities would not be seen.
+    const auto with_opacities
+      = [&](Material material, const std::vector<std::size_t>& of_material) {
+          if(material.alpha_mode == "OPAQUE" && !has_colors_of_results()
+             && !appearance.vertex_opacities.empty()
+             && !std::all_of(of_material.begin(), of_material.end(), is_opaque))
+            material.alpha_mode = "BLEND";
+          return material;
+        };
     Material without;
-    if(!has_colors_of_results() && !appearance.vertex_opacities.empty())
-      without.alpha_mode = "BLEND"; // otherwise, opacities would not be seen
+    if(!appearance.has_materials() && !triangles.empty())
+      without = with_opacities(without, triangles.begin()->second);
     const int plain = has_variant || !appearance.has_materials() ? add_material(without) : -1;
     const bool is_small = m_split.copies.size() <= std::numeric_limits<std::uint16_t>::max();
     for(const auto& [material, of_material] : triangles)
@@ -308,7 +322,7 @@ private:
       m_primitive.material = plain;
       if(appearance.has_materials())
       {
-        const int own = add_material(appearance.materials[material]);
+        const int own = add_material(with_opacities(appearance.materials[material], of_material));
         if(has_variant)
           Gltf_materials::add_to_variant(m_primitive, own);
         else
