@@ -278,14 +278,17 @@ TEST(Appearance, defects_are_left_out)
   EXPECT_EQ(obj.texture_coordinates, (std::vector<std::array<float, 2>>{{0, .5f}, {}, {}, {}, {}, {}, {}, {}, {}}));
   EXPECT_TRUE(obj.vertex_colors.empty()); // not of all vertices
   EXPECT_FALSE(obj.has_materials());
-  const Appearance off
-    = appearance("a.off", "COFF\n3 1 0\n0 0 0 .5 0 7.\n1 0 0\n0 1 0 999 -1 x\n3 0 1 2 9 9 9\n");
+  const Appearance off = appearance(
+    "a.off", "COFF\n3 1 0\n0 0 0 .5 0 7.\n1 0 0 0 0 0\n0 1 0 999 -1 0\n3 0 1 2 9 9 9\n");
   EXPECT_EQ(off.vertex_colors, (std::vector<Color>{{128, 0, 255}, {0, 0, 0}, {255, 0, 0}}));
   const Appearance ply = appearance(
-    "a.ply", "ply\nformat ascii 1.0\ncomment TextureFile a.ply\ncomment TextureFile\nelement vertex 3\nproperty float x\n"
-             "property float y\nproperty float z\nproperty float s\nproperty float t\nelement face 2\n"
-             "property list uchar int vertex_indices\nproperty list uchar float texcoord\nend_header\n0 0 0 .5 .5\n"
-             "1 0 0 1 1\n0 1 0 0 0\n3 0 1 2 2 .25 .75\n3 0 1 2 0\n");
+    "a.ply",
+    "ply\nformat ascii 1.0\ncomment TextureFile a.ply\ncomment TextureFile\nelement vertex "
+    "3\nproperty float x\n"
+    "property float y\nproperty float z\nproperty float s\nproperty float t\nelement face 2\n"
+    "property list uchar int vertex_indices\nproperty list uchar float texcoord\nend_header\n0 0 0 "
+    ".5 .5\n"
+    "1 0 0 1 1\n0 1 0 0 0\n3 0 1 2 6 .25 .75 0 0 0 0\n3 0 1 2 0\n");
   EXPECT_EQ(ply.texture_coordinates, (std::vector<std::array<float, 2>>{{.25f, .25f}, {0, 1}, {0, 1}, {0, 1}, {0, 1}, {0, 1}}));
   EXPECT_FALSE(ply.has_materials());
 }
@@ -541,7 +544,8 @@ TEST(Appearance, ranges_of_colors)
     (Color{51, 0, 255}));
   for(const auto& [type, numbers] :
       {std::make_pair("uchar", "51 0 255"), std::make_pair("ushort", "13107 0 65535"),
-       std::make_pair("float", ".2 0 1")})
+       std::make_pair("short", "51 0 255"), std::make_pair("ushort", "51 0 255"),
+       std::make_pair("float", "51 0 255"), std::make_pair("float", ".2 0 1")})
     EXPECT_EQ(
       first_color(
         "a.ply",
@@ -552,6 +556,80 @@ TEST(Appearance, ranges_of_colors)
           + numbers + "\n1 0 0 0 0 0\n0 1 0 0 0 0\n3 0 1 2\n"),
       (Color{51, 0, 255}))
       << type;
+}
+
+// What is no color, or one of some vertices only, is dropped and named.
+TEST(Appearance, incomplete_attributes)
+{
+  using Names = std::vector<std::string>;
+  const auto read = [](const std::string& name, const std::string& bytes) {
+    return read_shown_mesh_file(written_file(name, bytes));
+  };
+  const auto ply = [](const std::string& properties, const std::string& row,
+                      const std::string& of_face = "", const std::string& face = "") {
+    return "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty "
+           "float z\n"
+           + properties + "element face 1\nproperty list uchar int vertex_indices\n" + of_face
+           + "end_header\n0 0 0 " + row + "\n1 0 0 " + row + "\n0 1 0 " + row + "\n3 0 1 2 " + face
+           + "\n";
+  };
+  const std::string triangle = "1 0 0 .5 .5 .5\n0 1 0 .5 .5 .5\n3 0 1 2\n";
+  const std::string list = "property list uchar float texcoord\n";
+  const std::vector<std::pair<std::string, std::string>> files = {
+    {"some.off", "COFF\n3 1 0\n0 0 0\n" + triangle},
+    {"words.off", "COFF\n3 1 0\n0 0 0 red green blue\n" + triangle},
+    {"nan.off", "COFF\n3 1 0\n0 0 0 nan .5 .5\n" + triangle},
+    {"words.obj", "v 0 0 0 red green blue\nv 1 0 0 1 1 1\nv 0 1 0 1 1 1\nf 1 2 3\n"},
+    {"nan.obj", "v 0 0 0 nan 1 1\nv 1 0 0 1 1 1\nv 0 1 0 1 1 1\nf 1 2 3\n"},
+    {"nan.ply", ply("property float red\nproperty float green\nproperty float blue\n", "nan 1 1")},
+    {"two.ply", ply("property uchar red\nproperty uchar green\n", "1 2")}};
+  for(const auto& [name, bytes] : files)
+    EXPECT_EQ(losses(read(name, bytes), Format::GLB), Names{"colors"}) << name;
+  EXPECT_EQ(
+    losses(read("a.ply", ply("property float nx\nproperty float ny\n", ".6 .8")), Format::GLB),
+    (Names{"the property nx", "the property ny"}));
+  EXPECT_EQ(losses(read("a.ply", ply("", "", list, "4 0 0 1 0")), Format::GLB),
+            Names{"texture coordinates"});
+  EXPECT_EQ(
+    losses(read("a.ply", ply("property float s\nproperty float t\n", "0 0", list, "6 0 0 1 0 0 1")),
+           Format::GLB),
+    Names{"texture coordinates of vertices"});
+  EXPECT_EQ(losses(read("a.ply", ply("property float s\nproperty float t\n", "0 0")), Format::GLB),
+            Names());
+}
+
+// What of MTL files is not carried is named.
+TEST(Appearance, what_is_not_read_of_materials)
+{
+  using Names = std::vector<std::string>;
+  const auto read = [](const std::string& materials, const std::string& used = "m") {
+    return read_shown_mesh_file(written_file(
+      "a.obj", "mtllib " + name_of(written_file("a.mtl", materials))
+                 + "\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nusemtl " + used + "\nf 1/1 2/1 3/1\n"));
+  };
+  const auto color = [&](const std::string& line) {
+    return read("newmtl m\n" + line + '\n').appearance.materials.at(0).color;
+  };
+  EXPECT_EQ(color("Kd 255 51 0"), (std::array<double, 4>{1, .2, 0, 1}));
+  EXPECT_EQ(color("d -halo 0.25")[3], .25);
+  EXPECT_EQ(losses(read("newmtl m\nKd 255 128 0\nd -halo .5\n"), Format::GLB), Names());
+  const std::string image = name_of(written_file("image.png", IMAGE));
+  for(const std::string& line :
+      {std::string("Kd 1.5 0 0"), std::string("Kd 300 0 0"), std::string("Kd xyz .2 .3 .4"),
+       std::string("Kd spectral a.rfl"), std::string("Kd -1 0 0"), "map_Kd -clamp on " + image,
+       "map_Kd -mm 0 .5 " + image})
+    EXPECT_EQ(losses(read("newmtl m\n" + line + '\n'), Format::GLB), Names{OTHER_PROPERTIES})
+      << line;
+  EXPECT_EQ(losses(read("newmtl Skin\nKd 1 0 0\n", "skin"), Format::GLB),
+            Names{"the material 'skin'"});
+
+  // Only the materials are lost.
+  const Mesh_file wide = read(std::string("\xFF\xFEn\0", 4));
+  EXPECT_EQ(wide.appearance.texture_coordinates.size(), 3u);
+  const Names lost = losses(wide, Format::GLB);
+  ASSERT_EQ(lost.size(), 2u);
+  EXPECT_EQ(lost[0], "materials");
+  EXPECT_EQ(lost[1].find("the materials in '"), 0u);
 }
 
 } // namespace test_appearance

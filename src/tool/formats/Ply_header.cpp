@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 #include <map>
 #include <stdexcept>
 #include <string>
@@ -37,7 +38,8 @@ Ply_number_type number_type()
           [](const double value, char* bytes) {
             const auto stored = static_cast<T>(value);
             std::memcpy(bytes, &stored, sizeof(T));
-          }};
+          },
+          static_cast<double>((std::numeric_limits<T>::max)())};
 }
 
 Ply_number_type read_number_type(const Text_cursor& text, const std::string_view name)

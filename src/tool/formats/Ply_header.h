@@ -6,6 +6,7 @@
 
 #include "Text_cursor.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -19,6 +20,7 @@ struct Ply_number_type
   bool is_integer;
   double (*convert)(const char* bytes);
   void (*store)(double value, char* bytes);
+  double largest;
 };
 
 Ply_number_type ply_number_type_of_float();
@@ -41,6 +43,16 @@ struct Ply_element
   bool is_vertex() const { return name == "vertex"; }
   bool is_face() const { return name == "face"; }
   bool is_strips() const { return name == "tristrips"; } // of triangles
+
+  // Whether there is a property of each index before `n`.
+  bool has_all(std::size_t (*const index_of)(const Ply_property&), const std::size_t n) const
+  {
+    for(std::size_t k = 0; k < n; ++k)
+      if(std::none_of(properties.begin(), properties.end(),
+                      [&](const Ply_property& p) { return index_of(p) == k; }))
+        return false;
+    return true;
+  }
 
   // The element `index` of this type, for messages.
   Element operator[](const std::size_t index) const

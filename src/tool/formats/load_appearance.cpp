@@ -14,8 +14,10 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <map>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -36,6 +38,34 @@ std::vector<Value> at_corners(const std::vector<Value>& values, const Face_list&
   return result;
 }
 
+// Red, green, blue and opacity as they are read. What is not finite is no color.
+using Read_color = std::array<double, 4>;
+
+// Takes colors if each vertex has one. `largest`: of each channel.
+void take_colors(const std::vector<Read_color>& colors, const Read_color& largest,
+                 Appearance& appearance)
+{
+  if(std::any_of(colors.begin(), colors.end(), [](const Read_color& color) {
+       return !std::all_of(color.begin(), color.end(),
+                           [](const double x) { return std::isfinite(x); });
+     }))
+    return;
+  for(const Read_color& color : colors)
+  {
+    std::array<unsigned char, 4> bytes;
+    for(std::size_t k = 0; k < 4; ++k)
+      bytes[k] = byte_of(color[k], largest[k]);
+    appearance.vertex_colors.push_back({bytes[0], bytes[1], bytes[2]});
+    appearance.vertex_opacities.push_back(bytes[3]);
+  }
+}
+
+constexpr double OPAQUE = 255; // on all scales
+constexpr double NOT_A_NUMBER = std::numeric_limits<double>::quiet_NaN();
+
+// Of colors that are not integers: up to 1, or a little above, or up to 255.
+double largest_of_numbers(const double most) { return most > 2 ? 255 : 1; }
+
 // Colors are numbers up to 1 if any of them is written with a point, and up to 255 otherwise.
 void load_off(const std::string& bytes, const Mesh_file& mesh, Appearance& appearance)
 {
@@ -47,8 +77,8 @@ void load_off(const std::string& bytes, const Mesh_file& mesh, Appearance& appea
   if(!has_colors && !has_normals)
     return;
   std::vector<std::array<float, 3>> normals;
-  std::vector<std::vector<double>> colors;
-  bool is_fraction = false, are_numbers = false; // of colors elsewhere
+  std::vector<Read_color> colors;
+  bool is_fraction = false;
   for(std::size_t v = 0; v < mesh.points.size(); ++v)
   {
     text.word();
@@ -57,25 +87,22 @@ void load_off(const std::string& bytes, const Mesh_file& mesh, Appearance& appea
     if(has_normals)
       for(float& x : normals.emplace_back())
         x = static_cast<float>(text.number_or(text.word_on_line(), 0));
-    std::vector<double>& color = colors.emplace_back();
-    const std::size_t channels = has_coordinates ? 3 : 4;
-    for(std::string_view word; color.size() < channels && !(word = text.word_on_line()).empty();)
+    Read_color& color = colors.emplace_back();
+    color.fill(NOT_A_NUMBER);
+    std::size_t channels = 0;
+    for(std::string_view word;
+        channels < (has_coordinates ? 3 : 4) && !(word = text.word_on_line()).empty();)
     {
       is_fraction = is_fraction || word.find('.') != std::string_view::npos;
-      color.push_back(text.number_or(word, 0));
+      color[channels++] = text.number_or(word, NOT_A_NUMBER);
     }
-    are_numbers = are_numbers || color.size() == 1;
+    if(channels == 3)
+      color[3] = OPAQUE;
     text.skip_line();
   }
   const double largest = is_fraction ? 1 : 255;
-  for(std::size_t v = 0; v < colors.size() && has_colors && !are_numbers; ++v)
-  {
-    std::vector<double>& color = colors[v];
-    color.resize((std::max)(color.size(), std::size_t(3)), 0);
-    appearance.vertex_colors.push_back(
-      {byte_of(color[0], largest), byte_of(color[1], largest), byte_of(color[2], largest)});
-    appearance.vertex_opacities.push_back(color.size() < 4 ? 255 : byte_of(color[3], largest));
-  }
+  if(has_colors)
+    take_colors(colors, {largest, largest, largest, largest}, appearance);
   if(has_normals)
     appearance.normals = at_corners(normals, mesh.faces);
 }
@@ -91,18 +118,6 @@ void take_values(const std::vector<Value>& values, const std::vector<long long>&
     return;
   for(const long long i : indices)
     result.push_back(exists(i) ? values[static_cast<std::size_t>(i)] : Value());
-}
-
-// They are numbers up to 1, or a little above, or up to 255.
-void take_colors(const std::vector<std::array<double, 3>>& colors, Appearance& appearance)
-{
-  const bool has_bytes = std::any_of(colors.begin(), colors.end(), [](const auto& color) {
-    return *std::max_element(color.begin(), color.end()) > 2;
-  });
-  const double largest = has_bytes ? 255 : 1;
-  for(const std::array<double, 3>& color : colors)
-    appearance.vertex_colors.push_back(
-      {byte_of(color[0], largest), byte_of(color[1], largest), byte_of(color[2], largest)});
 }
 
 // Moves texture coordinates as materials have it.
@@ -130,8 +145,10 @@ void load_obj(const std::string& bytes, const std::string& path, const Face_list
   std::vector<std::array<float, 3>> normals;
   std::vector<long long> indices_of_corners, normals_of_corners; // from 0; -1: none
   std::map<std::string, std::size_t> materials;
+  std::set<std::string> unknown; // materials
   std::optional<std::size_t> material;
-  std::vector<std::array<double, 3>> colors;
+  std::vector<Read_color> colors;
+  double most = 0;
   bool has_colors = true;
   Text_cursor text(bytes, Text_cursor::Lines::CONTINUED);
   for(std::string_view word = text.word(); !word.empty(); text.skip_line(), word = text.word())
@@ -139,14 +156,15 @@ void load_obj(const std::string& bytes, const std::string& path, const Face_list
     {
       for(int k = 0; k < 3; ++k)
         text.word_on_line();
-      std::array<double, 3> color;
-      for(double& x : color)
+      Read_color& color = colors.emplace_back();
+      for(std::size_t k = 0; k < 3; ++k)
       {
         word = text.word_on_line();
         has_colors = has_colors && !word.empty();
-        x = text.number_or(word, 0);
+        color[k] = text.number_or(word, NOT_A_NUMBER);
+        most = (std::max)(most, color[k]);
       }
-      colors.push_back(color);
+      color[3] = OPAQUE;
     }
     else if(word == "vt")
     {
@@ -166,8 +184,11 @@ void load_obj(const std::string& bytes, const std::string& path, const Face_list
     }
     else if(word == "usemtl")
     {
-      const auto found = materials.find(rest_of_line(text));
+      const std::string name = rest_of_line(text);
+      const auto found = materials.find(name);
       material = found == materials.end() ? std::nullopt : std::optional(found->second);
+      if(found == materials.end() && !name.empty())
+        unknown.insert("the material " + Text_cursor::shown(name));
     }
     else if(is_face_of_obj(word))
     {
@@ -187,15 +208,20 @@ void load_obj(const std::string& bytes, const std::string& path, const Face_list
       appearance.material_of_face.push_back(material.value_or(std::size_t(-1)));
     }
   if(has_colors)
-    take_colors(colors, appearance);
+  {
+    const double largest = largest_of_numbers(most);
+    take_colors(colors, {largest, largest, largest, largest}, appearance);
+  }
   take_values(coordinates, indices_of_corners, appearance.texture_coordinates);
   take_values(normals, normals_of_corners, appearance.normals);
   // Faces without a material have another one.
   if(appearance.materials.empty())
     appearance.material_of_face.clear();
-  else if(std::count(appearance.material_of_face.begin(), appearance.material_of_face.end(),
-                     std::size_t(-1))
-          > 0)
+  else
+    appearance.missing.insert(unknown.begin(), unknown.end());
+  if(std::count(appearance.material_of_face.begin(), appearance.material_of_face.end(),
+                std::size_t(-1))
+     > 0)
   {
     std::replace(appearance.material_of_face.begin(), appearance.material_of_face.end(),
                  std::size_t(-1), appearance.materials.size());
@@ -225,9 +251,32 @@ void load_textures_of_ply(const std::string& bytes, const std::string& path,
   }
 }
 
-double largest_color(const Ply_number_type type)
+// `most`: of the colors of this type. Some programs write bytes as larger numbers.
+double largest_color(const Ply_number_type type, const double most)
 {
-  return !type.is_integer ? 1 : type.size == 2 ? 65535 : 255;
+  return !type.is_integer                  ? largest_of_numbers(most)
+         : type.size == 2 && most > OPAQUE ? type.largest
+                                           : 255;
+}
+
+// The largest values of the channels. Each has the scale of others of its type, but opacities up to 1 may be beside
+// colors up to 255.
+Read_color largest_colors(const std::vector<Read_color>& colors,
+                          const std::array<Ply_number_type, 5>& types)
+{
+  Read_color most = {}, result;
+  for(const Read_color& color : colors)
+    for(std::size_t k = 0; k < 4; ++k)
+      most[k] = (std::max)(most[k], color[k]);
+  for(std::size_t k = 0; k < 4; ++k)
+  {
+    double most_of_type = most[k];
+    for(std::size_t other = 0; other < 3; ++other)
+      if(types[other].convert == types[k].convert && (k < 3 || types[k].is_integer))
+        most_of_type = (std::max)(most_of_type, most[other]);
+    result[k] = largest_color(types[k], most_of_type);
+  }
+  return result;
 }
 
 void load_ply(const std::string& bytes, const std::string& path, const Face_list& faces,
@@ -235,18 +284,20 @@ void load_ply(const std::string& bytes, const std::string& path, const Face_list
 {
   Text_cursor text(bytes);
   const Ply_header header = read_ply_header(text);
-  const auto has = [&](const bool of_vertices, const auto& holds) {
+  const auto has_all = [&](std::size_t (*const index_of)(const Ply_property&),
+                           const std::size_t n) {
     return std::any_of(header.elements.begin(), header.elements.end(), [&](const Ply_element& e) {
-      return (of_vertices ? e.is_vertex() : e.is_face())
-             && std::any_of(e.properties.begin(), e.properties.end(), holds);
+      return e.is_vertex() && e.has_all(index_of, n);
     });
   };
-  const bool has_colors = has(true, [](const Ply_property& p) { return channel_of(p) == 0; });
-  const bool is_of_vertices
-    = has(true, [](const Ply_property& p) { return texture_coordinate_of(p) == 0; });
-  const bool is_of_corners = has(false, is_list_of_coordinates);
-  const bool has_normals
-    = has(true, [](const Ply_property& p) { return normal_coordinate_of(p) == 0; });
+  const bool has_colors = has_all(channel_of, 3);
+  const bool is_of_vertices = has_all(texture_coordinate_of, 2);
+  const bool is_of_corners
+    = std::any_of(header.elements.begin(), header.elements.end(), [](const Ply_element& e) {
+        return e.is_face()
+               && std::any_of(e.properties.begin(), e.properties.end(), is_list_of_coordinates);
+      });
+  const bool has_normals = has_all(normal_coordinate_of, 3);
   if(!has_colors && !is_of_vertices && !is_of_corners && !has_normals)
     return;
   const char* byte = text.position();
@@ -260,12 +311,15 @@ void load_ply(const std::string& bytes, const std::string& path, const Face_list
   std::vector<std::array<float, 2>> of_vertices;
   std::vector<std::array<float, 3>> normals;
   std::vector<double> texture_of_face;
+  std::vector<Read_color> colors;
+  std::array<Ply_number_type, 5> types = {}; // of the channels
+  bool are_corners_complete = true;
   std::size_t f = 0;
   for(const Ply_element& element : header.elements)
     for(std::size_t i = 0; i < element.number && !element.properties.empty(); ++i)
     {
       std::array<double, 3> coordinates = {};
-      std::array<unsigned char, 5> color = {0, 0, 0, 255, 0};
+      std::array<double, 5> color = {0, 0, 0, OPAQUE, 0};
       std::array<double, 4> normal = {};
       std::vector<double> of_corners;
       double texture = 0;
@@ -282,17 +336,16 @@ void load_ply(const std::string& bytes, const std::string& path, const Face_list
           const double value = next(property.value);
           coordinates[texture_coordinate_of(property)] = value;
           normal[normal_coordinate_of(property)] = value;
-          color[channel_of(property)] = byte_of(value, largest_color(property.value));
+          color[channel_of(property)] = value;
+          if(element.is_vertex())
+            types[channel_of(property)] = property.value;
           if(is_number_of_texture(element, property))
             texture = value;
         }
       if(element.is_face())
         texture_of_face.push_back(texture);
       if(element.is_vertex() && has_colors)
-      {
-        appearance.vertex_colors.push_back({color[0], color[1], color[2]});
-        appearance.vertex_opacities.push_back(color[3]);
-      }
+        colors.push_back({color[0], color[1], color[2], color[3]});
       if(element.is_vertex() && has_normals)
         normals.push_back({static_cast<float>(normal[0]), static_cast<float>(normal[1]),
                            static_cast<float>(normal[2])});
@@ -301,6 +354,8 @@ void load_ply(const std::string& bytes, const std::string& path, const Face_list
           {static_cast<float>(coordinates[0]), static_cast<float>(1 - coordinates[1])});
       if(element.is_face() && is_of_corners)
       {
+        are_corners_complete = are_corners_complete
+                               && (of_corners.empty() || of_corners.size() == 2 * faces[f].size());
         of_corners.resize(2 * faces[f].size());
         for(std::size_t k = 0; k < faces[f].size(); ++k)
           appearance.texture_coordinates.push_back({static_cast<float>(of_corners[2 * k]),
@@ -308,6 +363,10 @@ void load_ply(const std::string& bytes, const std::string& path, const Face_list
         ++f;
       }
     }
+  if(has_colors)
+    take_colors(colors, largest_colors(colors, types), appearance);
+  if(!are_corners_complete)
+    appearance.texture_coordinates.clear();
   if(!is_of_corners && is_of_vertices)
     appearance.texture_coordinates = at_corners(of_vertices, faces);
   if(has_normals)

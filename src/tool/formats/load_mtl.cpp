@@ -16,6 +16,7 @@
 #include <iterator>
 #include <map>
 #include <set>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -56,9 +57,11 @@ bool is_map_of_mtl(const std::string& keyword)
   return keyword.compare(0, 4, "map_") == 0 || others.count(keyword) > 0;
 }
 
-// Reads what follows map_Kd: options, then the name of a file, which may have blanks.
-std::string read_image_name(Text_cursor& text, Material& material)
+// Reads what follows map_Kd: options, then the name of a file, which may have blanks. Returns also whether there are
+// options which are not read.
+std::pair<std::string, bool> read_image_name(Text_cursor& text, Material& material)
 {
+  bool has_others = false;
   for(;;)
   {
     const Text_cursor begin = text;
@@ -66,8 +69,9 @@ std::string read_image_name(Text_cursor& text, Material& material)
     if(option.empty() || option[0] != '-')
     {
       text = begin;
-      return rest_of_line(text);
+      return {rest_of_line(text), has_others};
     }
+    has_others = has_others || (option != "-s" && option != "-o");
     std::vector<double> numbers;
     for(Text_cursor next = text; looks_like_number(next.word_on_line()); text = next)
       numbers.push_back(text.number_or(Text_cursor(text).word_on_line(), 0));
@@ -82,6 +86,24 @@ std::string read_image_name(Text_cursor& text, Material& material)
           material.offset[k] = numbers[k];
       }
   }
+}
+
+// Returns whether they are numbers up to 1, or bytes.
+bool read_color(Text_cursor& text, Material& material)
+{
+  std::array<double, 3> color;
+  double others = -1; // that of the first one if these are not given
+  for(double& x : color)
+  {
+    x = text.number_or(text.word_on_line(), others);
+    if(!(x >= 0))
+      return false; // another notation
+    others = color[0];
+  }
+  const double most = *std::max_element(color.begin(), color.end()), bytes = 255;
+  for(std::size_t k = 0; k < 3; ++k)
+    material.color[k] = (std::min)(most > 2 ? color[k] / bytes : color[k], 1.);
+  return most <= 1 || (most > 2 && most <= bytes);
 }
 
 } // namespace
@@ -126,7 +148,8 @@ void load_image_beside(const std::string& path, const std::string& name, Appeara
   if(!type_of_image(material.image).empty())
     return;
   material.image.clear();
-  appearance.missing.insert("the texture " + Text_cursor::shown(name));
+  appearance.missing.insert(name.empty() ? "a texture without a name"
+                                         : "the texture " + Text_cursor::shown(name));
 }
 
 bool load_mtl(const std::string& path, const std::string& name, Appearance& appearance,
@@ -135,7 +158,16 @@ bool load_mtl(const std::string& path, const std::string& name, Appearance& appe
   std::string bytes = content_beside(path, name);
   if(bytes.empty())
     return false;
-  remove_byte_order_mark(bytes);
+  try
+  {
+    remove_byte_order_mark(bytes);
+  }
+  catch(const std::invalid_argument&)
+  {
+    appearance.missing.insert("the materials in " + Text_cursor::shown(name)
+                              + " (encoded in UTF-16)");
+    return true;
+  }
   Text_cursor text(bytes);
   Material unnamed;
   Material* material = &unnamed;
@@ -151,19 +183,13 @@ bool load_mtl(const std::string& path, const std::string& name, Appearance& appe
     }
     else if(keyword == "kd")
     {
-      double red = -1; // that of the others that are not given
-      for(std::size_t k = 0; k < 3; ++k)
-      {
-        const double value = text.number_or(text.word_on_line(), red);
-        if(!(value >= 0))
-          break; // another notation
-        material->color[k] = (std::min)(value, 1.);
-        red = k == 0 ? value : red;
-      }
+      if(!read_color(text, *material))
+        appearance.missing.insert(OTHER_PROPERTIES);
     }
     else if(keyword == "d") // Tr means opacity in some programs, and the opposite in others
     {
-      const double opacity = text.number_or(text.word_on_line(), 1);
+      word = text.word_on_line();
+      const double opacity = text.number_or(word == "-halo" ? text.word_on_line() : word, 1);
       if(opacity > 0 && opacity < 1)
       {
         material->color[3] = opacity;
@@ -171,12 +197,17 @@ bool load_mtl(const std::string& path, const std::string& name, Appearance& appe
       }
     }
     else if(keyword == "map_kd")
-      load_image_beside(path, read_image_name(text, *material), appearance, *material);
+    {
+      const auto [image, has_options] = read_image_name(text, *material);
+      load_image_beside(path, image, appearance, *material);
+      if(has_options)
+        appearance.missing.insert(OTHER_PROPERTIES);
+    }
     else if(keyword == "map_d") // the opacity of the same image
     {
       Material ignored;
       if(material->image.empty()
-         || content_beside(path, read_image_name(text, ignored)) != material->image)
+         || content_beside(path, read_image_name(text, ignored).first) != material->image)
         appearance.missing.insert(OTHER_MAPS);
       else if(type_of_image(material->image) != "image/jpeg")
         material->alpha_mode = "BLEND";
@@ -198,7 +229,7 @@ std::vector<std::string> images_of_mtl(const std::string& bytes)
   Material ignored;
   for(std::string_view word = text.word(); !word.empty(); text.skip_line(), word = text.word())
     if(is_map_of_mtl(small_letters(word)))
-      result.push_back(read_image_name(text, ignored));
+      result.push_back(read_image_name(text, ignored).first);
   return result;
 }
 

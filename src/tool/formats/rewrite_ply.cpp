@@ -50,7 +50,8 @@ public:
 
   static bool has_normals(const Ply_element& element, const Ply_property& property)
   {
-    return (element.is_vertex() || element.is_face()) && normal_coordinate_of(property) < 3;
+    return normal_coordinate_of(property) < 3
+           && (element.is_vertex() ? element.has_all(normal_coordinate_of, 3) : element.is_face());
   }
 
   static bool has_positions(const Ply_element& element, const Ply_property& property)
@@ -315,14 +316,24 @@ std::vector<std::string> integers_of_ply(const std::string& bytes)
 std::vector<std::string> attributes_of_ply(const std::string& bytes)
 {
   Text_cursor text(bytes);
+  const Ply_header header = read_ply_header(text);
   std::vector<std::string> result;
-  for(const Ply_element& element : read_ply_header(text).elements)
+  for(const Ply_element& element : header.elements)
     if(!element.is_vertex() && !element.is_face() && !element.is_strips())
       result.push_back("the element " + element.name);
     else
       for(const Ply_property& property : element.properties)
         if(element.is_vertex() ? coordinate_of(property) == 3 : !is_list_of_vertices(property))
           result.push_back(name_of_attribute(element, property));
+  const auto has = [&](const auto& holds) {
+    return std::any_of(header.elements.begin(), header.elements.end(), holds);
+  };
+  if(has([](const Ply_element& e) { return e.is_vertex() && e.has_all(texture_coordinate_of, 2); })
+     && has([](const Ply_element& e) {
+          return e.is_face()
+                 && std::any_of(e.properties.begin(), e.properties.end(), is_list_of_coordinates);
+        }))
+    result.push_back("texture coordinates of vertices");
   if(!names_of_textures(bytes, std::string()).empty())
     result.push_back("materials");
   if(has_comments_of_ply(bytes))
