@@ -233,9 +233,9 @@ foreach(before IN ITEMS before "")
 endforeach()
 
 # A signal removes the folder of parts.
-file(REMOVE_RECURSE ${WORK}/out ${WORK}/parts_pipe.off)
+file(REMOVE_RECURSE ${WORK}/out ${WORK}/pipe.off)
 file(MAKE_DIRECTORY ${WORK}/out)
-run_sh("mkfifo parts_pipe.off; \"$TOOL\" segment parts_pipe.off -o out/parts/ & tool=$!; exec 3> parts_pipe.off; kill -TERM $tool; wait $tool")
+run_sh("mkfifo pipe.off; \"$TOOL\" segment pipe.off -o out/parts/ & tool=$!; exec 3> pipe.off; kill -TERM $tool; wait $tool")
 expect_match("${exit_code}" "^143$")
 expect_files(out/* "")
 
