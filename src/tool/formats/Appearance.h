@@ -112,8 +112,10 @@ class Text_cursor;
 // What follows on this line, without a comment, blanks around it, and quotation marks.
 std::string rest_of_line(Text_cursor& text);
 
-// The content of a file that the one at `path` names, there or in the same folder; empty if there is none. `found`: its path.
-std::string content_beside(const std::string& path, std::string name, std::string* found = nullptr);
+// The path of a file that the one at `path` names, there or in the same folder, and its content; empty if there is none.
+std::string path_beside(const std::string& path, std::string name);
+std::string content_beside(const std::string& path, const std::string& name);
+std::string content_of(const std::string& path);
 
 // Gives a material the image of this name, found in the same way; if there is none, that is noted.
 void load_image_beside(const std::string& path, const std::string& name, Appearance& appearance,

@@ -145,7 +145,7 @@ inline constexpr const char* COMMENTS = "comments"; // one of them
 // A file that the file of a mesh names, or an image that its MTL file names.
 struct File_beside
 {
-  std::string name, path, content;
+  std::string name, path;
 };
 
 // Those that are there.

@@ -92,6 +92,24 @@ struct Ply_header
   bool is_binary = false, is_big_endian = false;
   std::vector<Ply_element> elements;
 
+  // Whether vertices have a property of each index before `n`.
+  bool vertices_have_all(std::size_t (*const index_of)(const Ply_property&),
+                         const std::size_t n) const
+  {
+    return std::any_of(elements.begin(), elements.end(), [&](const Ply_element& e) {
+      return e.is_vertex() && e.has_all(index_of, n);
+    });
+  }
+
+  // Whether faces have lists of the texture coordinates of their corners.
+  bool has_coordinates_of_corners() const
+  {
+    return std::any_of(elements.begin(), elements.end(), [](const Ply_element& e) {
+      return e.is_face()
+             && std::any_of(e.properties.begin(), e.properties.end(), is_list_of_coordinates);
+    });
+  }
+
   // A number of binary data: from its bytes, and to them.
   double number_at(const char* bytes, Ply_number_type type) const;
   std::string bytes_of(double number, Ply_number_type type) const;

@@ -12,6 +12,7 @@
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 namespace Canonical_pose_tool {
@@ -20,16 +21,34 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Adds a file that exists. Returns its content.
-std::string add_file(const std::string& name, const std::string& path,
-                     std::vector<File_beside>& files)
+// The names of files in a file: a name of MTL may be those of several files, with blanks between them.
+std::vector<std::string> names_of_files(const Format format, const std::string& bytes,
+                                        const std::string& path)
 {
-  File_beside file{name, {}, {}};
-  file.content = content_beside(path, name, &file.path);
-  const auto is_same = [&](const File_beside& other) { return other.path == file.path; };
-  if(!file.content.empty() && std::none_of(files.begin(), files.end(), is_same))
-    files.push_back(file);
-  return file.content;
+  if(format == Format::PLY)
+    return names_of_textures(bytes, path);
+  if(format == Format::GLTF)
+    return files_of_gltf(bytes);
+  std::vector<std::string> result;
+  if(format != Format::OBJ)
+    return result;
+  Text_cursor text(bytes);
+  for(std::string_view word = text.word(); !word.empty(); text.skip_line(), word = text.word())
+    if(word == "mtllib")
+      result.push_back(rest_of_line(text));
+  return result;
+}
+
+// Those of such a name, beside the file at `path`. Those that are not there have no path.
+std::vector<File_beside> files_of_names(const std::string& name, const std::string& path)
+{
+  if(std::string found = path_beside(path, name); !found.empty())
+    return {{name, std::move(found)}};
+  std::vector<File_beside> result;
+  Text_cursor names(name);
+  for(std::string_view word = names.word(); !word.empty(); word = names.word())
+    result.push_back({std::string(word), path_beside(path, std::string(word))});
+  return result;
 }
 
 // Its name in the same folder as that of the mesh; empty if it is elsewhere.
@@ -45,7 +64,7 @@ std::string name_in_folder(const Mesh_file& mesh, const File_beside& file)
 
 bool is_there(const fs::path& path, const File_beside& file)
 {
-  return content_beside(path.string(), path.filename().string()) == file.content;
+  return content_beside(path.string(), path.filename().string()) == content_of(file.path);
 }
 
 } // namespace
@@ -56,25 +75,24 @@ std::vector<File_beside> files_beside(const Source_file& source)
   const std::string& path = source.path;
   if(is_standard_stream(path))
     return result;
-  if(source.format == Format::PLY)
-    for(const std::string& name : names_of_textures(source.bytes, path))
-      add_file(name, path, result);
-  if(source.format == Format::GLTF)
-    for(const std::string& name : files_of_gltf(source.bytes))
-      add_file(name, path, result);
-  if(source.format != Format::OBJ)
-    return result;
-  Text_cursor text(source.bytes);
-  for(std::string_view word = text.word(); !word.empty(); text.skip_line(), word = text.word())
-    if(word == "mtllib")
+  const auto add = [&](const File_beside& file) {
+    const auto is_same = [&](const File_beside& other) { return other.path == file.path; };
+    if(!file.path.empty() && std::none_of(result.begin(), result.end(), is_same))
+      result.push_back(file);
+  };
+  for(const std::string& name : names_of_files(source.format, source.bytes, path))
+    if(source.format != Format::OBJ)
+      add({name, path_beside(path, name)});
+    else
     {
-      const std::string name = rest_of_line(text);
-      std::string materials = add_file(name, path, result);
-      if(materials.empty()) // or several names, with blanks between them
-        for(Text_cursor names(name); !(word = names.word()).empty();)
-          materials += add_file(std::string(word), path, result) + '\n';
+      std::string materials;
+      for(const File_beside& file : files_of_names(name, path))
+      {
+        add(file);
+        materials += content_of(file.path) + '\n';
+      }
       for(const std::string& image : images_of_mtl(materials))
-        add_file(image, path, result);
+        add({image, path_beside(path, image)});
     }
   return result;
 }
@@ -86,28 +104,17 @@ std::vector<File_beside> files_beside(const Mesh_file& mesh)
 
 std::vector<std::string> names_not_beside(const Mesh_file& mesh, const std::string& path)
 {
-  std::vector<std::string> names;
   if(!mesh.source || !is_standard_stream(mesh.source->path))
-    return names;
-  const std::string& bytes = mesh.source->bytes;
-  if(mesh.source->format == Format::PLY)
-    names = names_of_textures(bytes, path);
-  Text_cursor text(bytes);
-  if(mesh.source->format == Format::OBJ)
-    for(std::string_view word = text.word(); !word.empty(); text.skip_line(), word = text.word())
-      if(word == "mtllib")
-        names.push_back(rest_of_line(text));
-  const auto is_there = [&](const std::string& name) {
-    if(!content_beside(path, name).empty())
-      return true;
-    Text_cursor words(name); // or several names
-    std::string_view word = words.word();
-    while(!word.empty() && !content_beside(path, std::string(word)).empty())
-      word = words.word();
-    return word.empty();
-  };
-  names.erase(std::remove_if(names.begin(), names.end(), is_there), names.end());
-  return names;
+    return {};
+  std::vector<std::string> result;
+  for(std::string& name : names_of_files(mesh.source->format, mesh.source->bytes, path))
+  {
+    const std::vector<File_beside> files = files_of_names(name, path);
+    if(std::any_of(files.begin(), files.end(),
+                   [](const File_beside& file) { return file.path.empty(); }))
+      result.push_back(std::move(name));
+  }
+  return result;
 }
 
 bool is_copied(const Mesh_file& mesh, const File_beside& file, const std::string& path)
@@ -133,7 +140,7 @@ void copy_files_beside(const Mesh_file& mesh, Companion_files& beside)
     if(const std::string name = name_in_folder(mesh, file);
        is_copied(mesh, file, beside.path.string())
        && !is_there(beside.path.parent_path() / name, file))
-      beside.contents[name] = file.content;
+      beside.contents[name] = content_of(file.path);
 }
 
 } // namespace Canonical_pose_tool

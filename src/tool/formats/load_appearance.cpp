@@ -284,20 +284,10 @@ void load_ply(const std::string& bytes, const std::string& path, const Face_list
 {
   Text_cursor text(bytes);
   const Ply_header header = read_ply_header(text);
-  const auto has_all = [&](std::size_t (*const index_of)(const Ply_property&),
-                           const std::size_t n) {
-    return std::any_of(header.elements.begin(), header.elements.end(), [&](const Ply_element& e) {
-      return e.is_vertex() && e.has_all(index_of, n);
-    });
-  };
-  const bool has_colors = has_all(channel_of, 3);
-  const bool is_of_vertices = has_all(texture_coordinate_of, 2);
-  const bool is_of_corners
-    = std::any_of(header.elements.begin(), header.elements.end(), [](const Ply_element& e) {
-        return e.is_face()
-               && std::any_of(e.properties.begin(), e.properties.end(), is_list_of_coordinates);
-      });
-  const bool has_normals = has_all(normal_coordinate_of, 3);
+  const bool has_colors = header.vertices_have_all(channel_of, 3);
+  const bool is_of_vertices = header.vertices_have_all(texture_coordinate_of, 2);
+  const bool is_of_corners = header.has_coordinates_of_corners();
+  const bool has_normals = header.vertices_have_all(normal_coordinate_of, 3);
   if(!has_colors && !is_of_vertices && !is_of_corners && !has_normals)
     return;
   const char* byte = text.position();

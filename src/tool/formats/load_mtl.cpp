@@ -28,13 +28,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string content_of(const fs::path& path)
+bool has_content(const fs::path& path)
 {
   std::error_code error;
-  if(!fs::is_regular_file(path, error))
-    return {};
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  return fs::is_regular_file(path, error)
+         && std::ifstream(path, std::ios::binary).peek() != std::ifstream::traits_type::eof();
 }
 
 bool looks_like_number(const std::string_view word)
@@ -123,7 +121,7 @@ std::string rest_of_line(Text_cursor& text)
   return result;
 }
 
-std::string content_beside(const std::string& path, std::string name, std::string* const found)
+std::string path_beside(const std::string& path, std::string name)
 {
   if(path.empty() || name.empty())
     return {};
@@ -132,19 +130,27 @@ std::string content_beside(const std::string& path, std::string name, std::strin
   const fs::path target = fs::canonical(path, error); // empty if there is no file yet
   for(const fs::path& file : {fs::path(path), target.empty() ? fs::path(path) : target})
     for(const fs::path& other : {fs::path(name), fs::path(name).filename()})
-      if(std::string content = content_of(file.parent_path() / other); !content.empty())
-      {
-        if(found)
-          *found = (file.parent_path() / other).string();
-        return content;
-      }
+      if(const fs::path found = file.parent_path() / other; has_content(found))
+        return found.string();
   return {};
+}
+
+std::string content_of(const std::string& path)
+{
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
+std::string content_beside(const std::string& path, const std::string& name)
+{
+  return content_of(path_beside(path, name));
 }
 
 void load_image_beside(const std::string& path, const std::string& name, Appearance& appearance,
                        Material& material)
 {
-  material.image = content_beside(path, name, &material.image_path);
+  material.image_path = path_beside(path, name);
+  material.image = content_of(material.image_path);
   if(!type_of_image(material.image).empty())
     return;
   material.image.clear();

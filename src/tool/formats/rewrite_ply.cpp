@@ -325,14 +325,7 @@ std::vector<std::string> attributes_of_ply(const std::string& bytes)
       for(const Ply_property& property : element.properties)
         if(element.is_vertex() ? coordinate_of(property) == 3 : !is_list_of_vertices(property))
           result.push_back(name_of_attribute(element, property));
-  const auto has = [&](const auto& holds) {
-    return std::any_of(header.elements.begin(), header.elements.end(), holds);
-  };
-  if(has([](const Ply_element& e) { return e.is_vertex() && e.has_all(texture_coordinate_of, 2); })
-     && has([](const Ply_element& e) {
-          return e.is_face()
-                 && std::any_of(e.properties.begin(), e.properties.end(), is_list_of_coordinates);
-        }))
+  if(header.vertices_have_all(texture_coordinate_of, 2) && header.has_coordinates_of_corners())
     result.push_back("texture coordinates of vertices");
   if(!names_of_textures(bytes, std::string()).empty())
     result.push_back("materials");
