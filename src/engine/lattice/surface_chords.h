@@ -179,7 +179,7 @@ public:
     });
     const Hit start = {0, sample.face, false};
     if(!exit || detour(start, *exit) > PLAUSIBLE_DETOUR)
-      exit = exit_of_pair(start, crossings(sample, inward));
+      exit = exit_of_pair(crossings(sample, inward));
     if(exit && is_impossible(start, *exit))
       exit.reset();
     return exit;
@@ -265,7 +265,8 @@ private:
     std::size_t m_exit = 0;
   };
 
-  std::optional<Hit> exit_of_pair(const Hit& start, const Crossings& crossings) const
+  // The exit that is paired with the sample, the first of the crossings.
+  std::optional<Hit> exit_of_pair(const Crossings& crossings) const
   {
     constexpr std::size_t most = 12; // all pairs of more are too many
     std::size_t exit = 0;
@@ -274,7 +275,8 @@ private:
     else
       for(std::size_t i = 0; i < crossings.size(); ++i)
         if(crossings[i].is_exit
-           && (exit == 0 || detour(start, crossings[i]) < detour(start, crossings[exit])))
+           && (exit == 0
+               || detour(crossings[0], crossings[i]) < detour(crossings[0], crossings[exit])))
           exit = i;
     return exit == 0 ? std::nullopt : std::make_optional(crossings[exit]);
   }

@@ -8,6 +8,7 @@
 #include "../stance/skeleton_of_body.h"
 #include "../stance/stance_target.h"
 #include "../support/Point_search.h"
+#include "../support/angle_between.h"
 
 #include <CGAL/Canonical_pose_3/Landmark_fields_3.h>
 #include <CGAL/Canonical_pose_3/Limb_direction_3.h>
@@ -64,14 +65,11 @@ Component_options options_in_stance(const Component_options& options, const Surf
   return result;
 }
 
+constexpr double degrees_per_radian = 180 / CGAL_PI;
+
 std::string in_degrees(const double angle)
 {
   return std::to_string(static_cast<int>(std::round(angle))) + " degrees";
-}
-
-double angle_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b)
-{
-  return std::atan2(a.cross(b).norm(), a.dot(b)) * 180 / CGAL_PI;
 }
 
 // Names the limbs that are far from their directions, are bent by far though they should be straight, or have another length than
@@ -89,15 +87,15 @@ std::vector<std::string> warnings_of_limbs(const Body_plan& plan, const Point_ma
   {
     const Limb& limb = plan.limbs()[i];
     const std::string name = name_of_limb(plan.kind(), i);
-    const double angle
-      = angle_between(to_body.linear() * direction_of_limb(plan, limb, pose), directions[i]);
+    const Eigen::Vector3d direction = to_body.linear() * direction_of_limb(plan, limb, pose);
+    const double angle = degrees_per_radian * angle_between(direction, directions[i]);
     if(angle > largest_angle)
       off.push_back(name + " by " + in_degrees(angle));
     const Eigen::Vector3d middle = plan.center(pose, limb, (limb.root + limb.end) / 2),
                           upper = middle - plan.center(pose, limb, limb.root).transpose(),
                           lower = plan.end_joint(pose, limb).transpose() - middle;
     lengths[i] = upper.norm() + lower.norm();
-    const double bend = angle_between(upper, lower);
+    const double bend = degrees_per_radian * angle_between(upper, lower);
     if(goals[i].direction && goals[i].is_straightened && bend > largest_bend)
       bent.push_back(name + " by " + in_degrees(bend));
   }

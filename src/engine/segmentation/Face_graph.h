@@ -4,6 +4,7 @@
 #ifndef CANONICAL_POSE_3_ENGINE_SEGMENTATION_FACE_GRAPH_H
 #define CANONICAL_POSE_3_ENGINE_SEGMENTATION_FACE_GRAPH_H
 
+#include "../support/angle_between.h"
 #include "../surface/root_of_area.h"
 
 #include <CGAL/Canonical_pose_3/internal/surface/Corner_table.h>
@@ -60,11 +61,6 @@ inline double concavity_factor(const double concave_angle, const double scale,
                                const double least = least_concavity_factor)
 {
   return concave_angle > 0 ? (std::max)(least, std::exp(-concave_angle / scale)) : 1.;
-}
-
-inline double angle_between(const Eigen::RowVector3d& a, const Eigen::RowVector3d& b)
-{
-  return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
 // Computes areas, centroids and normals. The area of the surface is positive.

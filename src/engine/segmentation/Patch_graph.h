@@ -6,6 +6,7 @@
 
 #include "Face_graph.h"
 #include "Patches.h"
+#include "../support/angle_between.h"
 
 #include <Eigen/Core>
 

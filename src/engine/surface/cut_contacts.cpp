@@ -3,6 +3,7 @@
 
 #include "closed.h"
 #include "root_of_area.h"
+#include "../support/angle_between.h"
 
 #include <CGAL/Canonical_pose_3/Surface_component_3.h>
 #include <CGAL/Canonical_pose_3/cut_contacts.h>
@@ -78,7 +79,7 @@ private:
     const Eigen::Vector3d& other = m_normals[m_mesh.face(opposite)];
     const Eigen::Vector3d side
       = point(m_mesh.target(m_mesh.next(opposite))) - point(m_mesh.source(opposite));
-    return side.dot(normal) > 0 ? std::atan2(normal.cross(other).norm(), normal.dot(other)) : 0;
+    return side.dot(normal) > 0 ? angle_between(normal, other) : 0;
   }
 
   const Point_matrix& m_points;
