@@ -7,8 +7,10 @@
 #include "../../examples/Canonical_pose_3/Articulated_animal.h"
 #include "../../examples/Canonical_pose_3/Articulated_figure.h"
 
+#include <CGAL/Canonical_pose_3/canonical_frame.h>
 #include <CGAL/Canonical_pose_3/make_triangle_mesh.h>
 #include <CGAL/Canonical_pose_3/match_surfaces.h>
+#include <CGAL/Canonical_pose_3/surface_measures.h>
 #include <CGAL/Canonical_pose_3/transfer_attributes.h>
 #include <CGAL/canonical_pose_3.h>
 
@@ -131,6 +133,56 @@ TEST(Match_surfaces, animals_in_two_postures)
 {
   const Posed<Articulated_animal> a(2500, 0), b(3000, 2);
   EXPECT_LT(mean_error(CP::match_surfaces(a.surface, b.surface), a, b), .02);
+}
+
+// The pose with its second and third axes at equal lengths, but for a stretch by 3 percent at some angle between them, where the
+// second axis then is.
+Matchable_surface_3 with_second_axis_at(const double angle, const Posed<Articulated_figure>& a)
+{
+  const Eigen::VectorXd shares = CP::vertex_area_shares(a.pose, a.shape.triangles());
+  Point_matrix pose = (CP::canonical_frame(a.pose, shares) * a.pose.transpose()).transpose();
+  const Eigen::RowVector3d lengths = (shares.transpose() * pose.cwiseAbs2()).cwiseSqrt();
+  pose.col(2) *= lengths[1] / lengths[2];
+  const Eigen::Vector3d direction(0, std::cos(angle), std::sin(angle));
+  pose += .03 * (pose * direction) * direction.transpose();
+  return {a.points, a.shape.triangles(), pose};
+}
+
+// Poses coincide but for the frames of their principal axes, which are at any angle.
+TEST(Match_surfaces, axes_of_similar_lengths)
+{
+  const Matchable_surface_3 a = with_second_axis_at(0, running());
+  for(const double angle : {.4, .8, 1.2, 2.4})
+  {
+    const Surface_match_3 match = CP::match_surfaces(a, with_second_axis_at(angle, other()));
+    EXPECT_LT(mean_error(match, running(), other()), .02) << "angle " << angle;
+    EXPECT_LT(match.mean_distance, .1);
+  }
+}
+
+// Of a tube with rings, which are in other places for whoever knows only lengths. What is exact: the place along the tube at
+// which a vertex was before the tube was stretched; not the turn, since the tube is round.
+TEST(Match_surfaces, rings_of_stretched_tubes)
+{
+  const auto tube = [](const std::size_t sides, const double stretch) {
+    Canonical_pose_test::Triangle_soup soup = Canonical_pose_test::tube_soup(160, sides, 8, .5);
+    Point_matrix rest = to_matrix(soup.points), points = rest;
+    for(Eigen::Index v = 0; v < points.rows(); ++v)
+    {
+      const double x = rest(v, 0);
+      double radius = 1;
+      for(const double ring : {.6, 1.4, 2.2, 4.4, 5.6})
+        radius += .4 * std::exp(-8 * (x - ring) * (x - ring));
+      points.row(v).tail<2>() *= radius;
+      points(v, 0) = x + stretch * std::sin(CGAL_PI * x / 4);
+    }
+    return std::make_pair(rest, Matchable_surface_3(points, soup.triangles, points));
+  };
+  const auto [rest, a] = tube(24, .15);
+  const auto [rest_of_other, b] = tube(27, -.15);
+  const Point_matrix found = CP::match_surfaces(a, b).interpolated(rest_of_other);
+  const double error = (found.col(0) - rest.col(0)).cwiseAbs().mean();
+  EXPECT_LT(error, .05);
 }
 
 // The same bytes for any number of threads; and nearly the same match if the poses are moved.

@@ -18,8 +18,8 @@ namespace Canonical_pose_3 {
 */
 struct Match_options
 {
-  /// the largest number of eigenfunctions of the Laplacian by which points are compared, beside their
-  /// positions. At least 4; both surfaces have at most `Matchable_surface_3::NUMBER_OF_FUNCTIONS`.
+  /// the largest number of eigenfunctions of the Laplacian by which points are compared, beside
+  /// positions and relief. At least 4; both surfaces have at most `Matchable_surface_3::NUMBER_OF_FUNCTIONS`.
   std::size_t number_of_functions = 100;
 
   /// the weight of positions in the pose, relative to that of the functions, each in units of its residual.

@@ -77,7 +77,7 @@ combinations(const Eigen::Ref<const Function_matrix, 0, Eigen::OuterStride<>>& f
 
 } // namespace
 
-// By what points are compared: positions, and functions in units of their residual.
+// By what points are compared: positions, functions and reliefs, in units of their residuals.
 struct Coarse_match::Features
 {
   Function_matrix functions;
@@ -160,7 +160,7 @@ void Coarse_match::refine(const Eigen::Index most)
 
 void Coarse_match::deform()
 {
-  constexpr double detail_length = .05, least_detail_length = .02, pose_weight = 3;
+  constexpr double detail_length = .03, least_detail_length = .02, pose_weight = 3;
   constexpr Eigen::Index most_functions = 60;
   if(m_options.number_of_registrations == 0)
     return;
@@ -181,8 +181,11 @@ void Coarse_match::deform()
 double Coarse_match::cost() const
 {
   constexpr double inside_out = 1e6;
-  const double residual = m_weights.cwiseInverse().mean();
-  return strain() * residual * mean_distance() * (preserves_orientation() ? 1 : inside_out);
+  const double residual = m_weights.cwiseInverse().mean(),
+               residual_of_reliefs
+               = m_weights_of_reliefs.size() == 0 ? 1 : m_weights_of_reliefs.cwiseInverse().mean();
+  return strain() * residual * residual_of_reliefs * mean_distance()
+         * (preserves_orientation() ? 1 : inside_out);
 }
 
 // By how much the match changes the lengths of edges, relative to their sum.
@@ -311,14 +314,42 @@ Coarse_match::Features Coarse_match::features_of_a(const Eigen::Index count, con
     residual += squared_distance(m_backward[j], j);
   residual = (std::max)(std::sqrt(residual / (3 * number_of_counted)), least / 10);
   m_weight_of_positions = m_pose_weight * m_options.pose_weight / residual;
-  return {combinations(functions, m_map * m_weights.asDiagonal()),
+  set_weights_of_reliefs();
+  return {with_reliefs(combinations(functions, m_map * m_weights.asDiagonal()), m_a),
           m_weight_of_positions * m_position, m_normals};
 }
 
 Coarse_match::Features Coarse_match::features_of_b(const Eigen::Index count) const
 {
-  return {m_b.functions.leftCols(count) * m_weights.asDiagonal(),
+  return {with_reliefs(m_b.functions.leftCols(count) * m_weights.asDiagonal(), m_b),
           m_weight_of_positions * m_b.coarse_pose, m_normals_of_b};
+}
+
+void Coarse_match::set_weights_of_reliefs()
+{
+  constexpr double factor
+    = 3; // they tell more than functions do where lengths change with the posture
+  constexpr double least = 1e-4;
+  const Eigen::Index count = (std::min)(m_a.reliefs.cols(), m_b.reliefs.cols());
+  Eigen::RowVectorXd squares = Eigen::RowVectorXd::Zero(count);
+  for(const std::size_t i : m_a.counted)
+    squares += (m_a.reliefs.row(static_cast<Eigen::Index>(i)).head(count)
+                - m_b.reliefs.row(static_cast<Eigen::Index>(m_forward[i])).head(count))
+                 .cwiseAbs2();
+  m_weights_of_reliefs = factor
+                         * (squares / static_cast<double>(m_a.counted.size()))
+                             .cwiseSqrt()
+                             .cwiseMax(least)
+                             .cwiseInverse();
+}
+
+Function_matrix Coarse_match::with_reliefs(const Function_matrix& functions,
+                                           const Matchable_data& shape) const
+{
+  const Eigen::Index count = m_weights_of_reliefs.size();
+  Function_matrix result(functions.rows(), functions.cols() + count);
+  result << shape.reliefs.leftCols(count) * m_weights_of_reliefs.asDiagonal(), functions;
+  return result;
 }
 
 double Coarse_match::squared_distance(const std::size_t i, const std::size_t j) const

@@ -18,8 +18,8 @@ namespace CGAL {
 namespace Canonical_pose_3 {
 namespace internal {
 
-// The match of two coarse surfaces: which vertex of the other one is nearest, in the product of mapped eigenfunctions and
-// positions, each in units of its residual.
+// The match of two coarse surfaces: which vertex of the other one is nearest, in the product of mapped eigenfunctions, reliefs
+// and positions, each in units of its residual.
 class Coarse_match
 {
 public:
@@ -35,8 +35,8 @@ public:
   // Registers the pose to the other one.
   void deform();
 
-  // How bad the match is: what it changes about the lengths of edges, functions and positions; much more if it turns most
-  // triangles inside out.
+  // How bad the match is: what it changes about the lengths of edges, functions, reliefs and positions; much more if it turns
+  // most triangles inside out.
   double cost() const;
 
   const Eigen::MatrixXd& functional_map() const { return m_map; }
@@ -56,6 +56,8 @@ private:
   void update(Eigen::Index count, bool moves);
   Features features_of_a(Eigen::Index count, bool moves);
   Features features_of_b(Eigen::Index count) const;
+  void set_weights_of_reliefs();
+  Function_matrix with_reliefs(const Function_matrix& functions, const Matchable_data& shape) const;
   double squared_distance(std::size_t i, std::size_t j) const;
 
   const Matchable_data &m_a, &m_b;
@@ -66,7 +68,7 @@ private:
   const Indices m_landmarks_of_a, m_landmarks_of_b;
   Indices m_forward, m_backward;
   Eigen::MatrixXd m_map;
-  Eigen::RowVectorXd m_weights; // of the functions
+  Eigen::RowVectorXd m_weights, m_weights_of_reliefs; // m_weights: of the functions
   double m_weight_of_positions = 0, m_pose_weight = 1;
   Eigen::Index m_count = 0; // of the functions so far
 };

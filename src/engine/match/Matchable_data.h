@@ -44,6 +44,7 @@ struct Matchable_data
   Point_matrix normals;                         // of the pose
   Eigen::Vector3d lengths_of_axes;              // the roots of the variances
   Function_matrix functions;                    // of the coarse surface; the first one is constant
+  Function_matrix reliefs;                      // of the coarse surface, see reliefs_of()
   double root_of_area;                          // of the surface
   std::optional<Point_search> search;           // of what is counted of the coarse pose
   std::vector<std::vector<std::size_t>> nearby; // for each coarse vertex, the nearest ones of these

@@ -32,13 +32,58 @@ namespace {
 constexpr std::size_t COARSE_VERTICES = 4000, NUMBER_OF_NEARBY = 64;
 constexpr double SMALL_AREA = .05; // of that of the largest component
 
-Function_matrix functions_of(const Surface_component_3& surface)
+Shape_spectrum spectrum_of(const Surface_component_3& surface)
 {
-  const Shape_spectrum spectrum(
-    surface, static_cast<Eigen::Index>(Matchable_surface_3::NUMBER_OF_FUNCTIONS) - 1);
-  Function_matrix functions(surface.points.rows(), spectrum.eigenfunctions().cols() + 1);
+  return {surface, static_cast<Eigen::Index>(Matchable_surface_3::NUMBER_OF_FUNCTIONS) - 1};
+}
+
+Function_matrix functions_of(const Shape_spectrum& spectrum)
+{
+  Function_matrix functions(spectrum.mass().size(), spectrum.eigenfunctions().cols() + 1);
   functions << Eigen::VectorXd::Ones(functions.rows()), spectrum.eigenfunctions();
   return functions;
+}
+
+// How far vertices are above the surface whose positions have been smoothed by the heat equation, in units of the root of the
+// area: a column for each of several times, down to that in which heat spreads to the next vertices. Positions are relative to
+// the centroid of the component.
+Function_matrix reliefs_of(Point_matrix points,
+                           const std::vector<std::array<std::size_t, 3>>& triangles,
+                           const std::vector<std::size_t>& components,
+                           const Shape_spectrum& spectrum)
+{
+  constexpr std::array<double, 4> times = {5e-3, 2.5e-3, 1.2e-3, 6e-4}; // in units of the area
+  constexpr double least_time = 2; // in units of the area of a vertex
+  normalize(points);
+  const Point_matrix normals = vertex_normals(points, triangles);
+  points /= std::sqrt(area(points, triangles));
+  const auto number
+    = static_cast<Eigen::Index>(1 + *std::max_element(components.begin(), components.end()));
+  Point_matrix centroids = Point_matrix::Zero(number, 3);
+  Eigen::VectorXd masses = Eigen::VectorXd::Zero(number);
+  for(std::size_t v = 0; v < components.size(); ++v)
+  {
+    const auto row = static_cast<Eigen::Index>(v), c = static_cast<Eigen::Index>(components[v]);
+    centroids.row(c) += spectrum.mass()[row] * points.row(row);
+    masses[c] += spectrum.mass()[row];
+  }
+  for(std::size_t v = 0; v < components.size(); ++v)
+    if(const auto c = static_cast<Eigen::Index>(components[v]); masses[c] > 0)
+      points.row(static_cast<Eigen::Index>(v)) -= centroids.row(c) / masses[c];
+  const Point_matrix coefficients
+    = spectrum.eigenfunctions().transpose() * (spectrum.mass().asDiagonal() * points);
+  const auto count = std::count_if(times.begin(), times.end(), [&](const double time) {
+    return time * static_cast<double>(points.rows()) >= least_time;
+  });
+  Function_matrix result(points.rows(), static_cast<Eigen::Index>(count));
+  for(std::size_t k = 0; k < static_cast<std::size_t>(count); ++k)
+  {
+    const Eigen::VectorXd factors = (-times[k] * spectrum.eigenvalues()).array().exp();
+    const Point_matrix smoothed = spectrum.eigenfunctions() * (factors.asDiagonal() * coefficients);
+    result.col(static_cast<Eigen::Index>(k))
+      = (points - smoothed).cwiseProduct(normals).rowwise().sum();
+  }
+  return result;
 }
 
 // Rows stand for all vertices that were stitched, of which a face has its own.
@@ -54,6 +99,19 @@ std::vector<std::array<std::size_t, 3>> corners_of(const Repaired_surface_3& sur
         return surface.representatives[v] == surface.origins[surface.triangles[t][k]];
       });
   }
+  return result;
+}
+
+// Of some rows.
+std::vector<std::size_t> components_of(const Repaired_surface_3& surface,
+                                       const std::vector<std::size_t>& rows)
+{
+  std::vector<std::size_t> component_of_row(surface.origins.size(), 0), result;
+  for(std::size_t t = 0; t < surface.triangles.size(); ++t)
+    for(const std::size_t v : surface.triangles[t])
+      component_of_row[v] = surface.component_of_triangle[t];
+  for(const std::size_t row : rows)
+    result.push_back(component_of_row[row]);
   return result;
 }
 
@@ -81,8 +139,12 @@ Matchable_data::Matchable_data(const Point_matrix& points, const Face_list& poly
   : number_of_vertices(static_cast<std::size_t>(points.rows())),
     surface(repair_surface(points, polygons)), corners(matching::corners_of(surface, polygons)),
     coarse(coarse_copy(surface, matching::COARSE_VERTICES)),
-    is_counted(matching::counted_rows(surface)), functions(matching::functions_of(coarse.surface))
+    is_counted(matching::counted_rows(surface))
 {
+  const Shape_spectrum spectrum = matching::spectrum_of(coarse.surface);
+  functions = matching::functions_of(spectrum);
+  reliefs = matching::reliefs_of(coarse.surface.points, coarse.surface.triangles,
+                                 matching::components_of(surface, coarse.vertices), spectrum);
   for(std::size_t v = 0; v < coarse.vertices.size(); ++v)
     if(is_counted[coarse.vertices[v]])
       counted.push_back(v);

@@ -21,7 +21,8 @@ struct Pose_rotation
   double distance;        // mean of nearest points, both ways
 };
 
-// All that bring principal axes of similar length onto each other, the best first.
+// Those that bring the poses nearest to each other, from all that bring principal axes of similar lengths onto each other; the
+// best first.
 std::vector<Pose_rotation> pose_rotations(const Matchable_data& a, const Matchable_data& b);
 
 } // namespace internal
