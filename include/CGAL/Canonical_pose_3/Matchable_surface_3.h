@@ -25,7 +25,7 @@ struct Matchable_data;
 /*!
 \ingroup PkgCanonicalPose3Ref
 
-\brief holds what `match_surfaces()` needs of a surface: its pose, a coarse copy, and eigenfunctions of its
+\brief holds what `match_surfaces()` needs of a surface: its pose, a coarse copy, its relief, and eigenfunctions of its
 Laplacian. Copies share it.
 
 \sa `match_surfaces()`
