@@ -325,11 +325,10 @@ Coarse_match::Features Coarse_match::features_of_b(const Eigen::Index count) con
           m_weight_of_positions * m_b.coarse_pose, m_normals_of_b};
 }
 
+// Reliefs tell more than functions do where lengths change with the posture.
 void Coarse_match::set_weights_of_reliefs()
 {
-  constexpr double factor
-    = 3; // they tell more than functions do where lengths change with the posture
-  constexpr double least = 1e-4;
+  constexpr double factor = 3, least = 1e-4;
   const Eigen::Index count = (std::min)(m_a.reliefs.cols(), m_b.reliefs.cols());
   Eigen::RowVectorXd squares = Eigen::RowVectorXd::Zero(count);
   for(const std::size_t i : m_a.counted)

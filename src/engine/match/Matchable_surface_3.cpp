@@ -44,9 +44,29 @@ Function_matrix functions_of(const Shape_spectrum& spectrum)
   return functions;
 }
 
+// Of each component, to its centroid.
+Point_matrix relative_to_centroids(const Point_matrix& points,
+                                   const std::vector<std::size_t>& components,
+                                   const Eigen::VectorXd& mass)
+{
+  const auto number
+    = static_cast<Eigen::Index>(1 + *std::max_element(components.begin(), components.end()));
+  Point_matrix centroids = Point_matrix::Zero(number, 3), result = points;
+  Eigen::VectorXd masses = Eigen::VectorXd::Zero(number);
+  for(std::size_t v = 0; v < components.size(); ++v)
+  {
+    const auto row = static_cast<Eigen::Index>(v), c = static_cast<Eigen::Index>(components[v]);
+    centroids.row(c) += mass[row] * points.row(row);
+    masses[c] += mass[row];
+  }
+  for(std::size_t v = 0; v < components.size(); ++v)
+    if(const auto c = static_cast<Eigen::Index>(components[v]); masses[c] > 0)
+      result.row(static_cast<Eigen::Index>(v)) -= centroids.row(c) / masses[c];
+  return result;
+}
+
 // How far vertices are above the surface whose positions have been smoothed by the heat equation, in units of the root of the
-// area: a column for each of several times, down to that in which heat spreads to the next vertices. Positions are relative to
-// the centroid of the component.
+// area: a column for each of several times, down to that in which heat spreads to the next vertices.
 Function_matrix reliefs_of(Point_matrix points,
                            const std::vector<std::array<std::size_t, 3>>& triangles,
                            const std::vector<std::size_t>& components,
@@ -57,19 +77,7 @@ Function_matrix reliefs_of(Point_matrix points,
   normalize(points);
   const Point_matrix normals = vertex_normals(points, triangles);
   points /= std::sqrt(area(points, triangles));
-  const auto number
-    = static_cast<Eigen::Index>(1 + *std::max_element(components.begin(), components.end()));
-  Point_matrix centroids = Point_matrix::Zero(number, 3);
-  Eigen::VectorXd masses = Eigen::VectorXd::Zero(number);
-  for(std::size_t v = 0; v < components.size(); ++v)
-  {
-    const auto row = static_cast<Eigen::Index>(v), c = static_cast<Eigen::Index>(components[v]);
-    centroids.row(c) += spectrum.mass()[row] * points.row(row);
-    masses[c] += spectrum.mass()[row];
-  }
-  for(std::size_t v = 0; v < components.size(); ++v)
-    if(const auto c = static_cast<Eigen::Index>(components[v]); masses[c] > 0)
-      points.row(static_cast<Eigen::Index>(v)) -= centroids.row(c) / masses[c];
+  points = relative_to_centroids(points, components, spectrum.mass());
   const Point_matrix coefficients
     = spectrum.eigenfunctions().transpose() * (spectrum.mass().asDiagonal() * points);
   const auto count = std::count_if(times.begin(), times.end(), [&](const double time) {
@@ -102,32 +110,27 @@ std::vector<std::array<std::size_t, 3>> corners_of(const Repaired_surface_3& sur
   return result;
 }
 
-// Of some rows.
-std::vector<std::size_t> components_of(const Repaired_surface_3& surface,
-                                       const std::vector<std::size_t>& rows)
+std::vector<std::size_t> components_of_rows(const Repaired_surface_3& surface)
 {
-  std::vector<std::size_t> component_of_row(surface.origins.size(), 0), result;
+  std::vector<std::size_t> result(surface.origins.size());
   for(std::size_t t = 0; t < surface.triangles.size(); ++t)
     for(const std::size_t v : surface.triangles[t])
-      component_of_row[v] = surface.component_of_triangle[t];
-  for(const std::size_t row : rows)
-    result.push_back(component_of_row[row]);
+      result[v] = surface.component_of_triangle[t];
   return result;
 }
 
 // Of the rows: whether they belong to a component that is not small.
-std::vector<bool> counted_rows(const Repaired_surface_3& surface)
+std::vector<bool> counted_rows(const Repaired_surface_3& surface,
+                               const std::vector<std::size_t>& components)
 {
   Point_matrix points = surface.points;
   normalize(points);
   std::vector<double> areas(surface.number_of_components, 0.);
   for(std::size_t t = 0; t < surface.triangles.size(); ++t)
     areas[surface.component_of_triangle[t]] += twice_area(points, surface.triangles[t]);
-  std::vector<bool> result(surface.origins.size(), false);
-  for(std::size_t t = 0; t < surface.triangles.size(); ++t)
-    if(areas[surface.component_of_triangle[t]] >= SMALL_AREA * areas.front())
-      for(const std::size_t v : surface.triangles[t])
-        result[v] = true;
+  std::vector<bool> result;
+  for(const std::size_t c : components)
+    result.push_back(areas[c] >= SMALL_AREA * areas.front());
   return result;
 }
 
@@ -138,13 +141,17 @@ Matchable_data::Matchable_data(const Point_matrix& points, const Face_list& poly
                                const Point_matrix& given_pose)
   : number_of_vertices(static_cast<std::size_t>(points.rows())),
     surface(repair_surface(points, polygons)), corners(matching::corners_of(surface, polygons)),
-    coarse(coarse_copy(surface, matching::COARSE_VERTICES)),
-    is_counted(matching::counted_rows(surface))
+    coarse(coarse_copy(surface, matching::COARSE_VERTICES))
 {
+  const std::vector<std::size_t> components = matching::components_of_rows(surface);
+  is_counted = matching::counted_rows(surface, components);
+  std::vector<std::size_t> coarse_components;
+  for(const std::size_t row : coarse.vertices)
+    coarse_components.push_back(components[row]);
   const Shape_spectrum spectrum = matching::spectrum_of(coarse.surface);
   functions = matching::functions_of(spectrum);
-  reliefs = matching::reliefs_of(coarse.surface.points, coarse.surface.triangles,
-                                 matching::components_of(surface, coarse.vertices), spectrum);
+  reliefs = matching::reliefs_of(coarse.surface.points, coarse.surface.triangles, coarse_components,
+                                 spectrum);
   for(std::size_t v = 0; v < coarse.vertices.size(); ++v)
     if(is_counted[coarse.vertices[v]])
       counted.push_back(v);
