@@ -8,6 +8,7 @@
 #include "../../examples/Canonical_pose_3/Articulated_figure.h"
 
 #include <CGAL/Canonical_pose_3/canonical_frame.h>
+#include <CGAL/Canonical_pose_3/internal/support/for_each_index.h>
 #include <CGAL/Canonical_pose_3/make_triangle_mesh.h>
 #include <CGAL/Canonical_pose_3/match_surfaces.h>
 #include <CGAL/Canonical_pose_3/surface_measures.h>
@@ -202,6 +203,23 @@ TEST(Match_surfaces, does_not_depend_on_threads_and_frames)
   const Surface_match_3 of_moved = CP::match_surfaces(
     running().surface, Matchable_surface_3(other().points, other().shape.triangles(), moved), options);
   EXPECT_LT(mean_error(of_moved, running(), other()), .02);
+}
+
+// What a match adds to a surface, its body, is made once for all: matches at the same time, also from a parallel loop that would
+// run a second one while the first one waits, give the same bytes as those one after the other.
+TEST(Match_surfaces, of_a_template_at_the_same_time)
+{
+  const auto& shape = running();
+  const auto surface
+    = [&] { return Matchable_surface_3(shape.points, shape.shape.triangles(), shape.pose); };
+  const Surface_match_3 expected = CP::match_surfaces(surface(), other().surface);
+  const Matchable_surface_3 reference = surface();
+  std::array<Surface_match_3, 6> matches;
+  CP::internal::for_each_index(matches.size(), [&](const std::size_t i) {
+    matches[i] = CP::match_surfaces(reference, other().surface);
+  });
+  for(const Surface_match_3& match : matches)
+    EXPECT_EQ(match.interpolated(other().points), expected.interpolated(other().points));
 }
 
 TEST(Match_surfaces, landmarks_are_met)
@@ -685,8 +703,12 @@ TEST(Match_surfaces, misuse)
   options.number_of_functions = 3;
   EXPECT_THROW_WITH(CP::match_surfaces(surface, surface, options), std::invalid_argument, "must be at least 4");
   options = Match_options();
-  options.pose_weight = 0;
-  EXPECT_THROW_WITH(CP::match_surfaces(surface, surface, options), std::invalid_argument, "must be positive");
+  for(const double weight : {0., 1e7, std::numeric_limits<double>::quiet_NaN()})
+  {
+    options.pose_weight = weight;
+    EXPECT_THROW_WITH(CP::match_surfaces(surface, surface, options), std::invalid_argument,
+                      "must be positive");
+  }
   options = Match_options();
   options.number_of_registrations = -1;
   EXPECT_THROW_WITH(CP::match_surfaces(surface, surface, options), std::invalid_argument, "must not be negative");

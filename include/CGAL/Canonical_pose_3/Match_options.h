@@ -23,7 +23,7 @@ struct Match_options
   std::size_t number_of_functions = 100;
 
   /// the weight of positions in the pose, relative to that of the functions, each in units of its residual.
-  /// Positive.
+  /// Positive, at most 1e6.
   double pose_weight = 1;
 
   /// the number of times that the pose of the first surface is registered to that of the second one, at the

@@ -26,7 +26,7 @@ struct Matchable_data;
 \ingroup PkgCanonicalPose3Ref
 
 \brief holds what `match_surfaces()` needs of a surface: its pose, a coarse copy, its relief, and eigenfunctions of its
-Laplacian. Copies share it.
+Laplacian. Copies share it. The first match that registers the pose adds its body.
 
 \sa `match_surfaces()`
 */

@@ -7,6 +7,7 @@
 
 #include <CGAL/Canonical_pose_3/internal/support/for_each_block.h>
 #include <CGAL/Canonical_pose_3/internal/support/values_at.h>
+#include <CGAL/Canonical_pose_3/surface_measures.h>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
@@ -25,6 +26,8 @@ namespace {
 
 using Indices = Coarse_match::Indices;
 
+constexpr std::size_t ALL = (std::numeric_limits<std::size_t>::max)();
+
 // The nearest one of what is counted of `shape`, in a position that `search` knows, for each one of `points`.
 Indices nearest(const Matchable_data& shape, const Point_search& search, const Point_matrix& points)
 {
@@ -34,10 +37,23 @@ Indices nearest(const Matchable_data& shape, const Point_search& search, const P
   return result;
 }
 
-Indices nearest(const Matchable_data& shape, const Point_matrix& positions,
-                const Point_matrix& points)
+// At even steps: at least `number`, or all if there are fewer.
+Indices some(const Indices& indices, const std::size_t number)
 {
-  return nearest(shape, Point_search(rows_at(positions, shape.counted)), points);
+  const std::size_t step = (std::max)(std::size_t(1), indices.size() / number);
+  Indices result;
+  for(std::size_t i = 0; i < indices.size(); i += step)
+    result.push_back(indices[i]);
+  return result;
+}
+
+Function_matrix rows_of(const Eigen::Ref<const Function_matrix, 0, Eigen::OuterStride<>>& functions,
+                        const Indices& indices)
+{
+  Function_matrix result(static_cast<Eigen::Index>(indices.size()), functions.cols());
+  for(std::size_t i = 0; i < indices.size(); ++i)
+    result.row(static_cast<Eigen::Index>(i)) = functions.row(static_cast<Eigen::Index>(indices[i]));
+  return result;
 }
 
 // functions^t * values
@@ -77,104 +93,106 @@ combinations(const Eigen::Ref<const Function_matrix, 0, Eigen::OuterStride<>>& f
 
 } // namespace
 
-// By what points are compared: positions, functions and reliefs, in units of their residuals.
+// By what points are compared, in units of its residuals: functions, reliefs, normals and positions. The first columns are zero,
+// for the number of columns to be a multiple of `STEP`.
 struct Coarse_match::Features
 {
-  Function_matrix functions;
-  Point_matrix positions;
-  const Point_matrix& normals;
+  static constexpr Eigen::Index STEP = 16;
+  Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> values;
+  Point_matrix normals;
 
-  // Or any number that is not less than `limit`, if it is not.
-  double squared_distance(const std::size_t i, const Features& other, const std::size_t j,
-                          const double limit) const
+  // Or any number that is not less than `limit`, if it is not. The last columns differ most among neighbors.
+  float squared_distance(const std::size_t i, const Features& other, const std::size_t j,
+                         const float limit) const
   {
-    constexpr Eigen::Index step = 16;
-    const auto row = static_cast<Eigen::Index>(i), row_of_other = static_cast<Eigen::Index>(j);
-    double sum = (positions.row(row) - other.positions.row(row_of_other)).squaredNorm();
-    for(Eigen::Index k = 0; k < functions.cols() && sum < limit; k += step)
-    {
-      const Eigen::Index number = (std::min)(step, functions.cols() - k);
-      sum += (functions.row(row).segment(k, number)
-              - other.functions.row(row_of_other).segment(k, number))
-               .squaredNorm();
-    }
+    const auto row = values.row(static_cast<Eigen::Index>(i)),
+               row_of_other = other.values.row(static_cast<Eigen::Index>(j));
+    float sum = 0;
+    for(Eigen::Index k = values.cols(); k > 0 && sum < limit; k -= STEP)
+      sum += (row.segment<STEP>(k - STEP) - row_of_other.segment<STEP>(k - STEP)).squaredNorm();
     return sum;
   }
 
-  // Of candidates on the same side of thin parts, or of all if there is none, the nearest one.
-  Indices nearest(const Indices& first, const std::vector<Indices>& nearby,
-                  const Features& others) const
+  // Sets the partners of samples: of candidates on the same side of thin parts, or of all if there is none, the nearest one.
+  // Candidates are the previous one and those that are nearby `first`, which has one for each sample.
+  void set_partners(const Indices& samples, const Indices& first,
+                    const std::vector<Indices>& nearby, const Features& others,
+                    Indices& partners) const
   {
     constexpr double least_cosine = -.5;
-    Indices result(first.size());
+    constexpr float infinity = (std::numeric_limits<float>::infinity)();
     for_each_block(
-      result.size(),
+      samples.size(),
       [&](std::size_t, const std::size_t begin, const std::size_t end) {
-        for(std::size_t i = begin; i < end; ++i)
+        for(std::size_t s = begin; s < end; ++s)
         {
-          std::pair<bool, double> least(true, (std::numeric_limits<double>::infinity)());
-          for(const std::size_t j : nearby[first[i]])
-          {
+          const std::size_t i = samples[s], previous = partners[i];
+          std::pair<bool, float> least(true, infinity);
+          const auto compare = [&](const std::size_t j) {
             const bool is_other_side = normals.row(static_cast<Eigen::Index>(i))
                                          .dot(others.normals.row(static_cast<Eigen::Index>(j)))
                                        < least_cosine;
             if(is_other_side > least.first)
-              continue;
-            const double limit = is_other_side < least.first
-                                   ? (std::numeric_limits<double>::infinity)()
-                                   : least.second;
-            if(const double distance = squared_distance(i, others, j, limit); distance < limit)
+              return;
+            const float limit = is_other_side < least.first ? infinity : least.second;
+            if(const float distance = squared_distance(i, others, j, limit); distance < limit)
             {
               least = {is_other_side, distance};
-              result[i] = j;
+              partners[i] = j;
             }
-          }
+          };
+          compare(previous);
+          for(const std::size_t j : nearby[first[s]])
+            compare(j);
         }
       },
-      256);
-    return result;
+      64);
   }
 };
 
 Coarse_match::Coarse_match(const Matchable_data& a, const Matchable_data& b,
                            const Eigen::Matrix3d& rotation, const Match_options& options,
                            Indices landmarks_of_a, Indices landmarks_of_b)
-  : m_a(a), m_b(b), m_options(options), m_rest(a.coarse_pose * rotation), m_position(m_rest),
-    m_normals(rows_at(a.normals, a.coarse.vertices) * rotation),
-    m_normals_of_b(rows_at(b.normals, b.coarse.vertices)),
+  : m_a(a), m_b(b), m_options(options), m_rotation(rotation), m_rest(a.coarse_pose * rotation),
+    m_position(m_rest), m_normals_of_b(rows_at(b.normals, b.coarse.vertices)),
     m_landmarks_of_a(std::move(landmarks_of_a)), m_landmarks_of_b(std::move(landmarks_of_b)),
-    m_forward(nearest(b, *b.search, m_position)), m_backward(nearest(a, m_position, b.coarse_pose))
+    m_forward(nearest(b, *b.search, m_position)),
+    m_backward(nearest(a, Point_search(rows_at(m_position, a.counted)), b.coarse_pose)),
+    m_samples_of_a(a.counted), m_samples_of_b(b.counted)
 {}
 
+// Only some of the vertices are compared, except at last.
 void Coarse_match::refine(const Eigen::Index most)
 {
-  constexpr Eigen::Index fewest = 8;
+  constexpr Eigen::Index fewest = 8, few = 40;
+  constexpr std::size_t few_samples = 900, more_samples = 1500;
   const Eigen::Index last = (std::min)(most, number_of_functions());
   while(m_count < last)
   {
     m_count
       = (std::min)(last, (std::max)(fewest, m_count + (std::max)(Eigen::Index(2), m_count / 6)));
-    update(m_count, true);
+    update(m_count, true, m_count == last ? ALL : m_count < few ? few_samples : more_samples);
   }
 }
 
 void Coarse_match::deform()
 {
-  constexpr double detail_length = .03, least_detail_length = .02, pose_weight = 3;
-  constexpr Eigen::Index most_functions = 60;
+  constexpr double detail_length = .03, least_detail_length = .02, factor_of_normals = 6;
   if(m_options.number_of_registrations == 0)
     return;
-  Deformable_pose pose(m_rest, m_a.coarse.surface.triangles);
+  Deformable_pose pose(m_a.deformable_body());
   pose.set_detail_length(detail_length);
-  m_pose_weight = pose_weight;
+  m_factor_of_normals = factor_of_normals;
   for(int i = 0; i <= m_options.number_of_registrations; ++i)
   {
     const bool is_last = i == m_options.number_of_registrations;
     if(is_last)
       pose.set_detail_length(least_detail_length);
-    m_position = pose.registered_to(rows_at(m_b.coarse_pose, m_forward), m_position);
+    m_position
+      = pose.registered_to(targets() * m_rotation.transpose(), m_position * m_rotation.transpose())
+        * m_rotation;
     if(!is_last)
-      update((std::min)(most_functions, number_of_functions()), false);
+      update(m_count, false, ALL);
   }
 }
 
@@ -252,102 +270,147 @@ Eigen::Index Coarse_match::number_of_functions() const
                      m_b.functions.cols()});
 }
 
-void Coarse_match::update(const Eigen::Index count, const bool moves)
+// Compares at least this number of vertices.
+void Coarse_match::update(const Eigen::Index count, const bool moves, const std::size_t number)
 {
   constexpr int repetitions = 2;
-  const Indices first = nearest(m_b, *m_b.search, m_position),
-                first_of_b = nearest(m_a, m_position, m_b.coarse_pose);
+  const Indices samples_of_a = some(m_a.counted, number), samples_of_b = some(m_b.counted, number);
+  const Indices first = nearest(m_b, *m_b.search, rows_at(m_position, samples_of_a)),
+                first_of_b = nearest(m_a, Point_search(rows_at(m_position, m_a.counted)),
+                                     rows_at(m_b.coarse_pose, samples_of_b));
   for(int i = 0; i < (moves ? repetitions : 1); ++i)
   {
     const Features features = features_of_a(count, moves), others = features_of_b(count);
-    m_forward = features.nearest(first, m_b.nearby, others);
-    m_backward = others.nearest(first_of_b, m_a.nearby, features);
+    features.set_partners(samples_of_a, first, m_b.nearby, others, m_forward);
+    others.set_partners(samples_of_b, first_of_b, m_a.nearby, features, m_backward);
+    m_samples_of_a = samples_of_a;
+    m_samples_of_b = samples_of_b;
   }
 }
 
-// The functional map is that of least squares over the pairs in both directions and the landmarks; each vertex of the first
-// surface has a sum of its partners and a number of them.
-Coarse_match::Features Coarse_match::features_of_a(const Eigen::Index count, const bool moves)
+// Calls function(vertex of a, vertex of b, weight) for the samples, in both directions, and for the landmarks.
+template <class Function>
+void Coarse_match::for_each_pair(const Function& function) const
 {
   constexpr double share = .05; // of each landmark, among all pairs
+  for(const std::size_t i : m_samples_of_a)
+    function(i, m_forward[i], 1.);
+  for(const std::size_t j : m_samples_of_b)
+    function(m_backward[j], j, 1.);
+  const double weight = share * static_cast<double>(m_samples_of_a.size() + m_samples_of_b.size());
+  for(std::size_t l = 0; l < m_landmarks_of_a.size(); ++l)
+    function(m_landmarks_of_a[l], m_landmarks_of_b[l], weight);
+}
+
+// Where the pairs say that vertices are; those without any stay.
+Point_matrix Coarse_match::targets() const
+{
+  Point_matrix result = Point_matrix::Zero(m_position.rows(), 3);
+  Eigen::VectorXd numbers = Eigen::VectorXd::Zero(m_position.rows());
+  for_each_pair([&](const std::size_t i, const std::size_t j, const double weight) {
+    const auto row = static_cast<Eigen::Index>(i);
+    result.row(row) += weight * m_b.coarse_pose.row(static_cast<Eigen::Index>(j));
+    numbers[row] += weight;
+  });
+  for(Eigen::Index i = 0; i < numbers.size(); ++i)
+    result.row(i) = numbers[i] > 0 ? (result.row(i) / numbers[i]).eval() : m_position.row(i).eval();
+  return result;
+}
+
+// The functional map is that of least squares over the pairs; each vertex of the first surface has a sum of its partners and a
+// number of them.
+Coarse_match::Features Coarse_match::features_of_a(const Eigen::Index count, const bool moves)
+{
   constexpr double least = 1e-3;
-  const Eigen::Index n = m_a.functions.rows();
-  const auto number_of_counted = static_cast<double>(m_a.counted.size() + m_b.counted.size());
+  constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
   const auto functions = m_a.functions.leftCols(count);
+  Indices vertices, place(m_a.counted.back() + 1, none); // that have partners
+  for_each_pair([&](const std::size_t i, std::size_t, double) {
+    if(place[i] == none)
+    {
+      place[i] = vertices.size();
+      vertices.push_back(i);
+    }
+  });
+  const auto n = static_cast<Eigen::Index>(vertices.size());
   Eigen::VectorXd numbers = Eigen::VectorXd::Zero(n);
   Function_matrix sums = Function_matrix::Zero(n, count), move_sums = Function_matrix::Zero(n, 3);
   Eigen::RowVectorXd squares = Eigen::RowVectorXd::Zero(count);
-  double residual = 0;
-  const auto add = [&](const std::size_t i, const std::size_t j, const double weight) {
-    const auto of_a = static_cast<Eigen::Index>(i), of_b = static_cast<Eigen::Index>(j);
+  for_each_pair([&](const std::size_t i, const std::size_t j, const double weight) {
+    const auto of_a = static_cast<Eigen::Index>(i), of_b = static_cast<Eigen::Index>(j),
+               row = static_cast<Eigen::Index>(place[i]);
     const auto partner = m_b.functions.row(of_b).head(count);
-    numbers[of_a] += weight;
-    sums.row(of_a) += weight * partner;
+    numbers[row] += weight;
+    sums.row(row) += weight * partner;
     squares += weight * partner.cwiseAbs2();
-    move_sums.row(of_a) += weight * (m_b.coarse_pose.row(of_b) - m_rest.row(of_a));
-  };
-  for(const std::size_t i : m_a.counted)
-    add(i, m_forward[i], 1);
-  for(const std::size_t j : m_b.counted)
-    add(m_backward[j], j, 1);
-  for(std::size_t l = 0; l < m_landmarks_of_a.size(); ++l)
-    add(m_landmarks_of_a[l], m_landmarks_of_b[l], share * number_of_counted);
+    move_sums.row(row) += weight * (m_b.coarse_pose.row(of_b) - m_rest.row(of_a));
+  });
 
+  const Function_matrix sampled = rows_of(functions, vertices);
   const Eigen::MatrixXd products
-    = transposed_product(functions, Function_matrix(numbers.asDiagonal() * functions)),
-    mixed = transposed_product(functions, sums);
+    = transposed_product(sampled, Function_matrix(numbers.asDiagonal() * sampled)),
+    mixed = transposed_product(sampled, sums);
   const Eigen::LDLT<Eigen::MatrixXd> factor(
     products + 1e-9 * products.trace() * Eigen::MatrixXd::Identity(count, count));
   m_map = factor.solve(mixed);
   if(moves)
     m_position = m_rest
                  + Point_matrix(
-                   combinations(functions, factor.solve(transposed_product(functions, move_sums))));
+                   combinations(functions, factor.solve(transposed_product(sampled, move_sums))));
   m_weights
     = ((m_map.cwiseProduct(products * m_map - 2 * mixed).colwise().sum() + squares) / numbers.sum())
         .cwiseMax(least * least)
         .cwiseSqrt()
         .cwiseInverse();
-  for(const std::size_t i : m_a.counted)
-    residual += squared_distance(i, m_forward[i]);
-  for(const std::size_t j : m_b.counted)
-    residual += squared_distance(m_backward[j], j);
-  residual = (std::max)(std::sqrt(residual / (3 * number_of_counted)), least / 10);
-  m_weight_of_positions = m_pose_weight * m_options.pose_weight / residual;
-  set_weights_of_reliefs();
-  return {with_reliefs(combinations(functions, m_map * m_weights.asDiagonal()), m_a),
-          m_weight_of_positions * m_position, m_normals};
+  const Point_matrix normals = vertex_normals(m_position, m_a.coarse.surface.triangles);
+  set_weights_of_details(normals);
+  return features(m_a, combinations(functions, m_map * m_weights.asDiagonal()), normals,
+                  m_position);
 }
 
 Coarse_match::Features Coarse_match::features_of_b(const Eigen::Index count) const
 {
-  return {with_reliefs(m_b.functions.leftCols(count) * m_weights.asDiagonal(), m_b),
-          m_weight_of_positions * m_b.coarse_pose, m_normals_of_b};
+  return features(m_b, m_b.functions.leftCols(count) * m_weights.asDiagonal(), m_normals_of_b,
+                  m_b.coarse_pose);
 }
 
-// Reliefs tell more than functions do where lengths change with the posture.
-void Coarse_match::set_weights_of_reliefs()
+// Reliefs tell more than functions do where lengths change with the posture; and once limbs have been turned, normals do.
+void Coarse_match::set_weights_of_details(const Point_matrix& normals)
 {
-  constexpr double factor = 3, least = 1e-4;
+  constexpr double factor_of_reliefs = 3, least = 1e-4;
   const Eigen::Index count = (std::min)(m_a.reliefs.cols(), m_b.reliefs.cols());
-  Eigen::RowVectorXd squares = Eigen::RowVectorXd::Zero(count);
-  for(const std::size_t i : m_a.counted)
-    squares += (m_a.reliefs.row(static_cast<Eigen::Index>(i)).head(count)
-                - m_b.reliefs.row(static_cast<Eigen::Index>(m_forward[i])).head(count))
-                 .cwiseAbs2();
-  m_weights_of_reliefs = factor
-                         * (squares / static_cast<double>(m_a.counted.size()))
-                             .cwiseSqrt()
-                             .cwiseMax(least)
-                             .cwiseInverse();
+  double sum = 0, squares_of_positions = 0, squares_of_normals = 0;
+  Eigen::RowVectorXd squares_of_reliefs = Eigen::RowVectorXd::Zero(count);
+  for_each_pair([&](const std::size_t i, const std::size_t j, const double weight) {
+    const auto of_a = static_cast<Eigen::Index>(i), of_b = static_cast<Eigen::Index>(j);
+    sum += weight;
+    squares_of_positions += weight * squared_distance(i, j);
+    squares_of_normals += weight * (normals.row(of_a) - m_normals_of_b.row(of_b)).squaredNorm();
+    squares_of_reliefs
+      += weight
+         * (m_a.reliefs.row(of_a).head(count) - m_b.reliefs.row(of_b).head(count)).cwiseAbs2();
+  });
+  const auto inverse_residual
+    = [&](const double squares) { return 1 / (std::max)(std::sqrt(squares / (3 * sum)), least); };
+  m_weight_of_positions = m_options.pose_weight * inverse_residual(squares_of_positions);
+  m_weight_of_normals = m_factor_of_normals * inverse_residual(squares_of_normals);
+  m_weights_of_reliefs
+    = factor_of_reliefs * (squares_of_reliefs / sum).cwiseSqrt().cwiseMax(least).cwiseInverse();
 }
 
-Function_matrix Coarse_match::with_reliefs(const Function_matrix& functions,
-                                           const Matchable_data& shape) const
+Coarse_match::Features Coarse_match::features(const Matchable_data& shape,
+                                              const Function_matrix& functions,
+                                              const Point_matrix& normals,
+                                              const Point_matrix& positions) const
 {
-  const Eigen::Index count = m_weights_of_reliefs.size();
-  Function_matrix result(functions.rows(), functions.cols() + count);
-  result << shape.reliefs.leftCols(count) * m_weights_of_reliefs.asDiagonal(), functions;
+  const Eigen::Index count = m_weights_of_reliefs.size(), number = functions.cols() + count + 6,
+                     blocks = (number + Features::STEP - 1) / Features::STEP;
+  Features result = {{functions.rows(), Features::STEP * blocks}, normals};
+  result.values.leftCols(result.values.cols() - number).setZero();
+  result.values.rightCols(number) << functions.cast<float>(),
+    (shape.reliefs.leftCols(count) * m_weights_of_reliefs.asDiagonal()).cast<float>(),
+    (m_weight_of_normals * normals).cast<float>(),
+    (m_weight_of_positions * positions).cast<float>();
   return result;
 }
 

@@ -18,8 +18,8 @@ namespace CGAL {
 namespace Canonical_pose_3 {
 namespace internal {
 
-// The match of two coarse surfaces: which vertex of the other one is nearest, in the product of mapped eigenfunctions, reliefs
-// and positions, each in units of its residual.
+// The match of two coarse surfaces: which vertex of the other one is nearest, in the product of mapped eigenfunctions, reliefs,
+// normals and positions, each in units of its residual.
 class Coarse_match
 {
 public:
@@ -53,23 +53,29 @@ private:
   Eigen::Index number_of_functions() const;
   bool is_counted(const std::array<std::size_t, 3>& triangle) const;
   static double length_of(const Matchable_data& shape, std::size_t i, std::size_t j);
-  void update(Eigen::Index count, bool moves);
+  void update(Eigen::Index count, bool moves, std::size_t number);
+  template <class Function>
+  void for_each_pair(const Function& function) const;
+  Point_matrix targets() const;
   Features features_of_a(Eigen::Index count, bool moves);
   Features features_of_b(Eigen::Index count) const;
-  void set_weights_of_reliefs();
-  Function_matrix with_reliefs(const Function_matrix& functions, const Matchable_data& shape) const;
+  void set_weights_of_details(const Point_matrix& normals);
+  Features features(const Matchable_data& shape, const Function_matrix& functions,
+                    const Point_matrix& normals, const Point_matrix& positions) const;
   double squared_distance(std::size_t i, std::size_t j) const;
 
   const Matchable_data &m_a, &m_b;
   const Match_options& m_options;
+  const Eigen::Matrix3d m_rotation;
   const Point_matrix m_rest;
   Point_matrix m_position;
-  const Point_matrix m_normals, m_normals_of_b;
+  const Point_matrix m_normals_of_b;
   const Indices m_landmarks_of_a, m_landmarks_of_b;
-  Indices m_forward, m_backward;
+  Indices m_forward, m_backward;          // partners
+  Indices m_samples_of_a, m_samples_of_b; // those that have partners by the last comparison
   Eigen::MatrixXd m_map;
   Eigen::RowVectorXd m_weights, m_weights_of_reliefs; // m_weights: of the functions
-  double m_weight_of_positions = 0, m_pose_weight = 1;
+  double m_weight_of_positions = 0, m_weight_of_normals = 0, m_factor_of_normals = 0;
   Eigen::Index m_count = 0; // of the functions so far
 };
 

@@ -26,25 +26,51 @@ namespace CGAL {
 namespace Canonical_pose_3 {
 namespace internal {
 
-// A surface that is deformed, as rigidly as possible, toward targets. Only its largest component is; others follow.
+// What is deformed to deform a surface: only its largest component is; others follow.
+struct Deformable_body
+{
+  Deformable_body(const Point_matrix& points, const Face_list& faces)
+    : prepared(prepare_surface(points, faces, options())), component(prepared.components.front()),
+      body(body_of(component)),
+      followers(Body_deformer_3<Elastic_body_3>(body.body, component.surface.triangles)
+                  .embedding(component.options.followers))
+  {}
+  Deformable_body(const Deformable_body&) = delete;
+  Deformable_body& operator=(const Deformable_body&) = delete;
+
+  const Prepared_surface_3 prepared;
+  const Prepared_surface_3::Component& component;
+  const Surface_body_3 body;
+  const Eigen::SparseMatrix<double> followers;
+
+private:
+  static Options options()
+  {
+    Options result;
+    result.components = Options::Components::LARGEST;
+    result.registration.injective = false;
+    return result;
+  }
+
+  static Surface_body_3 body_of(const Prepared_surface_3::Component& component)
+  {
+    const Coarse_surface_3 coarse = coarse_surface(component.surface, component.options);
+    return body_of_surface(component.surface, coarse, landmark_fields(coarse, component.options),
+                           component.options, Body_makers());
+  }
+};
+
+// A surface that is deformed, as rigidly as possible, toward targets.
 class Deformable_pose
 {
 public:
-  Deformable_pose(const Point_matrix& points, const Face_list& faces)
-    : m_prepared(prepare_surface(points, faces, options())),
-      m_component(m_prepared.components.front()),
-      m_coarse(coarse_surface(m_component.surface, m_component.options)),
-      m_body(body_of_surface(m_component.surface, m_coarse,
-                             landmark_fields(m_coarse, m_component.options), m_component.options,
-                             Body_makers())),
-      m_registrar(m_body.body,
-                  vertex_area_shares(m_component.surface.points, m_component.surface.triangles),
-                  m_body.length_scale, m_component.options.registration, m_body.stiffness),
-      m_followers(Body_deformer_3<Elastic_body_3>(m_body.body, m_component.surface.triangles)
-                    .embedding(m_component.options.followers))
+  explicit Deformable_pose(const Deformable_body& body)
+    : m_body(body),
+      m_registrar(
+        body.body.body,
+        vertex_area_shares(body.component.surface.points, body.component.surface.triangles),
+        body.body.length_scale, body.component.options.registration, body.body.stiffness)
   {}
-  Deformable_pose(const Deformable_pose&) = delete;
-  Deformable_pose& operator=(const Deformable_pose&) = delete;
 
   // Features smaller than this share of the size keep their shape.
   void set_detail_length(const double detail_length)
@@ -55,10 +81,11 @@ public:
   // The pose for a target with a row per point; starts at the previous one. Nothing changes if it fails.
   Point_matrix registered_to(const Point_matrix& target, const Point_matrix& otherwise)
   {
-    Point_matrix rows(m_component.surface.points.rows(), 3);
-    rows.topRows(static_cast<Eigen::Index>(m_component.surface.origins.size()))
-      = rows_at(target, m_component.surface.origins);
-    for(const auto& [vertex, others, weights] : m_component.surface.added)
+    const Surface_component_3& surface = m_body.component.surface;
+    Point_matrix rows(surface.points.rows(), 3);
+    rows.topRows(static_cast<Eigen::Index>(surface.origins.size()))
+      = rows_at(target, surface.origins);
+    for(const auto& [vertex, others, weights] : surface.added)
     {
       Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
       for(std::size_t k = 0; k < 3; ++k)
@@ -71,26 +98,14 @@ public:
     if(!result.is_usable())
       return otherwise;
     result.pose = m_registrar.surface_points(m_positions);
-    result.pose_of_followers = m_followers * m_positions;
+    result.pose_of_followers = m_body.followers * m_positions;
     result.target = std::move(rows);
-    return joined_result(m_prepared, {result}).pose;
+    return joined_result(m_body.prepared, {result}).pose;
   }
 
 private:
-  static Options options()
-  {
-    Options result;
-    result.components = Options::Components::LARGEST;
-    result.registration.injective = false;
-    return result;
-  }
-
-  const Prepared_surface_3 m_prepared;
-  const Prepared_surface_3::Component& m_component;
-  const Coarse_surface_3 m_coarse;
-  const Surface_body_3 m_body;
+  const Deformable_body& m_body;
   Tetrahedral_arap_registrar_3<Elastic_body_3> m_registrar;
-  const Eigen::SparseMatrix<double> m_followers;
   Point_matrix m_positions = Point_matrix(0, 3); // of the body
 };
 

@@ -4,7 +4,9 @@
 #ifndef CANONICAL_POSE_3_ENGINE_MATCH_MATCHABLE_DATA_H
 #define CANONICAL_POSE_3_ENGINE_MATCH_MATCHABLE_DATA_H
 
+#include "Deformable_pose.h"
 #include "../support/Point_search.h"
+#include "../support/in_parallel.h"
 
 #include <CGAL/Canonical_pose_3/Coarse_surface_3.h>
 #include <CGAL/Canonical_pose_3/Face_list.h>
@@ -15,6 +17,8 @@
 
 #include <array>
 #include <cstddef>
+#include <memory>
+#include <mutex>
 #include <optional>
 #include <vector>
 
@@ -48,6 +52,21 @@ struct Matchable_data
   double root_of_area;                          // of the surface
   std::optional<Point_search> search;           // of what is counted of the coarse pose
   std::vector<std::vector<std::size_t>> nearby; // for each coarse vertex, the nearest ones of these
+
+  // Of the coarse pose; made by the first match that needs it.
+  const Deformable_body& deformable_body() const
+  {
+    isolated([&] {
+      std::call_once(m_body_flag, [&] {
+        m_body = std::make_unique<const Deformable_body>(coarse_pose, coarse.surface.triangles);
+      });
+    });
+    return *m_body;
+  }
+
+private:
+  mutable std::once_flag m_body_flag;
+  mutable std::unique_ptr<const Deformable_body> m_body;
 };
 
 } // namespace internal

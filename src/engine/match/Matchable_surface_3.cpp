@@ -29,7 +29,7 @@ namespace internal {
 namespace matching {
 namespace {
 
-constexpr std::size_t COARSE_VERTICES = 4000, NUMBER_OF_NEARBY = 64;
+constexpr std::size_t COARSE_VERTICES = 4000, NUMBER_OF_NEARBY = 96;
 constexpr double SMALL_AREA = .05; // of that of the largest component
 
 Shape_spectrum spectrum_of(const Surface_component_3& surface)

@@ -17,7 +17,6 @@
 #include <Eigen/Core>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <map>
@@ -228,8 +227,8 @@ void Match_options::check(const std::size_t number_of_vertices,
   if(number_of_functions < 4)
     throw std::invalid_argument("the number of functions is " + std::to_string(number_of_functions)
                                 + ", but must be at least 4");
-  if(!(pose_weight > 0) || !std::isfinite(pose_weight))
-    throw std::invalid_argument("the weight of the pose must be positive");
+  if(!(pose_weight > 0 && pose_weight <= 1e6))
+    throw std::invalid_argument("the weight of the pose must be positive and at most 1e6");
   if(number_of_registrations < 0 || number_of_threads < 0)
     throw std::invalid_argument("numbers of registrations and threads must not be negative");
 }
