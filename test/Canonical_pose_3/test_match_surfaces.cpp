@@ -222,6 +222,22 @@ TEST(Match_surfaces, of_a_template_at_the_same_time)
     EXPECT_EQ(match.interpolated(other().points), expected.interpolated(other().points));
 }
 
+// Lengths whose fourth powers overflow or vanish: a match does not depend on the unit, but its scale is proportional to it.
+TEST(Match_surfaces, huge_and_tiny_coordinates)
+{
+  const auto& shape = running();
+  const Surface_match_3 expected = CP::match_surfaces(shape.surface, other().surface);
+  for(const double unit : {1e-82, 1e82})
+  {
+    const Surface_match_3 match = CP::match_surfaces(
+      Matchable_surface_3(unit * shape.points, shape.shape.triangles(), unit * shape.pose),
+      other().surface);
+    EXPECT_NEAR(match.scale / unit, expected.scale, 1e-9 * expected.scale);
+    EXPECT_EQ(match.is_rotation_certain, expected.is_rotation_certain);
+    EXPECT_NEAR(mean_error(match, shape, other()), mean_error(expected, shape, other()), 1e-3);
+  }
+}
+
 TEST(Match_surfaces, landmarks_are_met)
 {
   Match_options options;

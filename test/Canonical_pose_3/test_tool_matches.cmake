@@ -98,6 +98,13 @@ endforeach()
 make_person(template.off standing 2000)
 set(match collection people --database people.db --descriptor shape-distribution-d2 --match template.off --matches matched)
 
+# A shape of another kind is matched, too, but not without a word.
+run_tool(collection ball.off --database odd.db --descriptor shape-distribution-d2 --match template.off --matches odd)
+expect_match("${exit_code}${stdout}" "^0.*\nwarning: [^\n]*ball.off: (the surfaces hardly match|another rotation)")
+run_tool(collection --list --json --database odd.db)
+string(JSON warnings GET "${stdout}" 0 report match warnings)
+expect_match("${warnings}" "the surfaces hardly match|another rotation")
+
 # expect_computed(number what key...): so many of these values of the reports are not those of the call before.
 macro(expect_computed expected what)
   run_tool(collection --list --json --database people.db)

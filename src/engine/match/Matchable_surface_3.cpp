@@ -175,7 +175,9 @@ Matchable_data::Matchable_data(const Point_matrix& points, const Face_list& poly
     for(std::size_t& v : vertices)
       v = counted[v];
   normals = vertex_normals(pose, surface.triangles);
-  root_of_area = std::sqrt(area(surface.points, surface.triangles));
+  Point_matrix normalized = surface.points;
+  const int exponent = normalize(normalized);
+  root_of_area = std::ldexp(std::sqrt(area(normalized, surface.triangles)), exponent);
 }
 
 } // namespace internal

@@ -43,7 +43,8 @@ void take_match(const std::string& report, Shape_row& row)
 {
   const Json json = Json::parse(report);
   Json match;
-  for(const char* const key : {"mean_distance", "mean_round_trip", "is_rotation_certain"})
+  for(const char* const key :
+      {"mean_distance", "mean_round_trip", "is_rotation_certain", "warnings"})
     match[key] = json.at(key);
   match["seconds"] = row.seconds;
   row.match = match.dump();

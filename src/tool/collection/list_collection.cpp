@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <iomanip>
 #include <iostream>
@@ -48,14 +49,16 @@ Json json_of(const Shape_row& row)
           {"report", report}};
 }
 
-// About the files that a pose names.
-std::vector<std::string> warnings_of_files(const Shape_row& row)
+// Those that contain one of these texts.
+std::vector<std::string> warnings_in(const std::string& json, const std::vector<std::string>& texts)
 {
-  const Json report = Json::parse(row.report, nullptr, false);
+  const Json report = Json::parse(json, nullptr, false);
   std::vector<std::string> result;
   if(report.is_object() && report.contains("warnings"))
     for(const std::string& warning : report["warnings"].get<std::vector<std::string>>())
-      if(warning.find(NOT_COPIED) != std::string::npos)
+      if(std::any_of(texts.begin(), texts.end(), [&](const std::string& text) {
+           return warning.find(text) != std::string::npos;
+         }))
         result.push_back(warning);
   return result;
 }
@@ -86,11 +89,17 @@ void write_summary(std::ostream& out, const std::vector<std::string>& paths,
       ++numbers[row->outcome];
       if(row->outcome != Outcome::DONE)
         failures += line_of(*row);
-      else if(!row->pose.empty())
+      else
       {
-        database.complete(*row);
-        for(const std::string& warning : warnings_of_files(*row))
+        const auto add = [&](const std::string& warning) {
           warnings += "warning: " + in_one_line(path + ": " + warning) + '\n';
+        };
+        database.complete(*row);
+        if(!row->pose.empty()) // about the files that it names
+          for(const std::string& warning : warnings_in(row->report, {NOT_COPIED}))
+            add(warning);
+        for(const std::string& warning : warnings_in(row->match, {HARDLY_MATCH, OTHER_ROTATION}))
+          add(warning);
       }
     }
   out << paths.size() << (paths.size() == 1 ? " shape, " : " shapes, ") << number_computed

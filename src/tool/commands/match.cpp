@@ -273,10 +273,9 @@ std::vector<std::string> warnings_of(const Mesh_file& input, const Mesh_file& ot
     add_losses(result, "the surface lacks", lost, "OTHER");
   }
   if(match.mean_round_trip > largest_round_trip)
-    result.push_back("the surfaces hardly match: points return far from where they were");
+    result.push_back(HARDLY_MATCH + std::string(": points return far from where they were"));
   if(!match.is_rotation_certain)
-    result.push_back(
-      "another rotation of the pose matches nearly as well: front and back may be confused");
+    result.push_back(OTHER_ROTATION + std::string(": front and back may be confused"));
   return result;
 }
 
