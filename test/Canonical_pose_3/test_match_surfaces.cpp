@@ -538,6 +538,26 @@ TYPED_TEST(Match_of_meshes, is_written)
                                          CP::matchable_surface(moved_other, np_of_other)));
 }
 
+// An ellipsoid looks the same after half turns, also where one of them matches its vertices exactly; with a bump, it does not.
+TEST(Match_surfaces, rotations_of_symmetric_shapes_are_in_doubt)
+{
+  const auto is_certain = [](const Canonical_pose_test::Triangle_soup& soup) {
+    const Point_matrix points = to_matrix(soup.points),
+                       turned = points * Eigen::Vector3d(-1, -1, 1).asDiagonal();
+    const Matchable_surface_3 surface(points, soup.triangles, points);
+    const bool result = CP::match_surfaces(surface, surface).is_rotation_certain;
+    EXPECT_EQ(CP::match_surfaces(surface, Matchable_surface_3(turned, soup.triangles, turned))
+                .is_rotation_certain,
+              result);
+    return result;
+  };
+  Canonical_pose_test::Triangle_soup ellipsoid = Canonical_pose_test::icosphere_soup(3, 1.);
+  for(auto& p : ellipsoid.points)
+    p = {3 * p[0], 2 * p[1], p[2]};
+  EXPECT_FALSE(is_certain(ellipsoid));
+  EXPECT_TRUE(is_certain(egg(3)));
+}
+
 TEST(Match_surfaces, face_graphs_of_others)
 {
   using archetype::Hashed_graph;

@@ -199,11 +199,15 @@ void Coarse_match::deform()
 double Coarse_match::cost() const
 {
   constexpr double inside_out = 1e6;
+  // What is less is due to the vertices that happen to be there: of a symmetric shape, one rotation may match them exactly.
+  constexpr double least_strain = .3, least_residual = .05, least_residual_of_reliefs = 2e-4,
+                   least_distance = .02;
   const double residual = m_weights.cwiseInverse().mean(),
                residual_of_reliefs
                = m_weights_of_reliefs.size() == 0 ? 1 : m_weights_of_reliefs.cwiseInverse().mean();
-  return strain() * residual * residual_of_reliefs * mean_distance()
-         * (preserves_orientation() ? 1 : inside_out);
+  return (std::max)(strain(), least_strain) * (std::max)(residual, least_residual)
+         * (std::max)(residual_of_reliefs, least_residual_of_reliefs)
+         * (std::max)(mean_distance(), least_distance) * (preserves_orientation() ? 1 : inside_out);
 }
 
 // By how much the match changes the lengths of edges, relative to their sum.

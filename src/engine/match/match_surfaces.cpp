@@ -142,6 +142,8 @@ std::vector<Candidate> candidates(const Matchable_data& a, const Matchable_data&
                                   const Match_options& options)
 {
   constexpr double largest_ratio = 2, clear_ratio = 1.3;
+  constexpr double least_distance = .05; // between points of a surface and others of the same one
+  constexpr std::size_t most_candidates = 16;
   constexpr Eigen::Index few_functions = 28, more_functions = 60;
   Indices landmarks_of_a, landmarks_of_b;
   const std::vector<bool> is_counted_of_a = counted_vertices(a),
@@ -164,8 +166,10 @@ std::vector<Candidate> candidates(const Matchable_data& a, const Matchable_data&
                      [](const Candidate& c, const Candidate& d) { return c.cost < d.cost; });
   };
   const std::vector<Pose_rotation> rotations = pose_rotations(a, b);
+  const double largest_distance
+    = largest_ratio * (std::max)(rotations.front().distance, least_distance);
   for(const Pose_rotation& rotation : rotations)
-    if(rotation.distance <= largest_ratio * rotations.front().distance)
+    if(rotation.distance <= largest_distance && result.size() < most_candidates)
     {
       result.push_back({rotation,
                         std::make_unique<Coarse_match>(a, b, rotation.matrix, options,
