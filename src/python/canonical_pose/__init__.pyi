@@ -193,6 +193,7 @@ class _ShapeMatch(TypedDict):
     mean_distance: float
     mean_round_trip: float
     is_rotation_certain: bool
+    warnings: list[str]
     seconds: float
     template: str
     template_checksum: str

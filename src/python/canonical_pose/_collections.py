@@ -45,7 +45,7 @@ def collection(database, shapes=None, *, descriptor=None, poses=None, match=None
         The file of a surface, the template, that is also matched with each shape. Then the report of a
         shape has ``"match"``, with ``"mean_distance"``, ``"mean_round_trip"``, the mean of
         ``round_trips`` without those of small components and isolated vertices, and
-        ``"is_rotation_certain"``, as of the function `match`.
+        ``"is_rotation_certain"``, as of the function `match`, and with ``"warnings"``.
     matches : string or path
         The folder for the template in the shape of each one, needed with `match`: vertex i of each
         file is vertex i of the template. Files have the names of the shapes and its format.
