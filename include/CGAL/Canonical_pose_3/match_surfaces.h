@@ -47,8 +47,8 @@ compared by more and more eigenfunctions of the Laplacian, mapped by a functiona
 closer, and by the relief of the surfaces, that is, by how far they are above themselves after the heat equation has smoothed them
 for four times; each coordinate counts in units of its residual. Of rotations after which the poses are nearly as close, that is
 chosen whose match changes lengths of edges, functions, relief and positions the least. At last, the pose of the first surface is
-registered, as rigidly as possible, to the points of the second one that match, by turns with comparisons in which normals count, too;
-and vertices are where they then are on the other pose, on the same side of thin parts.
+registered, as rigidly as possible, to the points of the second one that match, by turns with comparisons in which normals count as
+well. Vertices are where they then are on the other pose, on the same side of thin parts.
 
 Of a surface with several components, the largest one is registered, and the others follow it. Components with less than a twentieth of
 the area of the largest one, and isolated vertices, are located, but have no influence on others, nor on the means in the result.

@@ -37,25 +37,6 @@ Indices nearest(const Matchable_data& shape, const Point_search& search, const P
   return result;
 }
 
-// At even steps: at least `number`, or all if there are fewer.
-Indices some(const Indices& indices, const std::size_t number)
-{
-  const std::size_t step = (std::max)(std::size_t(1), indices.size() / number);
-  Indices result;
-  for(std::size_t i = 0; i < indices.size(); i += step)
-    result.push_back(indices[i]);
-  return result;
-}
-
-Function_matrix rows_of(const Eigen::Ref<const Function_matrix, 0, Eigen::OuterStride<>>& functions,
-                        const Indices& indices)
-{
-  Function_matrix result(static_cast<Eigen::Index>(indices.size()), functions.cols());
-  for(std::size_t i = 0; i < indices.size(); ++i)
-    result.row(static_cast<Eigen::Index>(i)) = functions.row(static_cast<Eigen::Index>(indices[i]));
-  return result;
-}
-
 // functions^t * values
 Eigen::MatrixXd
 transposed_product(const Eigen::Ref<const Function_matrix, 0, Eigen::OuterStride<>>& functions,
@@ -177,12 +158,11 @@ void Coarse_match::refine(const Eigen::Index most)
 
 void Coarse_match::deform()
 {
-  constexpr double detail_length = .03, least_detail_length = .02, factor_of_normals = 6;
+  constexpr double detail_length = .03, least_detail_length = .02;
   if(m_options.number_of_registrations == 0)
     return;
   Deformable_pose pose(m_a.deformable_body());
   pose.set_detail_length(detail_length);
-  m_factor_of_normals = factor_of_normals;
   for(int i = 0; i <= m_options.number_of_registrations; ++i)
   {
     const bool is_last = i == m_options.number_of_registrations;
@@ -278,7 +258,7 @@ Eigen::Index Coarse_match::number_of_functions() const
 void Coarse_match::update(const Eigen::Index count, const bool moves, const std::size_t number)
 {
   constexpr int repetitions = 2;
-  const Indices samples_of_a = some(m_a.counted, number), samples_of_b = some(m_b.counted, number);
+  const Indices samples_of_a = m_a.samples(number), samples_of_b = m_b.samples(number);
   const Indices first = nearest(m_b, *m_b.search, rows_at(m_position, samples_of_a)),
                 first_of_b = nearest(m_a, Point_search(rows_at(m_position, m_a.counted)),
                                      rows_at(m_b.coarse_pose, samples_of_b));
@@ -325,7 +305,7 @@ Point_matrix Coarse_match::targets() const
 // number of them.
 Coarse_match::Features Coarse_match::features_of_a(const Eigen::Index count, const bool moves)
 {
-  constexpr double least = 1e-3;
+  constexpr double least = 1e-3, factor_of_normals = 6;
   constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
   const auto functions = m_a.functions.leftCols(count);
   Indices vertices, place(m_a.counted.back() + 1, none); // that have partners
@@ -350,7 +330,7 @@ Coarse_match::Features Coarse_match::features_of_a(const Eigen::Index count, con
     move_sums.row(row) += weight * (m_b.coarse_pose.row(of_b) - m_rest.row(of_a));
   });
 
-  const Function_matrix sampled = rows_of(functions, vertices);
+  const Function_matrix sampled = rows_at(functions, vertices);
   const Eigen::MatrixXd products
     = transposed_product(sampled, Function_matrix(numbers.asDiagonal() * sampled)),
     mixed = transposed_product(sampled, sums);
@@ -367,7 +347,7 @@ Coarse_match::Features Coarse_match::features_of_a(const Eigen::Index count, con
         .cwiseSqrt()
         .cwiseInverse();
   const Point_matrix normals = vertex_normals(m_position, m_a.coarse.surface.triangles);
-  set_weights_of_details(normals);
+  set_weights_of_details(normals, moves ? 0 : factor_of_normals);
   return features(m_a, combinations(functions, m_map * m_weights.asDiagonal()), normals,
                   m_position);
 }
@@ -379,7 +359,8 @@ Coarse_match::Features Coarse_match::features_of_b(const Eigen::Index count) con
 }
 
 // Reliefs tell more than functions do where lengths change with the posture; and once limbs have been turned, normals do.
-void Coarse_match::set_weights_of_details(const Point_matrix& normals)
+void Coarse_match::set_weights_of_details(const Point_matrix& normals,
+                                          const double factor_of_normals)
 {
   constexpr double factor_of_reliefs = 3, least = 1e-4;
   const Eigen::Index count = (std::min)(m_a.reliefs.cols(), m_b.reliefs.cols());
@@ -397,7 +378,7 @@ void Coarse_match::set_weights_of_details(const Point_matrix& normals)
   const auto inverse_residual
     = [&](const double squares) { return 1 / (std::max)(std::sqrt(squares / (3 * sum)), least); };
   m_weight_of_positions = m_options.pose_weight * inverse_residual(squares_of_positions);
-  m_weight_of_normals = m_factor_of_normals * inverse_residual(squares_of_normals);
+  m_weight_of_normals = factor_of_normals * inverse_residual(squares_of_normals);
   m_weights_of_reliefs
     = factor_of_reliefs * (squares_of_reliefs / sum).cwiseSqrt().cwiseMax(least).cwiseInverse();
 }

@@ -59,7 +59,7 @@ private:
   Point_matrix targets() const;
   Features features_of_a(Eigen::Index count, bool moves);
   Features features_of_b(Eigen::Index count) const;
-  void set_weights_of_details(const Point_matrix& normals);
+  void set_weights_of_details(const Point_matrix& normals, double factor_of_normals);
   Features features(const Matchable_data& shape, const Function_matrix& functions,
                     const Point_matrix& normals, const Point_matrix& positions) const;
   double squared_distance(std::size_t i, std::size_t j) const;
@@ -75,7 +75,7 @@ private:
   Indices m_samples_of_a, m_samples_of_b; // those that have partners by the last comparison
   Eigen::MatrixXd m_map;
   Eigen::RowVectorXd m_weights, m_weights_of_reliefs; // m_weights: of the functions
-  double m_weight_of_positions = 0, m_weight_of_normals = 0, m_factor_of_normals = 0;
+  double m_weight_of_positions = 0, m_weight_of_normals = 0;
   Eigen::Index m_count = 0; // of the functions so far
 };
 

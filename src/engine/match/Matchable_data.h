@@ -53,6 +53,9 @@ struct Matchable_data
   std::optional<Point_search> search;           // of what is counted of the coarse pose
   std::vector<std::vector<std::size_t>> nearby; // for each coarse vertex, the nearest ones of these
 
+  // Of what is counted, at even steps: at least `number`, or all if there are fewer.
+  std::vector<std::size_t> samples(std::size_t number) const;
+
   // Of the coarse pose; made by the first match that needs it.
   const Deformable_body& deformable_body() const
   {

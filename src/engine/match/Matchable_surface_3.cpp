@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "../descriptors/Shape_spectrum.h"
+#include "../surface/root_of_area.h"
 #include "Matchable_data.h"
 
 #include <CGAL/Canonical_pose_3/Matchable_surface_3.h>
@@ -175,9 +176,16 @@ Matchable_data::Matchable_data(const Point_matrix& points, const Face_list& poly
     for(std::size_t& v : vertices)
       v = counted[v];
   normals = vertex_normals(pose, surface.triangles);
-  Point_matrix normalized = surface.points;
-  const int exponent = normalize(normalized);
-  root_of_area = std::ldexp(std::sqrt(area(normalized, surface.triangles)), exponent);
+  root_of_area = internal::root_of_area(surface.points, surface.triangles);
+}
+
+std::vector<std::size_t> Matchable_data::samples(const std::size_t number) const
+{
+  const std::size_t step = (std::max)(std::size_t(1), counted.size() / number);
+  std::vector<std::size_t> result;
+  for(std::size_t i = 0; i < counted.size(); i += step)
+    result.push_back(counted[i]);
+  return result;
 }
 
 } // namespace internal

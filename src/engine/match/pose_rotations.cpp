@@ -21,15 +21,6 @@ namespace Canonical_pose_3 {
 namespace internal {
 namespace {
 
-Point_matrix every(const Point_matrix& points, const Eigen::Index most)
-{
-  const Eigen::Index step = (std::max)(Eigen::Index(1), points.rows() / most);
-  Point_matrix result((points.rows() + step - 1) / step, 3);
-  for(Eigen::Index i = 0; i < result.rows(); ++i)
-    result.row(i) = points.row(i * step);
-  return result;
-}
-
 // Bring principal axes of similar lengths onto each other and, where two axes of a surface are similar, onto directions between
 // them.
 std::vector<Eigen::Matrix3d> first_rotations(const Eigen::Vector3d& lengths,
@@ -129,10 +120,10 @@ private:
 
 std::vector<Pose_rotation> pose_rotations(const Matchable_data& a, const Matchable_data& b)
 {
-  constexpr Eigen::Index number_of_points = 500;
+  constexpr std::size_t number_of_points = 500;
   constexpr double same = .2; // norm of the difference of matrices
-  const Point_matrix points = every(rows_at(a.coarse_pose, a.counted), number_of_points),
-                     others = every(rows_at(b.coarse_pose, b.counted), number_of_points);
+  const Point_matrix points = rows_at(a.coarse_pose, a.samples(number_of_points)),
+                     others = rows_at(b.coarse_pose, b.samples(number_of_points));
   Rotation_search search(points, others);
   std::vector<Pose_rotation> all, result;
   for(const Eigen::Matrix3d& start : first_rotations(a.lengths_of_axes, b.lengths_of_axes))

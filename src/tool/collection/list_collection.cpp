@@ -94,10 +94,12 @@ void write_summary(std::ostream& out, const std::vector<std::string>& paths,
         const auto add = [&](const std::string& warning) {
           warnings += "warning: " + in_one_line(path + ": " + warning) + '\n';
         };
-        database.complete(*row);
         if(!row->pose.empty()) // about the files that it names
+        {
+          database.complete(*row);
           for(const std::string& warning : warnings_in(row->report, {NOT_COPIED}))
             add(warning);
+        }
         for(const std::string& warning : warnings_in(row->match, {HARDLY_MATCH, OTHER_ROTATION}))
           add(warning);
       }

@@ -25,11 +25,13 @@ inline Eigen::VectorXd values_at(const Eigen::VectorXd& values,
   return result;
 }
 
-inline Point_matrix rows_at(const Point_matrix& points, const std::vector<std::size_t>& indices)
+template <class Matrix>
+typename Matrix::PlainObject rows_at(const Eigen::MatrixBase<Matrix>& rows,
+                                     const std::vector<std::size_t>& indices)
 {
-  Point_matrix result(static_cast<Eigen::Index>(indices.size()), 3);
+  typename Matrix::PlainObject result(static_cast<Eigen::Index>(indices.size()), rows.cols());
   for(std::size_t i = 0; i < indices.size(); ++i)
-    result.row(static_cast<Eigen::Index>(i)) = points.row(static_cast<Eigen::Index>(indices[i]));
+    result.row(static_cast<Eigen::Index>(i)) = rows.row(static_cast<Eigen::Index>(indices[i]));
   return result;
 }
 
