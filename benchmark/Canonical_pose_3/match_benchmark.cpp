@@ -4,7 +4,7 @@
 // Matches: how far from the right place vertices of a shape are found on the same or a similar shape.
 //
 // Vertices correspond by index among the files. The first one is matched with each other one, and each
-// other one with the first. So that equal faces cannot help, the second shape of a match is
+// other one with the first; with --all, each one with each. So that equal faces cannot help, the second shape of a match is
 // triangulated anew (CGAL's isotropic remeshing); its right places are those of the vertices of the
 // file. Each mesh is repaired first; of several components the largest is taken.
 //
@@ -20,6 +20,7 @@
 //   --methods A;B            their names; default: all
 //   --samples N              the number of vertices, default 200
 //   --csv FILE               the shares of errors up to 0, 0.005 .. 0.25
+//   --all                    matches all pairs
 //   --each                   prints the mean error of each match
 //   --geodesics, --body, --components, --rounds   of the poses, as for invariance_benchmark
 
@@ -296,23 +297,31 @@ int main(int argc, char** argv)
     const std::string curves = arguments.take_text("--csv");
     Match_benchmark benchmark(chosen_matching_methods(arguments.take_text("--methods")),
                               arguments.take_flag("--each"));
+    const bool matches_all = arguments.take_flag("--all");
     const CP::Options options = take_options(arguments);
     if(arguments.rest().size() < 2 || number_of_samples == 0)
       throw std::invalid_argument("at least two meshes and one sample are needed");
     std::printf("%s\n", setting().c_str());
     bool all_done = true;
-    Shape reference(arguments.rest().front(), benchmark.methods(), options);
-    const std::vector<std::size_t> vertices = reference.spread_vertices(number_of_samples);
-    reference.set_vertices(vertices);
+    std::vector<std::unique_ptr<Shape>> references;
+    const Shape& first = *references.emplace_back(
+      std::make_unique<Shape>(arguments.rest().front(), benchmark.methods(), options));
+    const std::vector<std::size_t> vertices = first.spread_vertices(number_of_samples);
+    references.front()->set_vertices(vertices);
     for(std::size_t i = 1; i < arguments.rest().size(); ++i)
       try
       {
-        Shape shape(arguments.rest()[i], benchmark.methods(), options);
-        if(shape.number_of_vertices() != reference.number_of_vertices())
+        auto shape = std::make_unique<Shape>(arguments.rest()[i], benchmark.methods(), options);
+        if(shape->number_of_vertices() != first.number_of_vertices())
           throw std::invalid_argument("its vertices do not correspond to those of the first file");
-        shape.set_vertices(vertices);
-        benchmark.match(reference, shape);
-        benchmark.match(shape, reference);
+        shape->set_vertices(vertices);
+        for(const std::unique_ptr<Shape>& reference : references)
+        {
+          benchmark.match(*reference, *shape);
+          benchmark.match(*shape, *reference);
+        }
+        if(matches_all)
+          references.push_back(std::move(shape));
       }
       catch(const std::exception& e)
       {

@@ -28,11 +28,12 @@ namespace {
 
 using namespace Canonical_pose_tool;
 
-// The line that states the reason for a failure.
+// The line that states the reason for a failure. Reasons that begin with the name of another file need no subject.
 void complain(const std::string& subject, const std::exception& error)
 {
   const bool is_out_of_memory = dynamic_cast<const std::bad_alloc*>(&error) != nullptr;
-  std::string message = subject + (is_out_of_memory ? "out of memory" : error.what());
+  const std::string reason = is_out_of_memory ? "out of memory" : error.what();
+  std::string message = reason.rfind('\'', 0) == 0 ? reason : subject + reason;
   std::replace(message.begin(), message.end(), '\n', ' ');
   std::cerr << "canonical-pose: " << message << '\n';
 }

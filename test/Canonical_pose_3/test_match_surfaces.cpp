@@ -684,6 +684,44 @@ TEST(Match_surfaces, dirt_has_no_influence)
     }
 }
 
+// Exact: where the vertices of the figure are does not depend on another figure beside either one, which is not compared: small or
+// nearly as large. Parts that are near, as clothes are, are compared.
+TEST(Match_surfaces, shapes_beside_have_no_influence)
+{
+  const auto with_other
+    = [](const Posed<Articulated_figure>& figure, const double scale, const double gap) {
+        const double width = figure.points.col(0).maxCoeff() - figure.points.col(0).minCoeff();
+        const auto both = [&](const Point_matrix& points) {
+          Point_matrix result(2 * points.rows(), 3);
+          result << points, (scale * points).rowwise() + Eigen::RowVector3d(width + gap, 0, 0);
+          return result;
+        };
+        CP::Face_list faces = figure.shape.triangles();
+        const auto n = static_cast<std::size_t>(figure.points.rows());
+        for(const auto& t : figure.shape.triangles())
+          faces.push_back({t[0] + n, t[1] + n, t[2] + n});
+        return Matchable_surface_3(both(figure.points), faces, both(figure.pose));
+      };
+  const Surface_match_3 expected = CP::match_surfaces(running().surface, other().surface);
+  for(const double scale : {.4, .9})
+  {
+    const Matchable_surface_3 a = with_other(running(), scale, .5),
+                              b = with_other(other(), scale, .5);
+    const auto expect_same = [&](const Surface_match_3& match) {
+      EXPECT_EQ(match.mean_round_trip, expected.mean_round_trip);
+      EXPECT_EQ(match.mean_distance, expected.mean_distance);
+      for(std::size_t v = 0; v < expected.locations.size(); ++v)
+      {
+        ASSERT_EQ(match.locations[v].vertices, expected.locations[v].vertices);
+        ASSERT_EQ(match.locations[v].weights, expected.locations[v].weights);
+      }
+    };
+    expect_same(CP::match_surfaces(a, other().surface));
+    expect_same(CP::match_surfaces(running().surface, b));
+    expect_same(CP::match_surfaces(a, b));
+  }
+}
+
 // Shapes of different kinds have no match that is right, but they have one.
 TEST(Match_surfaces, any_shapes)
 {
@@ -735,6 +773,9 @@ TEST(Match_surfaces, misuse)
   options.landmarks = {{3, 1}, {0, 5}, {3, 2}};
   EXPECT_THROW_WITH(CP::match_surfaces(surface, surface, options), std::invalid_argument,
                     "the landmarks match vertex 3 with vertices 1 and 2");
+  options.landmarks = {{1, 7}, {2, 7}};
+  EXPECT_THROW_WITH(CP::match_surfaces(surface, surface, options), std::invalid_argument,
+                    "the landmarks match vertex 7 of the other surface with vertices 1 and 2");
   options = Match_options();
   options.number_of_functions = 3;
   EXPECT_THROW_WITH(CP::match_surfaces(surface, surface, options), std::invalid_argument, "must be at least 4");

@@ -30,7 +30,7 @@ struct Match_options
   /// points that match. Nonnegative; 0 saves about a third of the time.
   int number_of_registrations = 3;
 
-  /// pairs of a vertex of the first surface and one of the second one that match; each of the first one in one pair.
+  /// pairs of a vertex of the first surface and one of the second one that match; each vertex in one pair.
   std::vector<std::pair<std::size_t, std::size_t>> landmarks;
 
   /// the maximum number of threads; 0: all processors. Results do not depend on it.

@@ -40,7 +40,7 @@ struct Surface_match_3
   /// pose of unit radius: small where the matches in both directions agree.
   Eigen::VectorXd round_trips;
 
-  /// the mean of `round_trips`, without isolated vertices and vertices of small components.
+  /// the mean of `round_trips`, without isolated vertices and components that are not compared.
   double mean_round_trip = 0;
 
   /// the functional map: the coefficients of the eigenfunctions of the second surface in those of the first one.
@@ -50,7 +50,7 @@ struct Surface_match_3
   double scale = 1;
 
   /// the mean distance between nearest points of the two poses, of unit radius, after their rotation toward each
-  /// other, without small components.
+  /// other, of the components that are compared.
   double mean_distance = 0;
 
   /// whether no other rotation leads to nearly as good a match; otherwise, front and back may be confused.

@@ -69,48 +69,7 @@ Repaired_surface_3 repair_surface(const Point_matrix& points, const Face_list& p
 
 \throws std::invalid_argument if there is no such component.
 */
-inline Repaired_surface_3 component_of_surface(const Repaired_surface_3& surface,
-                                               const std::size_t component)
-{
-  if(component >= surface.number_of_components)
-    throw std::invalid_argument("there is no component " + std::to_string(component)
-                                + ": the surface has "
-                                + std::to_string(surface.number_of_components));
-  Repaired_surface_3 result;
-  result.representatives = surface.representatives;
-  std::vector<bool> is_used(surface.origins.size(), false);
-  for(std::size_t t = 0; t < surface.triangles.size(); ++t)
-    if(surface.component_of_triangle[t] == component)
-    {
-      result.triangles.push_back(surface.triangles[t]);
-      result.face_of_triangle.push_back(surface.face_of_triangle[t]);
-      for(const std::size_t v : surface.triangles[t])
-        is_used[v] = true;
-    }
-  for(const auto& cap : surface.caps)
-    if(is_used[cap[0]])
-      result.caps.push_back(cap);
-  result.component_of_triangle.assign(result.triangles.size(), 0);
-  result.number_of_components = 1;
-
-  std::vector<std::size_t> number(is_used.size());
-  for(std::size_t v = 0; v < is_used.size(); ++v)
-    if(is_used[v])
-    {
-      number[v] = result.origins.size();
-      result.origins.push_back(surface.origins[v]);
-    }
-  result.points.resize(static_cast<Eigen::Index>(result.origins.size()), 3);
-  for(std::size_t v = 0; v < is_used.size(); ++v)
-    if(is_used[v])
-      result.points.row(static_cast<Eigen::Index>(number[v]))
-        = surface.points.row(static_cast<Eigen::Index>(v));
-  for(auto* const triangles : {&result.triangles, &result.caps})
-    for(auto& t : *triangles)
-      for(std::size_t& v : t)
-        v = number[v];
-  return result;
-}
+Repaired_surface_3 component_of_surface(const Repaired_surface_3& surface, std::size_t component);
 
 } // namespace Canonical_pose_3
 } // namespace CGAL

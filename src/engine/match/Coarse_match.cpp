@@ -43,7 +43,7 @@ transposed_product(const Eigen::Ref<const Function_matrix, 0, Eigen::OuterStride
                    const Function_matrix& values)
 {
   constexpr std::size_t size = 16;
-  Eigen::MatrixXd result(functions.cols(), values.cols());
+  Eigen::MatrixXf result(functions.cols(), values.cols());
   for_each_block(
     static_cast<std::size_t>(values.cols()),
     [&](std::size_t, const std::size_t begin, const std::size_t end) {
@@ -53,14 +53,15 @@ transposed_product(const Eigen::Ref<const Function_matrix, 0, Eigen::OuterStride
         = functions.transpose() * values.middleCols(first, number);
     },
     size);
-  return result;
+  return result.cast<double>();
 }
 
 // functions * coefficients
 Function_matrix
 combinations(const Eigen::Ref<const Function_matrix, 0, Eigen::OuterStride<>>& functions,
-             const Eigen::MatrixXd& coefficients)
+             const Eigen::MatrixXd& given_coefficients)
 {
+  const Eigen::MatrixXf coefficients = given_coefficients.cast<float>();
   Function_matrix result(functions.rows(), coefficients.cols());
   for_each_block(static_cast<std::size_t>(functions.rows()),
                  [&](std::size_t, const std::size_t begin, const std::size_t end) {
@@ -109,16 +110,18 @@ struct Coarse_match::Features
         {
           const std::size_t i = samples[s], previous = partners[i];
           std::pair<bool, float> least(true, infinity);
+          const auto is_other_side = [&](const std::size_t j) {
+            return normals.row(static_cast<Eigen::Index>(i))
+                     .dot(others.normals.row(static_cast<Eigen::Index>(j)))
+                   < least_cosine;
+          };
           const auto compare = [&](const std::size_t j) {
-            const bool is_other_side = normals.row(static_cast<Eigen::Index>(i))
-                                         .dot(others.normals.row(static_cast<Eigen::Index>(j)))
-                                       < least_cosine;
-            if(is_other_side > least.first)
-              return;
-            const float limit = is_other_side < least.first ? infinity : least.second;
-            if(const float distance = squared_distance(i, others, j, limit); distance < limit)
+            const bool is_first_of_this_side = least.first && !is_other_side(j);
+            const float limit = is_first_of_this_side ? infinity : least.second;
+            const float distance = squared_distance(i, others, j, limit);
+            if(distance < limit && (least.first || !is_other_side(j)))
             {
-              least = {is_other_side, distance};
+              least = {!is_first_of_this_side && least.first, distance};
               partners[i] = j;
             }
           };
@@ -317,17 +320,18 @@ Coarse_match::Features Coarse_match::features_of_a(const Eigen::Index count, con
     }
   });
   const auto n = static_cast<Eigen::Index>(vertices.size());
-  Eigen::VectorXd numbers = Eigen::VectorXd::Zero(n);
+  Eigen::VectorXf numbers = Eigen::VectorXf::Zero(n);
   Function_matrix sums = Function_matrix::Zero(n, count), move_sums = Function_matrix::Zero(n, 3);
   Eigen::RowVectorXd squares = Eigen::RowVectorXd::Zero(count);
-  for_each_pair([&](const std::size_t i, const std::size_t j, const double weight) {
+  for_each_pair([&](const std::size_t i, const std::size_t j, const double given_weight) {
     const auto of_a = static_cast<Eigen::Index>(i), of_b = static_cast<Eigen::Index>(j),
                row = static_cast<Eigen::Index>(place[i]);
     const auto partner = m_b.functions.row(of_b).head(count);
+    const auto weight = static_cast<float>(given_weight);
     numbers[row] += weight;
     sums.row(row) += weight * partner;
-    squares += weight * partner.cwiseAbs2();
-    move_sums.row(row) += weight * (m_b.coarse_pose.row(of_b) - m_rest.row(of_a));
+    squares += weight * partner.cwiseAbs2().cast<double>();
+    move_sums.row(row) += weight * (m_b.coarse_pose.row(of_b) - m_rest.row(of_a)).cast<float>();
   });
 
   const Function_matrix sampled = rows_at(functions, vertices);
@@ -339,8 +343,8 @@ Coarse_match::Features Coarse_match::features_of_a(const Eigen::Index count, con
   m_map = factor.solve(mixed);
   if(moves)
     m_position = m_rest
-                 + Point_matrix(
-                   combinations(functions, factor.solve(transposed_product(sampled, move_sums))));
+                 + combinations(functions, factor.solve(transposed_product(sampled, move_sums)))
+                     .cast<double>();
   m_weights
     = ((m_map.cwiseProduct(products * m_map - 2 * mixed).colwise().sum() + squares) / numbers.sum())
         .cwiseMax(least * least)
@@ -354,8 +358,8 @@ Coarse_match::Features Coarse_match::features_of_a(const Eigen::Index count, con
 
 Coarse_match::Features Coarse_match::features_of_b(const Eigen::Index count) const
 {
-  return features(m_b, m_b.functions.leftCols(count) * m_weights.asDiagonal(), m_normals_of_b,
-                  m_b.coarse_pose);
+  return features(m_b, m_b.functions.leftCols(count) * m_weights.cast<float>().asDiagonal(),
+                  m_normals_of_b, m_b.coarse_pose);
 }
 
 // Reliefs tell more than functions do where lengths change with the posture; and once limbs have been turned, normals do.
@@ -371,9 +375,10 @@ void Coarse_match::set_weights_of_details(const Point_matrix& normals,
     sum += weight;
     squares_of_positions += weight * squared_distance(i, j);
     squares_of_normals += weight * (normals.row(of_a) - m_normals_of_b.row(of_b)).squaredNorm();
-    squares_of_reliefs
-      += weight
-         * (m_a.reliefs.row(of_a).head(count) - m_b.reliefs.row(of_b).head(count)).cwiseAbs2();
+    squares_of_reliefs += weight
+                          * (m_a.reliefs.row(of_a).head(count) - m_b.reliefs.row(of_b).head(count))
+                              .cast<double>()
+                              .cwiseAbs2();
   });
   const auto inverse_residual
     = [&](const double squares) { return 1 / (std::max)(std::sqrt(squares / (3 * sum)), least); };
@@ -392,8 +397,8 @@ Coarse_match::Features Coarse_match::features(const Matchable_data& shape,
                      blocks = (number + Features::STEP - 1) / Features::STEP;
   Features result = {{functions.rows(), Features::STEP * blocks}, normals};
   result.values.leftCols(result.values.cols() - number).setZero();
-  result.values.rightCols(number) << functions.cast<float>(),
-    (shape.reliefs.leftCols(count) * m_weights_of_reliefs.asDiagonal()).cast<float>(),
+  result.values.rightCols(number) << functions,
+    shape.reliefs.leftCols(count) * m_weights_of_reliefs.cast<float>().asDiagonal(),
     (m_weight_of_normals * normals).cast<float>(),
     (m_weight_of_positions * positions).cast<float>();
   return result;

@@ -27,9 +27,10 @@ namespace Canonical_pose_3 {
 namespace internal {
 
 using Function_matrix
-  = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>; // a column each
+  = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>; // a column each
 
-// What matching needs of a surface. Rows are those of the repaired surface or of its coarse copy.
+// What matching needs of a surface. Rows are those of the repaired surface, of which components far from the largest one have
+// been left out, or of its coarse copy.
 struct Matchable_data
 {
   Matchable_data(const Point_matrix& points, const Face_list& polygons, const Point_matrix& pose);

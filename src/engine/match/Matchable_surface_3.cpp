@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "../descriptors/Shape_spectrum.h"
+#include "../support/Point_search.h"
 #include "../surface/root_of_area.h"
+#include "../surface/selected_components.h"
 #include "Matchable_data.h"
 
 #include <CGAL/Canonical_pose_3/Matchable_surface_3.h>
@@ -41,7 +43,7 @@ Shape_spectrum spectrum_of(const Surface_component_3& surface)
 Function_matrix functions_of(const Shape_spectrum& spectrum)
 {
   Function_matrix functions(spectrum.mass().size(), spectrum.eigenfunctions().cols() + 1);
-  functions << Eigen::VectorXd::Ones(functions.rows()), spectrum.eigenfunctions();
+  functions << Eigen::VectorXf::Ones(functions.rows()), spectrum.eigenfunctions().cast<float>();
   return functions;
 }
 
@@ -90,7 +92,7 @@ Function_matrix reliefs_of(Point_matrix points,
     const Eigen::VectorXd factors = (-times[k] * spectrum.eigenvalues()).array().exp();
     const Point_matrix smoothed = spectrum.eigenfunctions() * (factors.asDiagonal() * coefficients);
     result.col(static_cast<Eigen::Index>(k))
-      = (points - smoothed).cwiseProduct(normals).rowwise().sum();
+      = (points - smoothed).cwiseProduct(normals).rowwise().sum().cast<float>();
   }
   return result;
 }
@@ -111,13 +113,47 @@ std::vector<std::array<std::size_t, 3>> corners_of(const Repaired_surface_3& sur
   return result;
 }
 
-std::vector<std::size_t> components_of_rows(const Repaired_surface_3& surface)
+// `points`: those of the surface, in any unit.
+std::vector<double> twice_areas_of_components(const Point_matrix& points,
+                                              const Repaired_surface_3& surface)
 {
-  std::vector<std::size_t> result(surface.origins.size());
+  std::vector<double> result(surface.number_of_components, 0.);
   for(std::size_t t = 0; t < surface.triangles.size(); ++t)
-    for(const std::size_t v : surface.triangles[t])
-      result[v] = surface.component_of_triangle[t];
+    result[surface.component_of_triangle[t]] += twice_area(points, surface.triangles[t]);
   return result;
+}
+
+// The largest component, and those that are near it or near one of these: no shape beside it, and no dirt.
+Repaired_surface_3 near_components(const Repaired_surface_3& surface)
+{
+  constexpr double distance = .1; // in units of the root of the area of the largest component
+  if(surface.number_of_components == 1)
+    return surface;
+  const Coarse_surface_3 coarse = coarse_copy(surface, COARSE_VERTICES);
+  Point_matrix points = surface.points;
+  normalize(points);
+  const double limit = distance * std::sqrt(twice_areas_of_components(points, surface).front() / 2);
+  points = rows_at(points, coarse.vertices);
+  const Point_search search(points);
+  const std::vector<std::size_t> components = components_of_rows(surface);
+  std::vector<std::vector<std::size_t>> members(surface.number_of_components); // coarse vertices
+  for(std::size_t i = 0; i < coarse.vertices.size(); ++i)
+    members[components[coarse.vertices[i]]].push_back(i);
+  std::vector<bool> is_near(surface.number_of_components, false);
+  is_near.front() = true;
+  std::vector<std::size_t> front = members.front();
+  while(!front.empty())
+  {
+    const auto row = static_cast<Eigen::Index>(front.back());
+    front.pop_back();
+    for(const std::size_t i : search.within(limit, points.row(row)))
+      if(const std::size_t c = components[coarse.vertices[i]]; !is_near[c])
+      {
+        is_near[c] = true;
+        front.insert(front.end(), members[c].begin(), members[c].end());
+      }
+  }
+  return selected_components(surface, is_near);
 }
 
 // Of the rows: whether they belong to a component that is not small.
@@ -126,9 +162,7 @@ std::vector<bool> counted_rows(const Repaired_surface_3& surface,
 {
   Point_matrix points = surface.points;
   normalize(points);
-  std::vector<double> areas(surface.number_of_components, 0.);
-  for(std::size_t t = 0; t < surface.triangles.size(); ++t)
-    areas[surface.component_of_triangle[t]] += twice_area(points, surface.triangles[t]);
+  const std::vector<double> areas = twice_areas_of_components(points, surface);
   std::vector<bool> result;
   for(const std::size_t c : components)
     result.push_back(areas[c] >= SMALL_AREA * areas.front());
@@ -141,10 +175,11 @@ std::vector<bool> counted_rows(const Repaired_surface_3& surface,
 Matchable_data::Matchable_data(const Point_matrix& points, const Face_list& polygons,
                                const Point_matrix& given_pose)
   : number_of_vertices(static_cast<std::size_t>(points.rows())),
-    surface(repair_surface(points, polygons)), corners(matching::corners_of(surface, polygons)),
+    surface(matching::near_components(repair_surface(points, polygons))),
+    corners(matching::corners_of(surface, polygons)),
     coarse(coarse_copy(surface, matching::COARSE_VERTICES))
 {
-  const std::vector<std::size_t> components = matching::components_of_rows(surface);
+  const std::vector<std::size_t> components = components_of_rows(surface);
   is_counted = matching::counted_rows(surface, components);
   std::vector<std::size_t> coarse_components;
   for(const std::size_t row : coarse.vertices)

@@ -17,6 +17,7 @@
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <limits>
 #include <map>
@@ -136,15 +137,16 @@ struct Candidate
   double cost;
 };
 
-// Of the rotations that bring the poses nearly as close as the best one, those with the best matches, the best first: with few
-// functions, and where these do not tell, with more.
+// Of the rotations that bring the poses nearly as close as the best one, those with the best matches, the best first. They are
+// compared with few functions, and as long as these do not tell, with more.
 std::vector<Candidate> candidates(const Matchable_data& a, const Matchable_data& b,
                                   const Match_options& options)
 {
-  constexpr double largest_ratio = 2, clear_ratio = 1.3;
+  constexpr double largest_ratio = 2, hopeless_ratio = 2, clear_ratio = 1.3;
   constexpr double least_distance = .05; // between points of a surface and others of the same one
   constexpr std::size_t most_candidates = 16;
-  constexpr Eigen::Index few_functions = 28, more_functions = 60;
+  constexpr std::array<Eigen::Index, 3> few_functions = {8, 14, 28};
+  constexpr Eigen::Index more_functions = 60;
   Indices landmarks_of_a, landmarks_of_b;
   const std::vector<bool> is_counted_of_a = counted_vertices(a),
                           is_counted_of_b = counted_vertices(b);
@@ -170,14 +172,20 @@ std::vector<Candidate> candidates(const Matchable_data& a, const Matchable_data&
     = largest_ratio * (std::max)(rotations.front().distance, least_distance);
   for(const Pose_rotation& rotation : rotations)
     if(rotation.distance <= largest_distance && result.size() < most_candidates)
-    {
       result.push_back({rotation,
                         std::make_unique<Coarse_match>(a, b, rotation.matrix, options,
                                                        landmarks_of_a, landmarks_of_b),
                         0});
-      refine(result.back(), few_functions);
-    }
-  sort();
+  for(const Eigen::Index number : few_functions)
+  {
+    if(result.size() == 1)
+      break;
+    for(Candidate& candidate : result)
+      refine(candidate, number);
+    sort();
+    while(result.back().cost > hopeless_ratio * result.front().cost)
+      result.pop_back();
+  }
   if(result.size() > 1 && result[1].cost < clear_ratio * result[0].cost)
   {
     refine(result[0], more_functions);
@@ -221,13 +229,19 @@ void Match_options::check(const std::size_t number_of_vertices,
                                   + " is out of range: there are "
                                   + std::to_string(number_of_vertices) + " and "
                                   + std::to_string(number_of_vertices_of_other) + " vertices");
-  std::vector<std::pair<std::size_t, std::size_t>> sorted = landmarks;
-  std::sort(sorted.begin(), sorted.end());
-  for(std::size_t l = 1; l < sorted.size(); ++l)
-    if(sorted[l].first == sorted[l - 1].first && sorted[l].second != sorted[l - 1].second)
-      throw std::invalid_argument("the landmarks match vertex " + std::to_string(sorted[l].first)
-                                  + " with vertices " + std::to_string(sorted[l - 1].second)
-                                  + " and " + std::to_string(sorted[l].second));
+  for(const bool is_of_other : {false, true})
+  {
+    std::vector<std::pair<std::size_t, std::size_t>> sorted;
+    for(const auto& [v, w] : landmarks)
+      sorted.push_back(is_of_other ? std::make_pair(w, v) : std::make_pair(v, w));
+    std::sort(sorted.begin(), sorted.end());
+    for(std::size_t l = 1; l < sorted.size(); ++l)
+      if(sorted[l].first == sorted[l - 1].first && sorted[l].second != sorted[l - 1].second)
+        throw std::invalid_argument("the landmarks match vertex " + std::to_string(sorted[l].first)
+                                    + (is_of_other ? " of the other surface" : "")
+                                    + " with vertices " + std::to_string(sorted[l - 1].second)
+                                    + " and " + std::to_string(sorted[l].second));
+  }
   if(number_of_functions < 4)
     throw std::invalid_argument("the number of functions is " + std::to_string(number_of_functions)
                                 + ", but must be at least 4");

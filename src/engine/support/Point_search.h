@@ -7,6 +7,7 @@
 #include <CGAL/Canonical_pose_3/internal/support/for_each_block.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
+#include <CGAL/Fuzzy_sphere.h>
 #include <CGAL/Orthogonal_k_neighbor_search.h>
 #include <CGAL/Search_traits_3.h>
 #include <CGAL/Search_traits_adapter.h>
@@ -17,6 +18,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <numeric>
 #include <optional>
 #include <vector>
@@ -60,6 +62,16 @@ public:
         }
       },
       128);
+    return result;
+  }
+
+  // Those within a distance of a row, in any order.
+  std::vector<std::size_t> within(const double distance, const Eigen::RowVector3d& query) const
+  {
+    std::vector<std::size_t> result;
+    m_tree->search(std::back_inserter(result),
+                   Fuzzy_sphere<Search_traits>(Point(query[0], query[1], query[2]), distance, 0,
+                                               Search_traits(m_map)));
     return result;
   }
 
