@@ -73,6 +73,25 @@ combinations(const Eigen::Ref<const Function_matrix, 0, Eigen::OuterStride<>>& f
   return result;
 }
 
+// Means of each row and of the mean of its neighbors.
+Point_matrix halfway_to_neighbors(const Point_matrix& rows,
+                                  const std::vector<std::array<std::size_t, 3>>& triangles)
+{
+  Point_matrix sums = Point_matrix::Zero(rows.rows(), 3);
+  Eigen::VectorXd numbers = Eigen::VectorXd::Zero(rows.rows());
+  for(const std::array<std::size_t, 3>& triangle : triangles)
+    for(std::size_t k = 0; k < 3; ++k)
+    {
+      const auto i = static_cast<Eigen::Index>(triangle[k]),
+                 j = static_cast<Eigen::Index>(triangle[(k + 1) % 3]);
+      sums.row(i) += rows.row(j);
+      sums.row(j) += rows.row(i);
+      numbers[i] += 1;
+      numbers[j] += 1;
+    }
+  return .5 * (rows + numbers.cwiseInverse().asDiagonal() * sums);
+}
+
 } // namespace
 
 // By what points are compared, in units of its residuals: functions, reliefs, normals and positions. The first columns are zero,
@@ -161,7 +180,7 @@ void Coarse_match::refine(const Eigen::Index most)
 
 void Coarse_match::deform()
 {
-  constexpr double detail_length = .03, least_detail_length = .02;
+  constexpr double detail_length = .03, least_detail_length = .004;
   if(m_options.number_of_registrations == 0)
     return;
   Deformable_pose pose(m_a.deformable_body());
@@ -289,19 +308,24 @@ void Coarse_match::for_each_pair(const Function& function) const
     function(m_landmarks_of_a[l], m_landmarks_of_b[l], weight);
 }
 
-// Where the pairs say that vertices are; those without any stay.
+// Where the pairs say that vertices are; those without any stay. Moves are smoothed: partners are vertices, so they are noisy.
 Point_matrix Coarse_match::targets() const
 {
-  Point_matrix result = Point_matrix::Zero(m_position.rows(), 3);
+  constexpr int number_of_smoothings = 2;
+  Point_matrix moves = Point_matrix::Zero(m_position.rows(), 3);
   Eigen::VectorXd numbers = Eigen::VectorXd::Zero(m_position.rows());
   for_each_pair([&](const std::size_t i, const std::size_t j, const double weight) {
     const auto row = static_cast<Eigen::Index>(i);
-    result.row(row) += weight * m_b.coarse_pose.row(static_cast<Eigen::Index>(j));
+    moves.row(row)
+      += weight * (m_b.coarse_pose.row(static_cast<Eigen::Index>(j)) - m_position.row(row));
     numbers[row] += weight;
   });
   for(Eigen::Index i = 0; i < numbers.size(); ++i)
-    result.row(i) = numbers[i] > 0 ? (result.row(i) / numbers[i]).eval() : m_position.row(i).eval();
-  return result;
+    if(numbers[i] > 0)
+      moves.row(i) /= numbers[i];
+  for(int k = 0; k < number_of_smoothings; ++k)
+    moves = halfway_to_neighbors(moves, m_a.coarse.surface.triangles);
+  return m_position + moves;
 }
 
 // The functional map is that of least squares over the pairs; each vertex of the first surface has a sum of its partners and a
