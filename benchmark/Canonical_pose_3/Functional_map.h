@@ -29,9 +29,9 @@ class Spectral_surface
 public:
   static constexpr Eigen::Index NUMBER_OF_FUNCTIONS = 100;
 
-  Spectral_surface(const Point_matrix& points,
+  Spectral_surface(const Point_matrix& given_points,
                    const std::vector<std::array<std::size_t, 3>>& triangles)
-    : points(points), coarse(coarse_copy(points, triangles)),
+    : points(given_points), coarse(coarse_copy(points, triangles)),
       spectrum(coarse.surface.points, coarse.surface.triangles, NUMBER_OF_FUNCTIONS)
   {}
 
