@@ -619,7 +619,7 @@ class Match(_typing.NamedTuple):
     >>> faces = [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]]
     >>> match = canonical_pose.match(vertices, faces, vertices, faces, pose=vertices,
     ...                              other_pose=vertices)
-    >>> match.interpolated([10., 20., 30., 40.])
+    >>> match.interpolated([10., 20., 30., 40.]).round(6)
     array([10., 20., 30., 40.])
     """
 
