@@ -7,6 +7,8 @@
 
 #include <CGAL/Canonical_pose_3/pose_difference.h>
 #include <CGAL/Canonical_pose_3/pose_steps.h>
+#include <CGAL/Canonical_pose_3/surface_measures.h>
+#include <CGAL/Canonical_pose_3/target_handedness.h>
 
 #include <gtest/gtest.h>
 
@@ -112,6 +114,24 @@ TEST_F(Handed_rounds, prefer_the_image_that_is_right_side_out)
     = chosen(bent(-1, 0.05), bent(1, -0.05), bent(0.5, 0.5));
   EXPECT_EQ(result.target.points, bent(1, -0.05));
   EXPECT_TRUE(result.target.summary.is_handedness_certain);
+}
+
+// So does it just below the limit; but a choice that is not certain is not called certain, and the
+// image with the positive chirality gets its second start.
+TEST_F(Handed_rounds, do_not_rely_on_a_volume_that_barely_decides)
+{
+  const CP::Point_matrix barely = bent(1, -0.28);
+  const CP::Target_handedness_3 handedness
+    = CP::target_handedness(barely, surface.points, surface.triangles,
+                            CP::vertex_area_shares(surface.points, surface.triangles));
+  ASSERT_FALSE(handedness.is_decided_by_chirality()) << handedness.chirality;
+  ASSERT_FALSE(handedness.is_certain()) << handedness.chirality;
+  const CP::internal::Registered_body turned = chosen(bent(-1, 0.28), barely, bent(0.5, 0.5));
+  EXPECT_EQ(turned.target.points, bent(0.5, 0.5));
+  EXPECT_TRUE(turned.target.summary.is_handedness_certain);
+  const CP::internal::Registered_body kept = chosen(bent(-1, 0.28), barely, bent(-1, 0.28));
+  EXPECT_EQ(kept.target.points, barely);
+  EXPECT_FALSE(kept.target.summary.is_handedness_certain);
 }
 
 } // namespace test_handed_rounds

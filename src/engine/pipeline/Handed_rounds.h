@@ -119,13 +119,13 @@ private:
     return choice;
   }
 
-  // Whether one image is inside out, and the chirality of the other one says that it is the wrong
-  // one. The former may be right side out, too, if its rounds start with a stiff body.
+  // Whether one image is inside out, and the chirality of the other one says, or nearly says, that it is
+  // the wrong one. The former may be right side out, too, if its rounds start with a stiff body.
   static bool contradict(const Target_handedness_3& a, const Target_handedness_3& b)
   {
     const Target_handedness_3& outside = a.volume_ratio < 0 ? b : a;
-    return (a.volume_ratio < 0) != (b.volume_ratio < 0) && outside.is_decided_by_chirality()
-           && outside.is_mirror_image();
+    return (a.volume_ratio < 0) != (b.volume_ratio < 0) && outside.chirality < 0
+           && (outside.is_decided_by_chirality() || !outside.is_certain());
   }
 
   // Whether the stress is at most slightly larger.
