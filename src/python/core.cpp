@@ -241,7 +241,8 @@ py::tuple match(const py::object& vertices, const py::object& faces, const py::o
   });
   return arrays_of(match.locations) + arrays_of(match.locations_of_other)
          + py::make_tuple(match.round_trips, match.scale, match.mean_distance,
-                          match.is_rotation_certain);
+                          match.is_rotation_certain, match.compared_share,
+                          match.compared_share_of_other);
 }
 
 // `corners` and `weights`: of the vertices, on the other surface.

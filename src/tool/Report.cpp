@@ -225,6 +225,8 @@ void write_report(std::ostream& out, const CGAL::Canonical_pose_3::Surface_match
         {{"mean_distance", match.mean_distance},
          {"mean_round_trip", match.mean_round_trip},
          {"is_rotation_certain", match.is_rotation_certain},
+         {"compared_share", match.compared_share},
+         {"compared_share_of_other", match.compared_share_of_other},
          {"warnings", warnings}},
         stages, total_seconds);
 }

@@ -60,7 +60,8 @@ inline constexpr const char* NOT_COPIED = "not copied";
 
 // How warnings about a match begin.
 inline constexpr const char *HARDLY_MATCH = "the surfaces hardly match",
-                            *OTHER_ROTATION = "another rotation of the pose matches nearly as well";
+                            *OTHER_ROTATION = "another rotation of the pose matches nearly as well",
+                            *PARTLY_COMPARED = "only a part of";
 
 // The same for what write_pose() or, if `is_new`, write_mesh() writes to a path.
 void add_losses_of_file(std::vector<std::string>& warnings, const std::string& result,

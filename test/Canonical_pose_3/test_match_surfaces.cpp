@@ -718,8 +718,16 @@ TEST(Match_surfaces, shapes_beside_have_no_influence)
     };
     expect_same(CP::match_surfaces(a, other().surface));
     expect_same(CP::match_surfaces(running().surface, b));
-    expect_same(CP::match_surfaces(a, b));
+    const Surface_match_3 match = CP::match_surfaces(a, b);
+    expect_same(match);
+    EXPECT_NEAR(match.compared_share, 1 / (1 + scale * scale), 1e-12);
+    EXPECT_NEAR(match.compared_share_of_other, 1 / (1 + scale * scale), 1e-12);
+    Match_options options;
+    options.landmarks = {{0, b.number_of_vertices() - 1}}; // of what has no influence
+    EXPECT_THROW_WITH(CP::match_surfaces(running().surface, b, options), std::invalid_argument,
+                      "is on a component far from the largest one");
   }
+  EXPECT_EQ(expected.compared_share, 1);
 }
 
 // Shapes of different kinds have no match that is right, but they have one.

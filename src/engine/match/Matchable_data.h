@@ -36,6 +36,7 @@ struct Matchable_data
   Matchable_data(const Point_matrix& points, const Face_list& polygons, const Point_matrix& pose);
 
   std::size_t number_of_vertices; // of the input
+  double compared_share;          // of the area
   Repaired_surface_3 surface;
   std::vector<std::array<std::size_t, 3>>
     corners; // of the input: those of the face of each triangle

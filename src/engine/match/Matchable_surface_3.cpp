@@ -123,16 +123,19 @@ std::vector<double> twice_areas_of_components(const Point_matrix& points,
   return result;
 }
 
-// The largest component, and those that are near it or near one of these: no shape beside it, and no dirt.
-Repaired_surface_3 near_components(const Repaired_surface_3& surface)
+// The largest component, and those that are near it or near one of these: no shape beside it, and no dirt. `compared_share`: of
+// the area, of those that are not small either.
+Repaired_surface_3 near_components(const Repaired_surface_3& surface, double& compared_share)
 {
   constexpr double distance = .1; // in units of the root of the area of the largest component
+  compared_share = 1;
   if(surface.number_of_components == 1)
     return surface;
   const Coarse_surface_3 coarse = coarse_copy(surface, COARSE_VERTICES);
   Point_matrix points = surface.points;
   normalize(points);
-  const double limit = distance * std::sqrt(twice_areas_of_components(points, surface).front() / 2);
+  const std::vector<double> areas = twice_areas_of_components(points, surface);
+  const double limit = distance * std::sqrt(areas.front() / 2);
   points = rows_at(points, coarse.vertices);
   const Point_search search(points);
   const std::vector<std::size_t> components = components_of_rows(surface);
@@ -153,6 +156,14 @@ Repaired_surface_3 near_components(const Repaired_surface_3& surface)
         front.insert(front.end(), members[c].begin(), members[c].end());
       }
   }
+  double compared = 0, total = 0;
+  for(std::size_t c = 0; c < areas.size(); ++c)
+  {
+    total += areas[c];
+    if(is_near[c] && areas[c] >= SMALL_AREA * areas.front())
+      compared += areas[c];
+  }
+  compared_share = compared / total;
   return selected_components(surface, is_near);
 }
 
@@ -175,7 +186,7 @@ std::vector<bool> counted_rows(const Repaired_surface_3& surface,
 Matchable_data::Matchable_data(const Point_matrix& points, const Face_list& polygons,
                                const Point_matrix& given_pose)
   : number_of_vertices(static_cast<std::size_t>(points.rows())),
-    surface(matching::near_components(repair_surface(points, polygons))),
+    surface(matching::near_components(repair_surface(points, polygons), compared_share)),
     corners(matching::corners_of(surface, polygons)),
     coarse(coarse_copy(surface, matching::COARSE_VERTICES))
 {

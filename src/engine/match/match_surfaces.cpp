@@ -99,8 +99,23 @@ void set_landmarks(const std::vector<std::pair<std::size_t, std::size_t>>& landm
       location_of.emplace(location.vertices[k], location);
     }
   for(const auto& [v, w] : landmarks)
-    if(const auto found = location_of.find(w); found != location_of.end())
-      locations[v] = found->second;
+    locations[v] = location_of.at(w);
+}
+
+// Of the other surface, they have to be in faces of what is matched.
+void check_landmarks(const std::vector<std::pair<std::size_t, std::size_t>>& landmarks,
+                     const Matchable_data& other)
+{
+  std::vector<bool> has_face(other.number_of_vertices, false);
+  for(const std::array<std::size_t, 3>& corners : other.corners)
+    for(const std::size_t v : corners)
+      has_face[v] = true;
+  for(const auto& [v, w] : landmarks)
+    if(!has_face[w])
+      throw std::invalid_argument(
+        "the landmark " + std::to_string(v) + ", " + std::to_string(w) + " cannot be used: vertex "
+        + std::to_string(w)
+        + " of the other surface has no face, or is on a component far from the largest one");
 }
 
 void locate(const Matchable_data& a, const Matchable_data& b, const Coarse_match& match,
@@ -201,6 +216,7 @@ Surface_match_3 match(const Matchable_data& a, const Matchable_data& b,
 {
   constexpr double certain_ratio = 1.1;
   constexpr Eigen::Index all_functions = 100;
+  check_landmarks(options.landmarks, b);
   const std::vector<Candidate> sorted = candidates(a, b, options);
   Coarse_match& best = *sorted.front().match;
   const Eigen::Matrix3d& rotation = sorted.front().rotation.matrix;
@@ -212,6 +228,8 @@ Surface_match_3 match(const Matchable_data& a, const Matchable_data& b,
     = sorted.size() == 1 || sorted[1].cost > certain_ratio * sorted[0].cost;
   result.functional_map = best.functional_map();
   result.scale = a.root_of_area / b.root_of_area;
+  result.compared_share = a.compared_share;
+  result.compared_share_of_other = b.compared_share;
   locate(a, b, best, rotation, options, result);
   return result;
 }

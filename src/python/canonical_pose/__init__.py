@@ -612,6 +612,9 @@ class Match(_typing.NamedTuple):
     is_rotation_certain : bool
         Whether no other rotation of the pose leads to nearly as good a match; otherwise, front and
         back may be confused.
+    compared_share, compared_share_of_other : float
+        The shares of the areas that are compared: of the largest component and those near it that
+        are not small.
 
     Examples
     --------
@@ -633,6 +636,8 @@ class Match(_typing.NamedTuple):
     scale: float
     mean_distance: float
     is_rotation_certain: bool
+    compared_share: float
+    compared_share_of_other: float
 
     def interpolated(self, values):
         """Return values at the vertices of the surface, given those at the vertices of the other one."""

@@ -310,6 +310,8 @@ class Match(NamedTuple):
     scale: float
     mean_distance: float
     is_rotation_certain: bool
+    compared_share: float
+    compared_share_of_other: float
     def interpolated(self, values: ArrayLike) -> _Floats: ...
     def interpolated_at_other(self, values: ArrayLike) -> _Floats: ...
     def transferred_labels(self, faces: _Faces, other_vertices: ArrayLike, other_faces: _Faces,

@@ -100,7 +100,8 @@ void write_summary(std::ostream& out, const std::vector<std::string>& paths,
           for(const std::string& warning : warnings_in(row->report, {NOT_COPIED}))
             add(warning);
         }
-        for(const std::string& warning : warnings_in(row->match, {HARDLY_MATCH, OTHER_ROTATION}))
+        for(const std::string& warning :
+            warnings_in(row->match, {HARDLY_MATCH, OTHER_ROTATION, PARTLY_COMPARED}))
           add(warning);
       }
     }

@@ -248,7 +248,7 @@ void check_other(const Mesh_file& other, const Arguments& arguments)
 std::vector<std::string> warnings_of(const Mesh_file& input, const Mesh_file& other,
                                      const CP::Surface_match_3& match, const Arguments& arguments)
 {
-  constexpr double largest_round_trip = .05;
+  constexpr double largest_round_trip = .05, largest_distance = .25, least_share = .9;
   const Transfer transfer = transfer_of(arguments);
   std::vector<std::string> result;
   if(is_input_rewritten(arguments))
@@ -274,8 +274,16 @@ std::vector<std::string> warnings_of(const Mesh_file& input, const Mesh_file& ot
   }
   if(match.mean_round_trip > largest_round_trip)
     result.push_back(HARDLY_MATCH + std::string(": points return far from where they were"));
+  else if(match.mean_distance > largest_distance)
+    result.push_back(HARDLY_MATCH + std::string(": their poses are far from each other"));
   if(!match.is_rotation_certain)
     result.push_back(OTHER_ROTATION + std::string(": front and back may be confused"));
+  for(const auto& [share, path] : {std::make_pair(match.compared_share, arguments.input),
+                                   std::make_pair(match.compared_share_of_other, arguments.other)})
+    if(share < least_share)
+      result.push_back(PARTLY_COMPARED + (' ' + name_of_input(path))
+                       + " is compared: " + std::to_string(std::lround(100 * share))
+                       + " percent of its area, the largest component and those near it");
   return result;
 }
 
