@@ -332,7 +332,7 @@ Point_matrix Coarse_match::targets() const
 // number of them.
 Coarse_match::Features Coarse_match::features_of_a(const Eigen::Index count, const bool moves)
 {
-  constexpr double least = 1e-3, factor_of_normals = 6;
+  constexpr double least = 1e-3, factor_of_normals = 4;
   constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
   const auto functions = m_a.functions.leftCols(count);
   Indices vertices, place(m_a.counted.back() + 1, none); // that have partners
@@ -390,7 +390,7 @@ Coarse_match::Features Coarse_match::features_of_b(const Eigen::Index count) con
 void Coarse_match::set_weights_of_details(const Point_matrix& normals,
                                           const double factor_of_normals)
 {
-  constexpr double factor_of_reliefs = 3, least = 1e-4;
+  constexpr double factor_of_reliefs = 2.5, least = 1e-4;
   const Eigen::Index count = (std::min)(m_a.reliefs.cols(), m_b.reliefs.cols());
   double sum = 0, squares_of_positions = 0, squares_of_normals = 0;
   Eigen::RowVectorXd squares_of_reliefs = Eigen::RowVectorXd::Zero(count);
