@@ -240,7 +240,7 @@ py::tuple match(const py::object& vertices, const py::object& faces, const py::o
     return CP::match_surfaces(prepared(surface, poses[0]), prepared(other, poses[1]), options);
   });
   return arrays_of(match.locations) + arrays_of(match.locations_of_other)
-         + py::make_tuple(match.round_trips, match.scale, match.mean_distance,
+         + py::make_tuple(match.round_trips, match.scale, match.mean_distance, match.edge_strain,
                           match.is_rotation_certain, match.compared_share,
                           match.compared_share_of_other);
 }

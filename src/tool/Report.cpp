@@ -224,6 +224,7 @@ void write_report(std::ostream& out, const CGAL::Canonical_pose_3::Surface_match
   write(out,
         {{"mean_distance", match.mean_distance},
          {"mean_round_trip", match.mean_round_trip},
+         {"edge_strain", match.edge_strain},
          {"is_rotation_certain", match.is_rotation_certain},
          {"compared_share", match.compared_share},
          {"compared_share_of_other", match.compared_share_of_other},

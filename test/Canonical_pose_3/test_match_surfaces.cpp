@@ -730,6 +730,20 @@ TEST(Match_surfaces, shapes_beside_have_no_influence)
   EXPECT_EQ(expected.compared_share, 1);
 }
 
+// A surface of three times the size has itself as its match, which changes no length. A ball has no
+// limbs, so lengths of a figure do change.
+TEST(Match_surfaces, edge_strain)
+{
+  const Matchable_surface_3 larger(3 * running().points, running().shape.triangles(),
+                                   running().pose);
+  EXPECT_LT(CP::match_surfaces(running().surface, larger).edge_strain, 1e-6);
+  EXPECT_LT(CP::match_surfaces(running().surface, other().surface).edge_strain, .2);
+  using namespace Canonical_pose_test;
+  const Triangle_soup ball = icosphere_soup(3, 1.);
+  const Matchable_surface_3 of_ball(to_matrix(ball.points), ball.triangles, to_matrix(ball.points));
+  EXPECT_GT(CP::match_surfaces(running().surface, of_ball).edge_strain, .3);
+}
+
 // Shapes of different kinds have no match that is right, but they have one.
 TEST(Match_surfaces, any_shapes)
 {

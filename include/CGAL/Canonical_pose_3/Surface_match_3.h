@@ -53,6 +53,11 @@ struct Surface_match_3
   /// other, of the components that are compared.
   double mean_distance = 0;
 
+  /// the sum of the changes of lengths of edges of the first surface, relative to the sum of their lengths, after both surfaces
+  /// have been scaled to the same area, of the components that are compared. If it is several times `mean_distance`, parts
+  /// of one surface may be missing, and others be matched with them.
+  double edge_strain = 0;
+
   /// whether no other rotation leads to nearly as good a match; otherwise, front and back may be confused.
   bool is_rotation_certain = true;
 

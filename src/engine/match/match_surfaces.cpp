@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <map>
@@ -36,22 +37,32 @@ namespace {
 using Indices = std::vector<std::size_t>;
 using Location = Surface_match_3::Location;
 
+constexpr std::size_t NONE = (std::numeric_limits<std::size_t>::max)();
+
+// For each vertex of the input, the row that stands for it.
+Indices rows_of_vertices(const Matchable_data& shape)
+{
+  Indices row_of_origin(shape.number_of_vertices, NONE), result;
+  for(std::size_t row = 0; row < shape.surface.origins.size(); ++row)
+    row_of_origin[shape.surface.origins[row]] = row;
+  for(std::size_t v = 0; v < shape.number_of_vertices; ++v)
+    result.push_back(row_of_origin[shape.surface.representatives[v]]);
+  return result;
+}
+
 // Of a pose of all rows, at the vertices for which rows stand, and at those without faces. Of several rows of a vertex, the last
 // one counts.
 std::vector<Location> locations(const Matchable_data& shape, const Point_matrix& pose,
                                 const Point_matrix& normals, const Point_matrix& pose_of_vertices,
                                 const Surface_projection& projection)
 {
-  constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
-  std::vector<std::size_t> row_of_vertex(shape.number_of_vertices, none);
-  for(std::size_t row = 0; row < shape.surface.origins.size(); ++row)
-    row_of_vertex[shape.surface.origins[row]] = row;
+  const Indices rows = rows_of_vertices(shape);
   const std::vector<Location> of_rows = projection.locations(pose, normals);
   std::vector<Location> result(shape.number_of_vertices);
   Indices unknown;
   for(std::size_t v = 0; v < result.size(); ++v)
-    if(const std::size_t row = row_of_vertex[shape.surface.representatives[v]]; row != none)
-      result[v] = of_rows[row];
+    if(rows[v] != NONE)
+      result[v] = of_rows[rows[v]];
     else
       unknown.push_back(v);
   const std::vector<Location> of_unknown = projection.locations(rows_at(pose_of_vertices, unknown));
@@ -82,6 +93,35 @@ double mean_of_counted(const Matchable_data& shape, const Eigen::VectorXd& value
     if(is_counted[v])
       result[number++] = values[static_cast<Eigen::Index>(v)];
   return result.head(number).mean();
+}
+
+double edge_strain(const Matchable_data& a, const Matchable_data& b,
+                   const std::vector<Location>& locations)
+{
+  const Indices rows_of_b = rows_of_vertices(b);
+  Point_matrix positions = Point_matrix::Zero(a.surface.points.rows(), 3);
+  for(std::size_t i = 0; i < a.surface.origins.size(); ++i)
+  {
+    const Location& location = locations[a.surface.origins[i]];
+    for(std::size_t k = 0; k < 3; ++k)
+      positions.row(static_cast<Eigen::Index>(i))
+        += location.weights[k]
+           * b.surface.points.row(static_cast<Eigen::Index>(rows_of_b[location.vertices[k]]));
+  }
+  const auto length = [](const Point_matrix& points, const std::size_t i, const std::size_t j) {
+    return (points.row(static_cast<Eigen::Index>(i)) - points.row(static_cast<Eigen::Index>(j)))
+      .norm();
+  };
+  double changes = 0, sum = 0;
+  for(const std::array<std::size_t, 3>& triangle : a.surface.triangles)
+    for(std::size_t k = 0; k < 3 && a.is_counted[triangle[0]]; ++k)
+    {
+      const std::size_t i = triangle[k], j = triangle[(k + 1) % 3];
+      const double before = length(a.surface.points, i, j) / a.root_of_area;
+      changes += std::abs(length(positions, i, j) / b.root_of_area - before);
+      sum += before;
+    }
+  return changes / sum;
 }
 
 // Landmarks are where they have to be.
@@ -231,6 +271,7 @@ Surface_match_3 match(const Matchable_data& a, const Matchable_data& b,
   result.compared_share = a.compared_share;
   result.compared_share_of_other = b.compared_share;
   locate(a, b, best, rotation, options, result);
+  result.edge_strain = edge_strain(a, b, result.locations);
   return result;
 }
 

@@ -609,6 +609,9 @@ class Match(_typing.NamedTuple):
         The size of the surface, relative to that of the other one: the root of the ratio of areas.
     mean_distance : float
         The mean distance between nearest points of the poses, in their radii.
+    edge_strain : float
+        The sum of the changes of lengths of edges, relative to the sum of their lengths, both surfaces
+        scaled to the same area. If it is several times the mean distance, parts may be missing.
     is_rotation_certain : bool
         Whether no other rotation of the pose leads to nearly as good a match; otherwise, front and
         back may be confused.
@@ -635,6 +638,7 @@ class Match(_typing.NamedTuple):
     round_trips: _numpy.ndarray
     scale: float
     mean_distance: float
+    edge_strain: float
     is_rotation_certain: bool
     compared_share: float
     compared_share_of_other: float

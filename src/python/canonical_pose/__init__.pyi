@@ -309,6 +309,7 @@ class Match(NamedTuple):
     round_trips: _Floats
     scale: float
     mean_distance: float
+    edge_strain: float
     is_rotation_certain: bool
     compared_share: float
     compared_share_of_other: float

@@ -248,7 +248,8 @@ void check_other(const Mesh_file& other, const Arguments& arguments)
 std::vector<std::string> warnings_of(const Mesh_file& input, const Mesh_file& other,
                                      const CP::Surface_match_3& match, const Arguments& arguments)
 {
-  constexpr double largest_round_trip = .05, largest_distance = .25, least_share = .9;
+  constexpr double largest_round_trip = .05, largest_distance = .25, largest_strain = .25,
+                   largest_strain_of_distance = 3, least_share = .9;
   const Transfer transfer = transfer_of(arguments);
   std::vector<std::string> result;
   if(is_input_rewritten(arguments))
@@ -276,6 +277,10 @@ std::vector<std::string> warnings_of(const Mesh_file& input, const Mesh_file& ot
     result.push_back(HARDLY_MATCH + std::string(": points return far from where they were"));
   else if(match.mean_distance > largest_distance)
     result.push_back(HARDLY_MATCH + std::string(": their poses are far from each other"));
+  else if(match.edge_strain
+          > (std::max)(largest_strain, largest_strain_of_distance * match.mean_distance))
+    result.push_back(HARDLY_MATCH
+                     + std::string(": lengths differ, although the poses are near each other"));
   if(!match.is_rotation_certain)
     result.push_back(OTHER_ROTATION + std::string(": front and back may be confused"));
   for(const auto& [share, path] : {std::make_pair(match.compared_share, arguments.input),
