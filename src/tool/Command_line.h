@@ -43,8 +43,8 @@ struct Arguments
   std::vector<std::string> poses; // this and the next: of COMPARE
   bool has_pairs = false;
   std::string pose;              // of SEGMENT, DESCRIBE and MATCH
-  std::string other, other_pose; // this and the next three: of MATCH
-  std::string transfer;          // empty if not requested
+  std::string other, other_pose; // this and the next four: of MATCH
+  std::string map, transfer;     // empty if not requested
   bool is_mirrored = false;
   CGAL::Canonical_pose_3::Match_options match;
   std::vector<std::string> descriptors; // names, of DESCRIBE

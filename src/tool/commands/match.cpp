@@ -58,6 +58,7 @@ void add_match_options(Command_options& o)
     o,
     "where the vertices of INPUT are on OTHER: a line each (.txt), or INPUT in the shape of OTHER",
     {"txt", "off", "obj", "ply", "stl", "glb"});
+  add_path(o, "--map", o.arguments.map, "also writes where the vertices are, a line each");
   add_path(o, "--transfer", o.arguments.transfer,
            "instead, write INPUT in the posture of OTHER (pose), or with its colors or texture, or "
            "with the labels of its faces, a line each in FILE")
@@ -305,7 +306,7 @@ int run_match(Arguments& arguments)
   const std::string& output = arguments.output;
   const Transfer transfer = transfer_of(arguments);
   check_output(output, transfer);
-  const std::vector<std::string> outputs = {output, arguments.report};
+  const std::vector<std::string> outputs = {output, arguments.map, arguments.report};
   Output_files files(outputs,
                      {arguments.input, arguments.other, arguments.pose, arguments.other_pose,
                       transfer == Transfer::LABELS ? arguments.transfer : std::string()});
@@ -366,6 +367,7 @@ int run_match(Arguments& arguments)
     for(const std::size_t label : labels_of_input)
       out << label << '\n';
   });
+  files.write(arguments.map, [&](std::ostream& out) { write_locations(out, match); });
   stages.emplace_back("write", clock.lap());
   files.write(arguments.report, [&](std::ostream& out) {
     write_report(out, match, warnings, stages, clock.total());
