@@ -118,8 +118,11 @@ run_sh("cat ball.off | \"$TOOL\" check /dev/stdin && mkfifo pipe && (cat ball.of
 expect_match("${exit_code}${stdout}" "^0vertices +12\n.*\nvertices +12\n")
 run_sh("\"$TOOL\" check - < /dev/null")
 expect_match("${exit_code}${stderr}" "^1canonical-pose: standard input: the file is empty\n$")
-run_sh("\"$TOOL\" pose ball.off -o - > /dev/full")
-expect_match("${exit_code}${stderr}" "the standard output cannot be written\n$")
+execute_process(COMMAND test -c /dev/full RESULT_VARIABLE lacks_full_device)
+if(NOT lacks_full_device)
+  run_sh("\"$TOOL\" pose ball.off -o - > /dev/full")
+  expect_match("${exit_code}${stderr}" "the standard output cannot be written\n$")
+endif()
 
 run_sh("command -v gzip && \"$TOOL\" pose ball.off -o out/a.off.gz ${quick}")
 if(NOT stderr MATCHES "without zlib" AND exit_code EQUAL 0)
@@ -270,7 +273,7 @@ endif()
 
 # ---- what is printed ---------------------------------------------------------------------------------------
 
-if(EXISTS /dev/full)
+if(NOT lacks_full_device)
   run_sh("exec \"$TOOL\" check ball.off > /dev/full")
   expect_match("${exit_code}<${stderr}>" "^1<canonical-pose: 'ball.off': the standard output cannot be written\n>$")
 endif()
