@@ -28,14 +28,6 @@ if(stderr MATCHES "without SQLite")
   message(STATUS "The tool was built without SQLite: matches of collections are not tested")
   return()
 endif()
-expect_exit(0 match ball.off ball.ply -o out/map.txt --quiet)
-expect_exit(0 match ball.off ball.ply -o out/matched.off --map out/same_map.txt --quiet)
-expect_same_bytes(out/map.txt out/same_map.txt)
-expect_refusal("it is an input" match ball.off ball.ply -o out/matched.off --map ball.ply)
-expect_exit(0 match two_balls.off ball.off -o out/part.txt)
-expect_match("${stdout}" "warning: only a part of 'two_balls.off' is compared: [1-9][0-9]? percent of its area")
-expect_refusal("cannot be used: vertex 23 of the other surface has no face, or is on a component far from the largest one"
-  match ball.off two_balls.off -o out/part.txt --landmark 0,23)
 file(MAKE_DIRECTORY ${WORK}/shapes)
 file(COPY_FILE ${WORK}/ball.off ${WORK}/shapes/ball.off)
 expect_exit(2 collection ball.off --database a.db --match ball.ply)
@@ -54,6 +46,15 @@ run_tool(collection two_balls.off --database out/a.db --match ball.mesh --matche
 expect_match("${exit_code}${stderr}" "^1canonical-pose: the template '[^\n]*ball.mesh': a surface is needed")
 
 # ---- what is transferred -----------------------------------------------------------------------------------
+
+expect_exit(0 match ball.off ball.ply -o out/map.txt --quiet)
+expect_exit(0 match ball.off ball.ply -o out/matched.off --map out/same_map.txt --quiet)
+expect_same_bytes(out/map.txt out/same_map.txt)
+expect_refusal("it is an input" match ball.off ball.ply -o out/matched.off --map ball.ply)
+expect_exit(0 match two_balls.off ball.off -o out/part.txt)
+expect_match("${stdout}" "warning: only a part of 'two_balls.off' is compared: [1-9][0-9]? percent of its area")
+expect_refusal("cannot be used: vertex 23 of the other surface has no face, or is on a component far from the largest one"
+  match ball.off two_balls.off -o out/part.txt --landmark 0,23)
 
 expect_wrong_usage("one of the extensions .txt, .ply, .glb" match ball.off ball.ply --transfer labels.txt -o out/a.off)
 expect_wrong_usage("one of the extensions .off, .obj" match ball.off ball.ply --transfer pose -o out/a.txt)

@@ -4,6 +4,7 @@
 #include "Coarse_match.h"
 #include "Deformable_pose.h"
 #include "../support/Point_search.h"
+#include "edge_strain.h"
 
 #include <CGAL/Canonical_pose_3/internal/support/for_each_block.h>
 #include <CGAL/Canonical_pose_3/internal/support/values_at.h>
@@ -215,16 +216,10 @@ double Coarse_match::cost() const
 // By how much the match changes the lengths of edges, relative to their sum.
 double Coarse_match::strain() const
 {
-  double changes = 0, sum = 0;
-  for(const std::array<std::size_t, 3>& triangle : m_a.coarse.surface.triangles)
-    for(std::size_t k = 0; k < 3 && is_counted(triangle); ++k)
-    {
-      const std::size_t i = triangle[k], j = triangle[(k + 1) % 3];
-      const double length = length_of(m_a, i, j);
-      changes += std::abs(length_of(m_b, m_forward[i], m_forward[j]) - length);
-      sum += length;
-    }
-  return changes / sum;
+  return edge_strain(
+    m_a.coarse.surface.points, m_a.root_of_area, rows_at(m_b.coarse.surface.points, m_forward),
+    m_b.root_of_area, m_a.coarse.surface.triangles,
+    [&](const std::array<std::size_t, 3>& triangle) { return is_counted(triangle); });
 }
 
 double Coarse_match::mean_distance() const
@@ -259,15 +254,6 @@ bool Coarse_match::preserves_orientation() const
 bool Coarse_match::is_counted(const std::array<std::size_t, 3>& triangle) const
 {
   return m_a.is_counted[m_a.coarse.vertices[triangle[0]]];
-}
-
-double Coarse_match::length_of(const Matchable_data& shape, const std::size_t i,
-                               const std::size_t j)
-{
-  const Point_matrix& points = shape.coarse.surface.points;
-  return (points.row(static_cast<Eigen::Index>(i)) - points.row(static_cast<Eigen::Index>(j)))
-           .norm()
-         / shape.root_of_area;
 }
 
 Eigen::Index Coarse_match::number_of_functions() const

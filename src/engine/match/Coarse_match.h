@@ -52,7 +52,6 @@ private:
   bool preserves_orientation() const;
   Eigen::Index number_of_functions() const;
   bool is_counted(const std::array<std::size_t, 3>& triangle) const;
-  static double length_of(const Matchable_data& shape, std::size_t i, std::size_t j);
   void update(Eigen::Index count, bool moves, std::size_t number);
   template <class Function>
   void for_each_pair(const Function& function) const;

@@ -33,10 +33,11 @@ using Function_matrix
 // been left out, or of its coarse copy.
 struct Matchable_data
 {
-  Matchable_data(const Point_matrix& points, const Face_list& polygons, const Point_matrix& pose);
+  // `repaired`: from these polygons.
+  Matchable_data(const Repaired_surface_3& repaired, const Face_list& polygons,
+                 const Point_matrix& pose);
 
   std::size_t number_of_vertices; // of the input
-  double compared_share;          // of the area
   Repaired_surface_3 surface;
   std::vector<std::array<std::size_t, 3>>
     corners; // of the input: those of the face of each triangle
@@ -52,6 +53,7 @@ struct Matchable_data
   Function_matrix functions;                    // of the coarse surface; the first one is constant
   Function_matrix reliefs;                      // of the coarse surface, see reliefs_of()
   double root_of_area;                          // of the surface
+  double compared_share;                        // of the area of the repaired surface
   std::optional<Point_search> search;           // of what is counted of the coarse pose
   std::vector<std::vector<std::size_t>> nearby; // for each coarse vertex, the nearest ones of these
 

@@ -21,6 +21,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -123,19 +124,16 @@ std::vector<double> twice_areas_of_components(const Point_matrix& points,
   return result;
 }
 
-// The largest component, and those that are near it or near one of these: no shape beside it, and no dirt. `compared_share`: of
-// the area, of those that are not small either.
-Repaired_surface_3 near_components(const Repaired_surface_3& surface, double& compared_share)
+// The largest component, and those that are near it or near one of these: no shape beside it, and no dirt.
+Repaired_surface_3 near_components(const Repaired_surface_3& surface)
 {
   constexpr double distance = .1; // in units of the root of the area of the largest component
-  compared_share = 1;
   if(surface.number_of_components == 1)
     return surface;
   const Coarse_surface_3 coarse = coarse_copy(surface, COARSE_VERTICES);
   Point_matrix points = surface.points;
   normalize(points);
-  const std::vector<double> areas = twice_areas_of_components(points, surface);
-  const double limit = distance * std::sqrt(areas.front() / 2);
+  const double limit = distance * std::sqrt(twice_areas_of_components(points, surface).front() / 2);
   points = rows_at(points, coarse.vertices);
   const Point_search search(points);
   const std::vector<std::size_t> components = components_of_rows(surface);
@@ -156,14 +154,6 @@ Repaired_surface_3 near_components(const Repaired_surface_3& surface, double& co
         front.insert(front.end(), members[c].begin(), members[c].end());
       }
   }
-  double compared = 0, total = 0;
-  for(std::size_t c = 0; c < areas.size(); ++c)
-  {
-    total += areas[c];
-    if(is_near[c] && areas[c] >= SMALL_AREA * areas.front())
-      compared += areas[c];
-  }
-  compared_share = compared / total;
   return selected_components(surface, is_near);
 }
 
@@ -183,11 +173,10 @@ std::vector<bool> counted_rows(const Repaired_surface_3& surface,
 } // namespace
 } // namespace matching
 
-Matchable_data::Matchable_data(const Point_matrix& points, const Face_list& polygons,
+Matchable_data::Matchable_data(const Repaired_surface_3& repaired, const Face_list& polygons,
                                const Point_matrix& given_pose)
-  : number_of_vertices(static_cast<std::size_t>(points.rows())),
-    surface(matching::near_components(repair_surface(points, polygons), compared_share)),
-    corners(matching::corners_of(surface, polygons)),
+  : number_of_vertices(repaired.representatives.size()),
+    surface(matching::near_components(repaired)), corners(matching::corners_of(surface, polygons)),
     coarse(coarse_copy(surface, matching::COARSE_VERTICES))
 {
   const std::vector<std::size_t> components = components_of_rows(surface);
@@ -223,6 +212,12 @@ Matchable_data::Matchable_data(const Point_matrix& points, const Face_list& poly
       v = counted[v];
   normals = vertex_normals(pose, surface.triangles);
   root_of_area = internal::root_of_area(surface.points, surface.triangles);
+  std::vector<std::array<std::size_t, 3>> compared;
+  std::copy_if(surface.triangles.begin(), surface.triangles.end(), std::back_inserter(compared),
+               [&](const std::array<std::size_t, 3>& triangle) { return is_counted[triangle[0]]; });
+  const double ratio = internal::root_of_area(surface.points, compared)
+                       / internal::root_of_area(repaired.points, repaired.triangles);
+  compared_share = ratio * ratio;
 }
 
 std::vector<std::size_t> Matchable_data::samples(const std::size_t number) const
@@ -243,7 +238,8 @@ Matchable_surface_3::Matchable_surface_3(const Point_matrix& points, const Face_
   if(pose.rows() != points.rows())
     throw std::invalid_argument("there are " + std::to_string(points.rows())
                                 + " vertices, but the pose has " + std::to_string(pose.rows()));
-  m_data = std::make_shared<const internal::Matchable_data>(points, polygons, pose);
+  m_data = std::make_shared<const internal::Matchable_data>(repair_surface(points, polygons),
+                                                            polygons, pose);
 }
 
 std::size_t Matchable_surface_3::number_of_vertices() const { return m_data->number_of_vertices; }

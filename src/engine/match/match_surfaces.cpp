@@ -4,6 +4,7 @@
 #include "Coarse_match.h"
 #include "Matchable_data.h"
 #include "Surface_projection.h"
+#include "edge_strain.h"
 #include "pose_rotations.h"
 
 #include <CGAL/Canonical_pose_3/Match_options.h>
@@ -18,7 +19,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <map>
@@ -95,41 +95,26 @@ double mean_of_counted(const Matchable_data& shape, const Eigen::VectorXd& value
   return result.head(number).mean();
 }
 
-double edge_strain(const Matchable_data& a, const Matchable_data& b,
-                   const std::vector<Location>& locations)
+// At the vertices for which rows stand; 0 at the other ones.
+Point_matrix points_of_vertices(const Matchable_data& shape)
 {
-  const Indices rows_of_b = rows_of_vertices(b);
-  Point_matrix positions = Point_matrix::Zero(a.surface.points.rows(), 3);
-  for(std::size_t i = 0; i < a.surface.origins.size(); ++i)
-  {
-    const Location& location = locations[a.surface.origins[i]];
-    for(std::size_t k = 0; k < 3; ++k)
-      positions.row(static_cast<Eigen::Index>(i))
-        += location.weights[k]
-           * b.surface.points.row(static_cast<Eigen::Index>(rows_of_b[location.vertices[k]]));
-  }
-  const auto length = [](const Point_matrix& points, const std::size_t i, const std::size_t j) {
-    return (points.row(static_cast<Eigen::Index>(i)) - points.row(static_cast<Eigen::Index>(j)))
-      .norm();
-  };
-  double changes = 0, sum = 0;
-  for(const std::array<std::size_t, 3>& triangle : a.surface.triangles)
-    for(std::size_t k = 0; k < 3 && a.is_counted[triangle[0]]; ++k)
-    {
-      const std::size_t i = triangle[k], j = triangle[(k + 1) % 3];
-      const double before = length(a.surface.points, i, j) / a.root_of_area;
-      changes += std::abs(length(positions, i, j) / b.root_of_area - before);
-      sum += before;
-    }
-  return changes / sum;
+  const Indices rows = rows_of_vertices(shape);
+  Point_matrix result = Point_matrix::Zero(static_cast<Eigen::Index>(rows.size()), 3);
+  for(std::size_t v = 0; v < rows.size(); ++v)
+    if(rows[v] != NONE)
+      result.row(static_cast<Eigen::Index>(v))
+        = shape.surface.points.row(static_cast<Eigen::Index>(rows[v]));
+  return result;
 }
 
-// Landmarks are where they have to be.
-void set_landmarks(const std::vector<std::pair<std::size_t, std::size_t>>& landmarks,
-                   const Matchable_data& other, std::vector<Location>& locations)
+// Of the vertices of the other surface, which have to be in faces of what is matched.
+std::vector<Location>
+locations_of_landmarks(const std::vector<std::pair<std::size_t, std::size_t>>& landmarks,
+                       const Matchable_data& other)
 {
+  std::vector<Location> result;
   if(landmarks.empty())
-    return;
+    return result;
   std::map<std::size_t, Location> location_of; // vertices of the other surface
   for(std::size_t t = 0; t < other.corners.size(); ++t)
     for(std::size_t k = 0; k < 3; ++k)
@@ -139,27 +124,21 @@ void set_landmarks(const std::vector<std::pair<std::size_t, std::size_t>>& landm
       location_of.emplace(location.vertices[k], location);
     }
   for(const auto& [v, w] : landmarks)
-    locations[v] = location_of.at(w);
-}
-
-// Of the other surface, they have to be in faces of what is matched.
-void check_landmarks(const std::vector<std::pair<std::size_t, std::size_t>>& landmarks,
-                     const Matchable_data& other)
-{
-  std::vector<bool> has_face(other.number_of_vertices, false);
-  for(const std::array<std::size_t, 3>& corners : other.corners)
-    for(const std::size_t v : corners)
-      has_face[v] = true;
-  for(const auto& [v, w] : landmarks)
-    if(!has_face[w])
+  {
+    const auto found = location_of.find(w);
+    if(found == location_of.end())
       throw std::invalid_argument(
         "the landmark " + std::to_string(v) + ", " + std::to_string(w) + " cannot be used: vertex "
         + std::to_string(w)
         + " of the other surface has no face, or is on a component far from the largest one");
+    result.push_back(found->second);
+  }
+  return result;
 }
 
 void locate(const Matchable_data& a, const Matchable_data& b, const Coarse_match& match,
-            const Eigen::Matrix3d& rotation, const Match_options& options, Surface_match_3& result)
+            const Eigen::Matrix3d& rotation, const Match_options& options,
+            const std::vector<Location>& of_landmarks, Surface_match_3& result)
 {
   const Point_matrix moves
     = a.coarse.interpolated(Point_matrix(match.position() - a.coarse_pose * rotation)),
@@ -168,12 +147,18 @@ void locate(const Matchable_data& a, const Matchable_data& b, const Coarse_match
   result.locations = locations(a, pose, normals, a.pose_of_vertices * rotation, projection);
   result.locations_of_other
     = locations(b, b.pose, b.normals, b.pose_of_vertices, Surface_projection(a, pose, normals));
-  set_landmarks(options.landmarks, b, result.locations);
+  for(std::size_t l = 0; l < of_landmarks.size(); ++l)
+    result.locations[options.landmarks[l].first] = of_landmarks[l];
   result.round_trips
     = (result.interpolated(result.interpolated_at_other(a.pose_of_vertices)) - a.pose_of_vertices)
         .rowwise()
         .norm();
   result.mean_round_trip = mean_of_counted(a, result.round_trips);
+  result.edge_strain = edge_strain(
+    a.surface.points, a.root_of_area,
+    rows_at(result.interpolated(points_of_vertices(b)), a.surface.origins), b.root_of_area,
+    a.surface.triangles,
+    [&](const std::array<std::size_t, 3>& triangle) { return a.is_counted[triangle[0]]; });
 }
 
 // The coarse vertices that are counted and nearest to vertices of the input.
@@ -256,7 +241,7 @@ Surface_match_3 match(const Matchable_data& a, const Matchable_data& b,
 {
   constexpr double certain_ratio = 1.1;
   constexpr Eigen::Index all_functions = 100;
-  check_landmarks(options.landmarks, b);
+  const std::vector<Location> of_landmarks = locations_of_landmarks(options.landmarks, b);
   const std::vector<Candidate> sorted = candidates(a, b, options);
   Coarse_match& best = *sorted.front().match;
   const Eigen::Matrix3d& rotation = sorted.front().rotation.matrix;
@@ -270,8 +255,7 @@ Surface_match_3 match(const Matchable_data& a, const Matchable_data& b,
   result.scale = a.root_of_area / b.root_of_area;
   result.compared_share = a.compared_share;
   result.compared_share_of_other = b.compared_share;
-  locate(a, b, best, rotation, options, result);
-  result.edge_strain = edge_strain(a, b, result.locations);
+  locate(a, b, best, rotation, options, of_landmarks, result);
   return result;
 }
 

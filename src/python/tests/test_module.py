@@ -414,6 +414,8 @@ def test_match_of_the_same_shape(bent_cone):
     assert all(set(corners) == set(faces[face])
                for corners, face in zip(match.vertices_at_other, match.faces_at_other))
     assert match.scale == pytest.approx(2) and match.is_rotation_certain
+    assert match.edge_strain < 1e-6
+    assert match.compared_share == match.compared_share_of_other == 1
     posture, _ = canonical_pose.pose(vertices, faces,
                                      given_target=match.scale * match.interpolated(other))
     assert canonical_pose.compare(posture, vertices)[0] < 1e-3
