@@ -61,9 +61,12 @@ struct Surface_match_3
   /// whether no other rotation leads to nearly as good a match; otherwise, front and back may be confused.
   bool is_rotation_certain = true;
 
-  /// the shares of the areas of the two surfaces that are compared: of the largest component and those near it that are not
+  /// the share of the area of the first surface that is compared: of the largest component and those near it that are not
   /// small. The other ones have no influence, and are matched with whatever is nearest.
-  double compared_share = 1, compared_share_of_other = 1;
+  double compared_share = 1;
+
+  /// the same for the second surface.
+  double compared_share_of_other = 1;
 
   /// interpolates values of the second surface, one row per vertex, at the vertices of the first one.
   /// \pre there is a row for each vertex of the second surface.
