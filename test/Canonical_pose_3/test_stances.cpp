@@ -503,6 +503,66 @@ TEST(Stances, limbs_that_are_all_alike)
                     "no head and four limbs were found, but limbs that are all alike");
 }
 
+// The surface of boxes, given by two corners each, of unit cubes.
+Canonical_pose_test::Triangle_soup
+surface_of_boxes(const std::array<std::size_t, 3>& size,
+                 const std::vector<std::array<std::array<double, 3>, 2>>& boxes)
+{
+  auto body = Canonical_pose_test::tetrahedral_box(
+    size[0], size[1], size[2],
+    {{static_cast<double>(size[0]), static_cast<double>(size[1]), static_cast<double>(size[2])}});
+  const auto is_outside = [&](const std::array<std::size_t, 4>& cell) {
+    return std::none_of(boxes.begin(), boxes.end(), [&](const auto& box) {
+      return std::all_of(cell.begin(), cell.end(), [&](const std::size_t v) {
+        for(std::size_t k = 0; k < 3; ++k)
+          if(body.points[v][k] < box[0][k] || body.points[v][k] > box[1][k])
+            return false;
+        return true;
+      });
+    });
+  };
+  body.cells.erase(std::remove_if(body.cells.begin(), body.cells.end(), is_outside),
+                   body.cells.end());
+  return Canonical_pose_test::boundary(body);
+}
+
+// Each of them has four limbs and a fifth part. Fingers are joined by a palm, not by a trunk; the back of a chair is a plate; and
+// what is as thick as long is no limb.
+TEST(Stances, hands_chairs_and_stubs_are_refused)
+{
+  const auto expect_refusal
+    = [](const std::array<std::size_t, 3>& size,
+         const std::vector<std::array<std::array<double, 3>, 2>>& boxes, const char* const reason) {
+        const auto surface = surface_of_boxes(size, boxes);
+        EXPECT_THROW_WITH(
+          result_of(to_matrix(surface.points), surface.triangles, in_stance(Stance::STAND)),
+          std::invalid_argument, std::string("no head and four limbs were found, but ") + reason);
+      };
+  expect_refusal({40, 4, 40},
+                 {{{{{16, 0, 16}}, {{24, 2, 24}}}},
+                  {{{{16, 0, 24}}, {{18, 2, 40}}}},
+                  {{{{22, 0, 24}}, {{24, 2, 40}}}},
+                  {{{{0, 0, 16}}, {{16, 2, 18}}}},
+                  {{{{24, 0, 16}}, {{40, 2, 18}}}},
+                  {{{{17, 0, 0}}, {{23, 4, 16}}}}},
+                 "limbs without a trunk between them");
+  expect_refusal({8, 8, 26},
+                 {{{{{0, 0, 14}}, {{8, 8, 15}}}},
+                  {{{{0, 0, 0}}, {{1, 1, 14}}}},
+                  {{{{7, 0, 0}}, {{8, 1, 14}}}},
+                  {{{{0, 7, 0}}, {{1, 8, 14}}}},
+                  {{{{7, 7, 0}}, {{8, 8, 14}}}},
+                  {{{{2, 0, 15}}, {{6, 1, 26}}}}},
+                 "four limbs and a part that is flat");
+  expect_refusal({20, 8, 28},
+                 {{{{{6, 0, 6}}, {{14, 8, 28}}}},
+                  {{{{0, 2, 15}}, {{6, 6, 19}}}},
+                  {{{{14, 2, 15}}, {{20, 6, 19}}}},
+                  {{{{6, 2, 0}}, {{9, 6, 6}}}},
+                  {{{{11, 2, 0}}, {{14, 6, 6}}}}},
+                 "limbs that are thicker than long");
+}
+
 // The same for two models of a face graph, whatever the number of threads.
 TEST(Stances, face_graphs_and_threads)
 {

@@ -11,6 +11,7 @@
 #include <CGAL/Canonical_pose_3/Coarse_surface_3.h>
 #include <CGAL/Canonical_pose_3/Landmark_fields_3.h>
 #include <CGAL/Canonical_pose_3/Surface_component_3.h>
+#include <CGAL/Canonical_pose_3/internal/support/Principal_axes.h>
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 #include <CGAL/Canonical_pose_3/surface_measures.h>
 
@@ -151,6 +152,7 @@ Body_plan::Body_plan(const Surface_component_3& surface, const Coarse_surface_3&
   m_shares /= m_shares.sum();
   find_limbs(coarse, measure);
   set_joints();
+  check_proportions();
   set_frames(surface, coarse, measure);
 }
 
@@ -304,6 +306,29 @@ void Body_plan::set_joints()
     m_others[i].root = distance_of_root(m_others[i].distances, m_shares, factor_of_tail);
     m_others[i].end = distance_of_end(m_others[i], m_shares);
   }
+}
+
+// Limbs are longer than the way around them. Fingers have no trunk between them, and the back of a chair is flat.
+void Body_plan::check_proportions() const
+{
+  constexpr double largest_girth = .9; // of the length of a limb
+  constexpr double least_trunk_of_person = .15, least_trunk_of_animal = .3;
+  constexpr double radius_of_head = .3, least_depth = .62; // of the width
+  const auto refuse_if = [](const bool condition, const std::string& found) {
+    if(condition)
+      throw std::invalid_argument("no head and four limbs were found, but " + found);
+  };
+  double sum = 0;
+  for(const Limb& limb : m_limbs)
+    sum += girth(limb, (limb.end + limb.root) / 2) / limb.root;
+  refuse_if(!(sum / 4 <= largest_girth), "limbs that are thicker than long");
+  refuse_if(!(m_length_of_trunk >= (m_kind == Skeleton_3::Kind::PERSON ? least_trunk_of_person
+                                                                       : least_trunk_of_animal)),
+            "limbs without a trunk between them");
+  const Principal_axes axes(
+    m_pose, (head().distances.array() < radius_of_head).select(m_shares.array(), 0).matrix());
+  refuse_if(!(axes.variances[2] >= least_depth * least_depth * axes.variances[1]),
+            "four limbs and a part that is flat");
 }
 
 std::size_t Body_plan::nose() const

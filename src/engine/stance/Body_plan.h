@@ -114,6 +114,7 @@ private:
   void find_limbs(const Coarse_surface_3& coarse, const Measure_distances& measure);
   void set_trunk();
   void set_joints();
+  void check_proportions() const;
   void set_frames(const Surface_component_3& surface, const Coarse_surface_3& coarse,
                   const Measure_distances& measure);
   bool are_legs_on_other_sides(const Coarse_surface_3& coarse,

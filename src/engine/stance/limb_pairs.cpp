@@ -151,9 +151,9 @@ Limb_pairs limb_pairs(const std::vector<Extremity>& limbs, const std::vector<Ext
   result.head = *std::max_element(
     single.begin(), single.end(),
     [&](const std::size_t a, const std::size_t b) { return likelihood(a) < likelihood(b); });
-  // A head has two to three and a half times the area of a limb, or details; fingers are all alike, and the back of a chair is
+  // A head has 1.7 to three and a half times the area of a limb, or details; fingers are all alike, and the back of a chair is
   // larger.
-  constexpr double least_head = 1.8, largest_head = 4.5;
+  constexpr double least_head = 1.65, largest_head = 4.5;
   const auto area = [&](const std::size_t i) {
     return area_around(distances.col(static_cast<Eigen::Index>(i)), shares);
   };
