@@ -44,6 +44,7 @@
 #include "stance/Body_plan.cpp"
 #include "stance/extremities.cpp"
 #include "stance/limb_goals.cpp"
+#include "stance/limb_intersections.cpp"
 #include "stance/limb_pairs.cpp"
 #include "stance/skeleton_of_body.cpp"
 #include "stance/stance_target.cpp"

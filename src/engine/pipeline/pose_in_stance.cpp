@@ -5,6 +5,7 @@
 #include "timed.h"
 #include "../stance/Body_plan.h"
 #include "../stance/limb_goals.h"
+#include "../stance/limb_intersections.h"
 #include "../stance/skeleton_of_body.h"
 #include "../stance/stance_target.h"
 #include "../support/Point_search.h"
@@ -72,16 +73,17 @@ std::string in_degrees(const double angle)
   return std::to_string(static_cast<int>(std::round(angle))) + " degrees";
 }
 
-// Names the limbs that are far from their directions, are bent by far though they should be straight, or have another length than
-// their partners. `to_body`: from the pose to the frame of the body.
+// Names the limbs that are far from their directions, are bent by far though they should be straight, have another length than
+// their partners, or pass through each other. `to_body`: from the pose to the frame of the body.
 std::vector<std::string> warnings_of_limbs(const Body_plan& plan, const Point_matrix& pose,
+                                           const Surface_component_3& surface,
                                            const std::array<Eigen::Vector3d, 4>& directions,
                                            const Limb_goals& goals,
                                            const Eigen::Isometry3d& to_body)
 {
   const double largest_bend = plan.kind() == Skeleton_3::Kind::PERSON ? 30 : 45;
   constexpr double largest_angle = 15, largest_ratio = 1.25;
-  std::vector<std::string> off, bent, unequal;
+  std::vector<std::string> off, bent, unequal, crossing;
   std::array<double, 4> lengths;
   for(std::size_t i = 0; i < goals.size(); ++i)
   {
@@ -103,10 +105,15 @@ std::vector<std::string> warnings_of_limbs(const Body_plan& plan, const Point_ma
     if((std::max)(lengths[i], lengths[i + 1])
        > largest_ratio * (std::min)(lengths[i], lengths[i + 1]))
       unequal.push_back(name_of_limb(plan.kind(), i) + " and " + name_of_limb(plan.kind(), i + 1));
+  for(const auto& [limb, other] : limb_intersections(plan, pose, surface.triangles))
+    crossing.push_back(
+      name_of_limb(plan.kind(), limb) + " and "
+      + (other < goals.size() ? name_of_limb(plan.kind(), other) : "trunk or head"));
   std::vector<std::string> result;
   for(const auto& [text, limbs] : {std::make_pair("limbs are off their directions", off),
                                    std::make_pair("limbs are bent", bent),
-                                   std::make_pair("limbs have different lengths", unequal)})
+                                   std::make_pair("limbs have different lengths", unequal),
+                                   std::make_pair("parts pass through each other", crossing)})
     if(!limbs.empty())
       result.push_back(std::string(text)
                        + " in the stance: " + boost::algorithm::join(limbs, ", "));
@@ -202,7 +209,8 @@ Result pose_in_stance(const Surface_component_3& surface, const Coarse_surface_3
   result.skeleton = with_weights_at(result.pose, pose, skeleton_of_body(plan, pose, upright));
   if(directions)
   {
-    const auto warnings = warnings_of_limbs(plan, pose, *directions, goals, result.skeleton->frame);
+    const auto warnings
+      = warnings_of_limbs(plan, pose, surface, *directions, goals, result.skeleton->frame);
     result.summary.warnings.insert(result.summary.warnings.end(), warnings.begin(), warnings.end());
   }
   if(!plan.is_certain())

@@ -24,6 +24,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <tuple>
@@ -94,20 +95,26 @@ double distance_of_root(const Eigen::VectorXd& distances, const Eigen::VectorXd&
   return largest;
 }
 
-// Where hand or foot begins: where the limb is thinnest.
-double distance_of_end(const Limb& limb, const Eigen::VectorXd& shares)
+// Where hands, feet or the tip of a tail begin: where the limbs are thinnest.
+void set_ends(const std::vector<Limb*>& limbs, const Eigen::VectorXd& shares)
 {
   constexpr double step = .02, first = .12, last = .36;
-  const double least = (std::min)(first, .3 * limb.root),
-               largest = (std::max)((std::min)(last, .5 * limb.root), 1.2 * least);
-  double result = least, smallest = girth_at(limb.distances, shares, least);
-  for(double distance = least + step; distance < largest; distance += step)
-    if(const double value = girth_at(limb.distances, shares, distance); value < smallest)
+  const double root = limbs.front()->root, least = (std::min)(first, .3 * root),
+               largest = (std::max)((std::min)(last, .5 * root), 1.2 * least);
+  double end = least, smallest = (std::numeric_limits<double>::infinity)();
+  for(double distance = least; distance < largest; distance += step)
+  {
+    double girths = 0;
+    for(const Limb* const limb : limbs)
+      girths += girth_at(limb->distances, shares, distance);
+    if(girths < smallest)
     {
-      smallest = value;
-      result = distance;
+      smallest = girths;
+      end = distance;
     }
-  return result;
+  }
+  for(Limb* const limb : limbs)
+    limb->end = end;
 }
 
 // The neck, from the head to the trunk: from where its girth is least between larger ones, to where it exceeds that by far.
@@ -144,7 +151,7 @@ std::pair<double, double> distances_of_neck(const Limb& head, const Eigen::Vecto
 
 Body_plan::Body_plan(const Surface_component_3& surface, const Coarse_surface_3& coarse,
                      const Point_matrix& pose, const Measure_distances& measure)
-  : m_unit(root_of_area(pose, surface.triangles)),
+  : m_triangles(surface.triangles), m_unit(root_of_area(pose, surface.triangles)),
     m_unit_of_rest(root_of_area(surface.points, surface.triangles)),
     m_rest(surface.points / m_unit_of_rest), m_pose(pose / m_unit),
     m_shares(vertex_area_shares(pose, surface.triangles))
@@ -189,22 +196,20 @@ Eigen::RowVector3d Body_plan::end_joint(const Point_matrix& points, const Limb& 
   return first + to_first / (to_second - to_first) * (first - second);
 }
 
-double Body_plan::relative_length_of_rest(const Limb& limb) const
+bool Body_plan::is_like(const Limb& limb, const Limb& other) const
 {
-  constexpr int number_of_sections = 8;
-  const auto length = [&](const Point_matrix& points) {
-    double sum = 0;
-    Eigen::RowVector3d before = center(points, limb, limb.end);
-    for(int k = 1; k <= number_of_sections; ++k)
-    {
-      const Eigen::RowVector3d next
-        = center(points, limb, limb.end + (limb.root - limb.end) * k / number_of_sections);
-      sum += (next - before).norm();
-      before = next;
-    }
-    return sum;
+  constexpr double width = .05, largest_difference = .45; // of the sum
+  const Eigen::VectorXd shares = vertex_area_shares(m_rest, m_triangles);
+  const auto area = [&](const Limb& of, const double distance) {
+    return (of.distances.array() < distance).select(shares.array(), 0).sum();
   };
-  return length(m_rest) * m_unit_of_rest / (length(m_pose) * m_unit);
+  for(double distance = width; distance < (std::min)(limb.root, other.root); distance += width)
+  {
+    const double one = area(limb, distance), two = area(other, distance);
+    if(std::abs(one - two) > largest_difference * (one + two))
+      return false;
+  }
+  return true;
 }
 
 void Body_plan::find_limbs(const Coarse_surface_3& coarse, const Measure_distances& measure)
@@ -266,7 +271,7 @@ Eigen::RowVector3d Body_plan::direction_across(const std::size_t pair) const
   return (direction - direction.dot(m_axis) * m_axis).normalized();
 }
 
-// Both limbs of a pair are as long; the way from one tip to the other leads past both joints.
+// Both limbs of a pair are as long, if they are alike; the way from one tip to the other leads past both joints.
 void Body_plan::set_joints()
 {
   constexpr double least_cosine = .6, length_of_legs = .97;
@@ -278,7 +283,10 @@ void Body_plan::set_joints()
   for(const std::size_t i : {0, 2})
   {
     Limb &limb = m_limbs[i], &other = m_limbs[i + 1];
-    limb.root = other.root = (std::min)((limb.root + other.root) / 2, between(limb, other) / 2);
+    limb.root = (std::min)(limb.root, between(limb, other) / 2);
+    other.root = (std::min)(other.root, between(limb, other) / 2);
+    if(is_like(limb, other))
+      limb.root = other.root = (limb.root + other.root) / 2;
   }
   set_trunk();
   // The canonical pose of a person is twisted: its four limbs are as long as the trunk, and keep away from each other.
@@ -291,8 +299,8 @@ void Body_plan::set_joints()
       m_limbs[i].root = length_of_legs * between(m_limbs[2], m_limbs[3]) / 2;
     set_trunk();
   }
-  for(Limb& limb : m_limbs)
-    limb.end = distance_of_end(limb, m_shares);
+  for(const std::size_t i : {0, 2})
+    set_ends({&m_limbs[i], &m_limbs[i + 1]}, m_shares);
   constexpr double factor_of_tail = 1.6, least_length_of_neck = .08;
   Limb& head = m_others[0];
   std::tie(head.end, head.root) = distances_of_neck(head, m_shares);
@@ -304,7 +312,7 @@ void Body_plan::set_joints()
   for(std::size_t i = 1; i < m_others.size(); ++i)
   {
     m_others[i].root = distance_of_root(m_others[i].distances, m_shares, factor_of_tail);
-    m_others[i].end = distance_of_end(m_others[i], m_shares);
+    set_ends({&m_others[i]}, m_shares);
   }
 }
 

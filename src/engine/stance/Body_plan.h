@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <vector>
@@ -42,7 +43,7 @@ struct Limb
 class Body_plan
 {
 public:
-  // Throws std::invalid_argument if the shape has no such limbs. `pose`: one row per vertex of the surface.
+  // Refers to the surface. Throws std::invalid_argument if the shape has no such limbs. `pose`: one row per vertex of the surface.
   Body_plan(const Surface_component_3& surface, const Coarse_surface_3& coarse,
             const Point_matrix& pose, const Measure_distances& measure);
 
@@ -70,6 +71,9 @@ public:
 
   // The direction of the head.
   const Eigen::RowVector3d& axis() const { return m_axis; }
+
+  // From between the joints of the legs to between those of the arms.
+  double length_of_trunk() const { return m_length_of_trunk; }
 
   // Rows: left, up, front, where the arms are (0), and where the legs are (1).
   const std::array<Eigen::Matrix3d, 2>& frames() const { return m_frames; }
@@ -107,8 +111,46 @@ public:
   // Wrist or ankle, or where the neck begins: on the line of the limb before it, since the skin around it is bent.
   Eigen::RowVector3d end_joint(const Point_matrix& points, const Limb& limb) const;
 
-  // The length of the center line of a limb in the input, relative to that in the pose.
-  double relative_length_of_rest(const Limb& limb) const;
+  // Whether the areas within each distance of the tips, in the input, are about those of another limb.
+  bool is_like(const Limb& limb, const Limb& other) const;
+
+  // How much directions in the pose are shorter or longer in the input, in each of `number` groups of triangles: the mean over triangles
+  // of how vectors in the plane of each are stretched, which does not depend on how the shape is bent. `group_of`: of a triangle,
+  // `number` if none. `directions`: one per group; `points`: a motion of the pose.
+  template <class Group>
+  std::vector<double> stretches_of_rest(const Point_matrix& points,
+                                        const std::vector<Eigen::Vector3d>& directions,
+                                        const Group& group_of) const
+  {
+    const std::size_t number = directions.size();
+    std::vector<double> sums(number, 0), weights(number, 0);
+    for(const auto& t : m_triangles)
+    {
+      const std::size_t k = group_of(t);
+      if(k >= number)
+        continue;
+      const auto edges_of = [&](const Point_matrix& corners) {
+        const auto corner = [&](const std::size_t i) {
+          return corners.row(static_cast<Eigen::Index>(t[i])).transpose();
+        };
+        Eigen::Matrix<double, 3, 2> edges;
+        edges << corner(1) - corner(0), corner(2) - corner(0);
+        return edges;
+      };
+      const Eigen::Matrix<double, 3, 2> edges = edges_of(points);
+      const Eigen::Matrix2d products = edges.transpose() * edges;
+      const double area = std::sqrt(products.determinant());
+      if(!(area > 0))
+        continue;
+      const Eigen::Vector2d in_plane = products.inverse() * (edges.transpose() * directions[k]);
+      const double along = (edges * in_plane).norm();
+      sums[k] += area * along * (edges_of(m_rest) * in_plane).norm();
+      weights[k] += area * along * along;
+    }
+    for(std::size_t k = 0; k < number; ++k)
+      sums[k] = weights[k] > 0 ? sums[k] / weights[k] * m_unit_of_rest / m_unit : 1;
+    return sums;
+  }
 
 private:
   void find_limbs(const Coarse_surface_3& coarse, const Measure_distances& measure);
@@ -124,6 +166,7 @@ private:
   Eigen::Vector3d direction_of_toes(const Limb& limb) const;
   Eigen::Vector3d direction_of_leg(const Limb& limb) const;
 
+  const std::vector<std::array<std::size_t, 3>>& m_triangles;
   double m_unit, m_unit_of_rest;
   Point_matrix m_rest, m_pose;
   Eigen::VectorXd m_shares;

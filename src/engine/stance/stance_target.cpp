@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "stance_target.h"
-#include "Rigid_limb.h"
-#include "Straight_limb.h"
+#include "Moved_limb.h"
 #include "limb_goals.h"
 #include "smooth_step.h"
 #include "../target/aligning_motion.h"
@@ -22,23 +21,72 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <vector>
 
 namespace CGAL {
 namespace Canonical_pose_3 {
 namespace internal {
 namespace {
 
+// The pose, moved along the axis of the trunk so that this is as long as in the input. Limbs follow their joints.
+Point_matrix with_trunk_of_rest(const Body_plan& body)
+{
+  constexpr std::size_t number = 8; // of sections
+  const double length = body.length_of_trunk() / number;
+  const Eigen::VectorXd heights = (body.pose().rowwise() - body.origin()) * body.axis().transpose();
+  const auto is_of_trunk = [&](const Eigen::Index v) {
+    return std::all_of(body.limbs().begin(), body.limbs().end(),
+                       [&](const Limb& limb) { return body.share_of_limb(limb, v) == 0; });
+  };
+  const std::vector<double> stretches = body.stretches_of_rest(
+    body.pose(), std::vector<Eigen::Vector3d>(number, body.axis().transpose()),
+    [&](const std::array<std::size_t, 3>& triangle) {
+      double sum = 0;
+      for(const std::size_t vertex : triangle)
+      {
+        const auto v = static_cast<Eigen::Index>(vertex);
+        if(!is_of_trunk(v))
+          return number;
+        sum += heights[v];
+      }
+      const double section = sum / 3 / length;
+      return section >= 0 && section < static_cast<double>(number)
+               ? static_cast<std::size_t>(section)
+               : number;
+    });
+  const auto shift = [&](const double height) {
+    double result = 0;
+    for(std::size_t k = 0; k < number; ++k)
+      result
+        += std::clamp(height - length * static_cast<double>(k), 0., length) * (stretches[k] - 1);
+    return result;
+  };
+  std::array<double, 4> shifts_of_joints;
+  for(std::size_t i = 0; i < shifts_of_joints.size(); ++i)
+    shifts_of_joints[i]
+      = shift((body.center(body.pose(), body.limbs()[i], body.limbs()[i].root) - body.origin())
+                .dot(body.axis()));
+  Point_matrix result = body.pose();
+  for(Eigen::Index v = 0; v < result.rows(); ++v)
+  {
+    double along = shift(heights[v]);
+    for(std::size_t i = 0; i < shifts_of_joints.size(); ++i)
+      along += body.share_of_limb(body.limbs()[i], v) * (shifts_of_joints[i] - along);
+    result.row(v) += along * body.axis();
+  }
+  return result;
+}
+
 // The trunk, straight: what is near the arms turns about its axis, so that these are level, and what is near the legs.
-Stance_target trunk(const Body_plan& body)
+Stance_target trunk(const Body_plan& body, const Point_matrix& pose)
 {
   constexpr double least = .1;
   const Eigen::Matrix3d &chest = body.frames()[0], &hips = body.frames()[1];
   const Eigen::Vector3d axis = hips * body.axis().transpose();
   const Eigen::AngleAxisd twist(Eigen::Quaterniond(chest * hips.transpose()));
   const double angle = twist.angle() * (twist.axis().dot(axis) < 0 ? -1 : 1);
-  Stance_target result = {(body.pose().rowwise() - body.origin()) * hips.transpose(),
-                          Eigen::VectorXd::Ones(body.pose().rows()),
-                          {}};
+  Stance_target result
+    = {(pose.rowwise() - body.origin()) * hips.transpose(), Eigen::VectorXd::Ones(pose.rows()), {}};
   for(Eigen::Index v = 0; v < result.points.rows(); ++v)
   {
     const double share = body.share_of_chest(v);
@@ -52,7 +100,6 @@ Stance_target trunk(const Body_plan& body)
 }
 
 // Moves the points of a limb, and blends them with the trunk near its root. There, and in wrist or ankle, nothing is matched.
-template <class Moved_limb>
 void blend(const Body_plan& body, const Limb& limb, const Point_matrix& points,
            const Point_matrix& trunk, const Moved_limb& moved, Stance_target& result)
 {
@@ -70,10 +117,18 @@ void blend(const Body_plan& body, const Limb& limb, const Point_matrix& points,
   }
 }
 
+// Both are as long as the longer one: where a limb is folded, its skin is shorter.
+void make_equally_long(Moved_limb& limb, Moved_limb& other)
+{
+  const double length = (std::max)(limb.length(), other.length());
+  limb.lengthen(length / limb.length());
+  other.lengthen(length / other.length());
+}
+
 // The angle by which a hand is turned about its arm so that it lies level, with the palm downward and the thumb in front; 0 if it is
 // not wide, or if the arm points to the front. `moved`: the straight arm.
 double angle_of_hand(const Body_plan& body, const Limb& arm, const bool is_left,
-                     const Point_matrix& points, const Straight_limb& moved)
+                     const Point_matrix& points, const Moved_limb& moved)
 {
   constexpr double least_ratio = 1.15, least_across = .5;
   const Eigen::Vector3d front = Eigen::Vector3d::UnitZ(), &direction = moved.direction(),
@@ -129,7 +184,7 @@ void rest_neck_and_tail(const Body_plan& body, const Point_matrix& straight, Sta
     const Eigen::Vector3d direction = level_direction(
       (body.center(straight, limb, limb.end) - body.center(straight, limb, limb.root)).transpose(),
       least, largest);
-    const Straight_limb moved(body, limb, straight, direction, 1, direction_of_tip);
+    const Moved_limb moved(body, limb, straight, {direction, true, direction_of_tip});
     blend(body, limb, straight, straight, moved, result);
   };
   Limb head = body.head();
@@ -172,36 +227,29 @@ Eigen::Vector3d direction_of_limb(const Body_plan& body, const Limb& limb,
 Stance_target stance_target(const Body_plan& body, const Method_options::Stance stance,
                             const Limb_goals& goals)
 {
-  constexpr double least_stretch = .85, largest_stretch = 1.1;
-  Stance_target result = trunk(body);
+  const Point_matrix pose = with_trunk_of_rest(body);
+  Stance_target result = trunk(body, pose);
   const Point_matrix straight = result.points;
-  // The canonical pose is stretched; both limbs of a pair are as long as in the input, where it is not bent too much to tell.
-  std::array<double, 2> stretches;
-  for(std::size_t pair = 0; pair < 2; ++pair)
-    stretches[pair] = std::clamp((body.relative_length_of_rest(body.limbs()[2 * pair])
-                                  + body.relative_length_of_rest(body.limbs()[2 * pair + 1]))
-                                   / 2,
-                                 least_stretch, largest_stretch);
-  for(std::size_t i = 0; i < body.limbs().size(); ++i)
+  std::array<Point_matrix, 2> points;
+  std::vector<Moved_limb> limbs;
+  for(std::size_t i = 0; i < goals.size(); ++i)
+  {
+    if(i % 2 == 0)
+      points[i / 2] = (pose.rowwise() - body.origin()) * body.frames()[i / 2].transpose();
+    limbs.emplace_back(body, body.limbs()[i], points[i / 2], goals[i]);
+  }
+  for(const std::size_t i : {0, 2})
+    if(body.is_like(body.limbs()[i], body.limbs()[i + 1]))
+      make_equally_long(limbs[i], limbs[i + 1]);
+  for(std::size_t i = 0; i < goals.size(); ++i)
   {
     const Limb& limb = body.limbs()[i];
-    const Limb_goal& goal = goals[i];
-    const Eigen::Matrix3d& frame = body.frames()[i < 2 ? 0 : 1];
-    const Point_matrix points = (body.pose().rowwise() - body.origin()) * frame.transpose();
-    if(goal.direction && goal.is_straightened)
-    {
-      Straight_limb moved(body, limb, points, *goal.direction, stretches[i / 2],
-                          goal.direction_of_tip);
-      if(!goal.direction_of_tip)
-        moved.twist(angle_of_hand(body, limb, i % 2 == 0, points, moved), 1);
-      blend(body, limb, points, straight, moved, result);
-      result.directions[i] = *goal.direction;
-    }
-    else
-    {
-      blend(body, limb, points, straight, Rigid_limb(body, limb, points, goal.direction), result);
-      result.directions[i] = direction_of_limb(body, limb, result.points).normalized();
-    }
+    const bool is_straight = goals[i].direction && goals[i].is_straightened;
+    if(is_straight && !goals[i].direction_of_tip)
+      limbs[i].twist(angle_of_hand(body, limb, i % 2 == 0, points[i / 2], limbs[i]), 1);
+    blend(body, limb, points[i / 2], straight, limbs[i], result);
+    result.directions[i] = is_straight ? *goals[i].direction
+                                       : direction_of_limb(body, limb, result.points).normalized();
   }
   if(stance == Method_options::Stance::STAND)
     rest_neck_and_tail(body, straight, result);

@@ -1,10 +1,11 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CANONICAL_POSE_3_ENGINE_STANCE_STRAIGHT_LIMB_H
-#define CANONICAL_POSE_3_ENGINE_STANCE_STRAIGHT_LIMB_H
+#ifndef CANONICAL_POSE_3_ENGINE_STANCE_MOVED_LIMB_H
+#define CANONICAL_POSE_3_ENGINE_STANCE_MOVED_LIMB_H
 
 #include "Body_plan.h"
+#include "limb_goals.h"
 #include "smooth_step.h"
 
 #include <CGAL/Canonical_pose_3/point_matrix.h>
@@ -13,6 +14,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -22,19 +24,18 @@ namespace CGAL {
 namespace Canonical_pose_3 {
 namespace internal {
 
-// A limb that is straightened in a direction, from its root: sections move with their centers, and are rotated such that the
-// center line becomes straight, from one section to the next about the axis in which it is bent there. Then it can be twisted.
-class Straight_limb
+// A limb that is turned about its root, and is as long as in the input: sections move with their centers. If it is straightened, they
+// are rotated such that the center line becomes straight, from one section to the next about the axis in which it is bent there.
+// Then it can be twisted.
+class Moved_limb
 {
 public:
-  // `points`: the vertices of the body, of which the limb is a part. `stretch`: of its length. `direction_of_tip`: from the end
-  // to the tip, if hand or foot is rotated.
-  Straight_limb(const Body_plan& body, const Limb& limb, const Point_matrix& points,
-                const Eigen::Vector3d& direction, const double stretch,
-                const std::optional<Eigen::Vector3d>& direction_of_tip)
-    : m_distances(limb.distances), m_end(limb.end), m_width_of_end((std::min)(.05, .1 * limb.root)),
-      m_direction(direction)
+  // `points`: the vertices of the body, of which the limb is a part.
+  Moved_limb(const Body_plan& body, const Limb& limb, const Point_matrix& points,
+             const Limb_goal& goal)
+    : m_distances(limb.distances), m_end(limb.end), m_width_of_end((std::min)(.05, .1 * limb.root))
   {
+    const bool is_straight = goal.direction && goal.is_straightened;
     constexpr double length_of_section = .05, width = .035;
     const auto number = static_cast<std::size_t>(
       (std::max)(2., std::round((limb.root - m_end) / length_of_section)));
@@ -49,30 +50,73 @@ public:
       for(std::size_t k = 1; k < number; ++k)
         m_centers[k] = (before[k - 1] + 2 * before[k] + before[k + 1]) / 4;
     }
-    m_rotations.resize(number);
+    std::vector<Eigen::Vector3d> tangents;
+    for(std::size_t k = 0; k < number; ++k)
+      tangents.push_back(tangent(k).normalized());
+    m_along_tip
+      = (points.row(static_cast<Eigen::Index>(limb.tip)).transpose() - m_centers[0]).normalized();
+    tangents.push_back(m_along_tip);
+    const std::vector<double> stretches
+      = body.stretches_of_rest(points, tangents, [&](const std::array<std::size_t, 3>& triangle) {
+          double sum = 0;
+          for(const std::size_t v : triangle)
+            sum += m_distances[static_cast<Eigen::Index>(v)];
+          const double section = (sum / 3 - m_end) / m_length;
+          return section < 0                             ? number
+                 : section < static_cast<double>(number) ? static_cast<std::size_t>(section)
+                                                         : number + 1;
+        });
+    m_stretch_of_tip = stretches[number];
+    std::vector<Eigen::Vector3d> sections;
+    Eigen::Vector3d to_end = Eigen::Vector3d::Zero();
+    for(std::size_t k = 0; k < number; ++k)
+    {
+      sections.push_back(stretches[k] * tangent(k));
+      to_end += sections[k];
+    }
+    m_direction = goal.direction.value_or(to_end.normalized());
+    m_rotations.assign(number, Eigen::Quaterniond::FromTwoVectors(to_end, m_direction));
     m_positions.resize(number + 1);
     m_positions[number] = m_centers[number];
     for(std::size_t k = number; k-- > 0;)
     {
-      m_rotations[k]
-        = k + 1 == number
-            ? Eigen::Quaterniond::FromTwoVectors(tangent(k), direction)
-            : m_rotations[k + 1] * Eigen::Quaterniond::FromTwoVectors(tangent(k), tangent(k + 1));
-      m_positions[k]
-        = m_positions[k + 1] + stretch * (m_centers[k] - m_centers[k + 1]).norm() * direction;
+      if(is_straight)
+        m_rotations[k]
+          = k + 1 == number
+              ? Eigen::Quaterniond::FromTwoVectors(tangent(k), m_direction)
+              : m_rotations[k + 1] * Eigen::Quaterniond::FromTwoVectors(tangent(k), tangent(k + 1));
+      m_positions[k] = m_positions[k + 1]
+                       + (is_straight ? sections[k].norm() * m_direction
+                                      : Eigen::Vector3d(m_rotations[k] * sections[k]));
     }
-    if(direction_of_tip)
+    if(is_straight && goal.direction_of_tip)
     {
       const auto to_tip = [&]() -> Eigen::Vector3d {
-        return straightened(points.row(static_cast<Eigen::Index>(limb.tip)).transpose(), 0)
+        return moved(points.row(static_cast<Eigen::Index>(limb.tip)).transpose(), 0)
                - m_positions[0];
       };
-      twist(angle_about(direction, to_tip(), *direction_of_tip), .5);
-      m_rotation_of_tip = Eigen::Quaterniond::FromTwoVectors(to_tip(), *direction_of_tip);
+      twist(angle_about(m_direction, to_tip(), *goal.direction_of_tip), .5);
+      m_rotation_of_tip = Eigen::Quaterniond::FromTwoVectors(to_tip(), *goal.direction_of_tip);
     }
   }
 
   const Eigen::Vector3d& direction() const { return m_direction; }
+
+  // From the root to the end.
+  double length() const
+  {
+    double result = 0;
+    for(std::size_t k = 1; k < m_positions.size(); ++k)
+      result += (m_positions[k] - m_positions[k - 1]).norm();
+    return result;
+  }
+
+  // Makes the limb longer, from the root to the end.
+  void lengthen(const double factor)
+  {
+    for(Eigen::Vector3d& position : m_positions)
+      position = m_positions.back() + factor * (position - m_positions.back());
+  }
 
   // Turns the limb about its line, by a share of the angle that grows from the root to a share of the length.
   void twist(const double angle, const double share_of_length)
@@ -85,13 +129,13 @@ public:
   Eigen::Vector3d operator()(const Eigen::Vector3d& point, const Eigen::Index vertex) const
   {
     const double distance = m_distances[vertex];
-    const Eigen::Vector3d moved = straightened(point, distance);
+    const Eigen::Vector3d result = moved(point, distance);
     if(!m_rotation_of_tip || distance > m_end + m_width_of_end)
-      return moved;
+      return result;
     const double share = (m_end + m_width_of_end - distance) / (2 * m_width_of_end);
     return m_positions[0]
            + Eigen::Quaterniond::Identity().slerp((std::min)(share, 1.), *m_rotation_of_tip)
-               * (moved - m_positions[0]);
+               * (result - m_positions[0]);
   }
 
   // Whether a vertex is in wrist or ankle, where the tip is rotated.
@@ -117,8 +161,11 @@ private:
 
   Eigen::Vector3d tangent(const std::size_t k) const { return m_centers[k] - m_centers[k + 1]; }
 
-  Eigen::Vector3d straightened(const Eigen::Vector3d& point, const double distance) const
+  Eigen::Vector3d moved(Eigen::Vector3d point, const double distance) const
   {
+    if(distance < m_end)
+      point += smooth_step((m_end - distance) / m_width_of_end) * (m_stretch_of_tip - 1)
+               * (point - m_centers[0]).dot(m_along_tip) * m_along_tip;
     const double last = static_cast<double>(m_rotations.size()),
                  at = std::clamp((distance - m_end) / m_length, 0., last);
     const auto k = static_cast<std::size_t>((std::min)(at, last - 1));
@@ -139,7 +186,8 @@ private:
 
   const Eigen::VectorXd& m_distances;
   double m_end, m_width_of_end, m_length; // the last one: of a section
-  Eigen::Vector3d m_direction;
+  Eigen::Vector3d m_direction, m_along_tip;
+  double m_stretch_of_tip;
   double m_twist = 0, m_length_of_twist = 1;
   std::vector<Eigen::Vector3d> m_centers, m_positions; // from the end to the root
   std::vector<Eigen::Quaterniond> m_rotations;         // of the sections between them
@@ -150,4 +198,4 @@ private:
 } // namespace Canonical_pose_3
 } // namespace CGAL
 
-#endif // CANONICAL_POSE_3_ENGINE_STANCE_STRAIGHT_LIMB_H
+#endif // CANONICAL_POSE_3_ENGINE_STANCE_MOVED_LIMB_H
