@@ -196,6 +196,21 @@ Eigen::RowVector3d Body_plan::end_joint(const Point_matrix& points, const Limb& 
   return first + to_first / (to_second - to_first) * (first - second);
 }
 
+Eigen::Quaterniond Body_plan::rotation_to_rest(const Point_matrix& points, const Limb& limb,
+                                               const double distance) const
+{
+  constexpr double width = .05;
+  std::vector<Eigen::Index> ring;
+  for(Eigen::Index v = 0; v < limb.distances.size(); ++v)
+    if(std::abs(limb.distances[v] - distance) <= width)
+      ring.push_back(v);
+  const Eigen::VectorXd shares = m_shares(ring);
+  if(!(shares.sum() > 0))
+    return Eigen::Quaterniond::Identity();
+  return Eigen::Quaterniond(
+    aligning_motion(points(ring, Eigen::all), m_rest(ring, Eigen::all), shares).linear());
+}
+
 bool Body_plan::is_like(const Limb& limb, const Limb& other) const
 {
   constexpr double width = .05, largest_difference = .45; // of the sum

@@ -13,6 +13,7 @@
 #include <CGAL/Canonical_pose_3/point_matrix.h>
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <array>
@@ -107,6 +108,10 @@ public:
   // The mean position of the vertices at a distance along a limb.
   Eigen::RowVector3d center(const Point_matrix& points, const Limb& limb, double distance,
                             double width = .04) const;
+
+  // The rotation from `points`, a motion of the pose, to the input of a ring around a limb.
+  Eigen::Quaterniond rotation_to_rest(const Point_matrix& points, const Limb& limb,
+                                      double distance) const;
 
   // Wrist or ankle, or where the neck begins: on the line of the limb before it, since the skin around it is bent.
   Eigen::RowVector3d end_joint(const Point_matrix& points, const Limb& limb) const;

@@ -89,13 +89,16 @@ public:
                        + (is_straight ? sections[k].norm() * m_direction
                                       : Eigen::Vector3d(m_rotations[k] * sections[k]));
     }
-    if(is_straight && goal.direction_of_tip)
+    if(!is_straight)
+      return;
+    const auto to_tip = [&]() -> Eigen::Vector3d {
+      return moved(points.row(static_cast<Eigen::Index>(limb.tip)).transpose(), 0) - m_positions[0];
+    };
+    if(goal.direction_of_tip)
     {
-      const auto to_tip = [&]() -> Eigen::Vector3d {
-        return moved(points.row(static_cast<Eigen::Index>(limb.tip)).transpose(), 0)
-               - m_positions[0];
-      };
-      twist(angle_about(m_direction, to_tip(), *goal.direction_of_tip), .5);
+      const Eigen::Vector3d front
+        = body.kind() == Skeleton_3::Kind::PERSON ? align_with_rest(body, limb, points) : to_tip();
+      twist(angle_about(m_direction, front, *goal.direction_of_tip), .5);
       m_rotation_of_tip = Eigen::Quaterniond::FromTwoVectors(to_tip(), *goal.direction_of_tip);
     }
   }
@@ -145,6 +148,36 @@ public:
   }
 
 private:
+  // Turns sections about the line such that they are not twisted against each other more than in the input. Returns a vector to the
+  // front of a leg: where the foot points in the input, and a knee, away from what is bent there.
+  Eigen::Vector3d align_with_rest(const Body_plan& body, const Limb& limb,
+                                  const Point_matrix& points)
+  {
+    const std::size_t last = m_rotations.size() - 1;
+    const auto rotation_to_rest = [&](const std::size_t k) {
+      return body.rotation_to_rest(points, limb, m_end + (static_cast<double>(k) + .5) * m_length);
+    };
+    Eigen::Quaterniond to_rest = rotation_to_rest(last),
+                       from_rest = m_rotations[last] * to_rest.conjugate();
+    Eigen::Vector3d tangent_before = (to_rest * tangent(last)).normalized(),
+                    bends = Eigen::Vector3d::Zero();
+    for(std::size_t k = last; k-- > 0;)
+    {
+      to_rest = rotation_to_rest(k);
+      const Eigen::Vector3d tangent_of_rest = (to_rest * tangent(k)).normalized();
+      bends += from_rest * tangent_of_rest - m_direction;
+      from_rest = from_rest * Eigen::Quaterniond::FromTwoVectors(tangent_of_rest, tangent_before);
+      m_rotations[k] = from_rest * to_rest;
+      tangent_before = tangent_of_rest;
+    }
+    const Point_matrix rest = body.rest();
+    const Eigen::Vector3d foot
+      = (rest.row(static_cast<Eigen::Index>(limb.tip)) - body.center(rest, limb, m_end))
+          .transpose()
+          .normalized();
+    return from_rest * foot - bends;
+  }
+
   // By which a vector is turned about a direction to be as near as possible to another one; 0 if either is almost in the direction.
   static double angle_about(const Eigen::Vector3d& direction, const Eigen::Vector3d& from,
                             const Eigen::Vector3d& to)
