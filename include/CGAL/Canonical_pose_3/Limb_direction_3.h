@@ -44,8 +44,7 @@ struct Limb_direction_3
   /// upward, \f$ z \f$ to the front. Of any length but 0.
   Eigen::RowVector3d direction = Eigen::RowVector3d::UnitX();
 
-  /// whether the limb becomes straight. Otherwise it is moved rigidly as it is in the canonical pose, with all its
-  /// bends.
+  /// whether the limb becomes straight. Otherwise it has the bends of the canonical pose.
   bool is_straightened = true;
 };
 
