@@ -42,6 +42,7 @@
 #include "segmentation/k_means_segmentation.cpp"
 #include "segmentation/sweep_segmentation.cpp"
 #include "stance/Body_plan.cpp"
+#include "stance/direction_across.cpp"
 #include "stance/extremities.cpp"
 #include "stance/limb_goals.cpp"
 #include "stance/limb_intersections.cpp"

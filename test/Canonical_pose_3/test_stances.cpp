@@ -19,6 +19,7 @@
 
 #include <gtest/gtest.h>
 
+#include "engine/stance/direction_across.h"
 #include "engine/stance/relief_in_front.h"
 #include "matchers.h"
 #include "shapes.h"
@@ -495,6 +496,33 @@ TEST(Stances, relief_of_the_face)
   Eigen::Matrix3d reversed;
   reversed << -1, 0, 0, 0, 1, 0, 0, 0, -1;
   EXPECT_NEAR(CP::internal::relief_in_front(points, sphere.triangles, reversed), -relief, 1e-9);
+}
+
+// Exact: the turned head is symmetric about its own plane, whose normal is turned with it. A sphere is symmetric about all planes.
+TEST(Stances, direction_across_a_head)
+{
+  const auto sphere = Canonical_pose_test::icosphere_soup(4, 1.);
+  Point_matrix points = to_matrix(sphere.points);
+  const Eigen::Vector3d left = Eigen::Vector3d::UnitX();
+  EXPECT_EQ(CP::internal::direction_across(points, left), left);
+  for(Eigen::Index v = 0; v < points.rows(); ++v)
+  {
+    const Eigen::RowVector3d p = points.row(v);
+    points(v, 0) += (p[0] < 0 ? -1 : 1) * (std::max)(std::abs(p[0]) - .9, 0.); // ears
+    points(v, 1) *= 1.3;
+    points(v, 2) += .5 * p[1] * (std::max)(p[2], 0.)
+                    + 2 * (std::max)(p[2] - .9, 0.); // forehead, chin, and nose
+  }
+  for(const double angle : {-45., -10., 0., 30.})
+  {
+    const Eigen::Matrix3d rotation
+      = (Eigen::AngleAxisd(angle * CGAL_PI / 180, Eigen::Vector3d::UnitY())
+         * Eigen::AngleAxisd(.3, Eigen::Vector3d::UnitZ()))
+          .toRotationMatrix();
+    const Point_matrix turned = points * rotation.transpose();
+    const Eigen::Vector3d across = CP::internal::direction_across(turned, left);
+    EXPECT_LT(std::acos(across.dot(rotation * left)) * 180 / CGAL_PI, 3) << angle;
+  }
 }
 
 // The prism over a star with five points, all alike: none is a head.

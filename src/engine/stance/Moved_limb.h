@@ -94,11 +94,12 @@ public:
     const auto to_tip = [&]() -> Eigen::Vector3d {
       return moved(points.row(static_cast<Eigen::Index>(limb.tip)).transpose(), 0) - m_positions[0];
     };
+    std::optional<Eigen::Vector3d> front;
+    if(body.kind() == Skeleton_3::Kind::PERSON)
+      front = align_with_rest(body, limb, points);
     if(goal.direction_of_tip)
     {
-      const Eigen::Vector3d front
-        = body.kind() == Skeleton_3::Kind::PERSON ? align_with_rest(body, limb, points) : to_tip();
-      twist(angle_about(m_direction, front, *goal.direction_of_tip), .5);
+      twist(angle_about(m_direction, front.value_or(to_tip()), *goal.direction_of_tip), .5);
       m_rotation_of_tip = Eigen::Quaterniond::FromTwoVectors(to_tip(), *goal.direction_of_tip);
     }
   }

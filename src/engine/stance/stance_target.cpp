@@ -3,6 +3,7 @@
 
 #include "stance_target.h"
 #include "Moved_limb.h"
+#include "direction_across.h"
 #include "limb_goals.h"
 #include "smooth_step.h"
 #include "../target/aligning_motion.h"
@@ -194,7 +195,8 @@ void rest_neck_and_tail(const Body_plan& body, const Point_matrix& straight, Sta
     move(*body.tail(), -60, -30, std::nullopt);
 }
 
-// Gives the head the shape that it has in the input: the canonical pose bends what sticks out of it, such as ears.
+// Gives the head the shape that it has in the input, since the canonical pose bends what sticks out of it, such as ears, and turns it
+// so that its left side is on the left.
 void restore_head(const Body_plan& body, Stance_target& result)
 {
   constexpr double width = .1; // in which it is blended with the neck
@@ -206,8 +208,19 @@ void restore_head(const Body_plan& body, Stance_target& result)
   const Eigen::VectorXd weights = shares.cwiseProduct(body.shares());
   if(!(weights.sum() > 0))
     return;
-  const Point_matrix moved
-    = (aligning_motion(rest, result.points, weights) * rest.transpose()).transpose();
+  std::vector<Eigen::Index> vertices;
+  for(Eigen::Index v = 0; v < rest.rows(); ++v)
+    if(shares[v] == 1)
+      vertices.push_back(v);
+  Eigen::Isometry3d motion = aligning_motion(rest, result.points, weights);
+  const Eigen::Vector3d left
+    = Eigen::Vector3d::UnitX(),
+    pivot = body.center(result.points, head, head.end).transpose(),
+    across = direction_across(rest(vertices, Eigen::all), motion.linear().transpose() * left);
+  motion = Eigen::Translation3d(pivot)
+           * Eigen::Quaterniond::FromTwoVectors(motion.linear() * across, left)
+           * Eigen::Translation3d(-pivot) * motion;
+  const Point_matrix moved = (motion * rest.transpose()).transpose();
   for(Eigen::Index v = 0; v < rest.rows(); ++v)
   {
     result.points.row(v) += shares[v] * (moved.row(v) - result.points.row(v));
@@ -253,6 +266,9 @@ Stance_target stance_target(const Body_plan& body, const Method_options::Stance 
   }
   if(stance == Method_options::Stance::STAND)
     rest_neck_and_tail(body, straight, result);
+  else if(stance != Method_options::Stance::CANONICAL)
+    blend(body, body.head(), straight, straight,
+          Moved_limb(body, body.head(), straight, {Eigen::Vector3d::UnitY(), true, {}}), result);
   restore_head(body, result);
   result.points *= body.unit();
   return result;
