@@ -99,7 +99,8 @@ double distance_of_root(const Eigen::VectorXd& distances, const Eigen::VectorXd&
 void set_ends(const std::vector<Limb*>& limbs, const Eigen::VectorXd& shares)
 {
   constexpr double step = .02, first = .12, last = .36;
-  const double root = limbs.front()->root, least = (std::min)(first, .3 * root),
+  const double root = (limbs.front()->root + limbs.back()->root) / 2,
+               least = (std::min)(first, .3 * root),
                largest = (std::max)((std::min)(last, .5 * root), 1.2 * least);
   double end = least, smallest = (std::numeric_limits<double>::infinity)();
   for(double distance = least; distance < largest; distance += step)
@@ -213,18 +214,13 @@ Eigen::Quaterniond Body_plan::rotation_to_rest(const Point_matrix& points, const
 
 bool Body_plan::is_like(const Limb& limb, const Limb& other) const
 {
-  constexpr double width = .05, largest_difference = .45; // of the sum
+  const double largest_ratio = m_kind == Skeleton_3::Kind::PERSON ? 1.17 : 1.8;
   const Eigen::VectorXd shares = vertex_area_shares(m_rest, m_triangles);
-  const auto area = [&](const Limb& of, const double distance) {
-    return (of.distances.array() < distance).select(shares.array(), 0).sum();
+  const auto area = [&](const Limb& of) {
+    return (of.distances.array() < of.root).select(shares.array(), 0).sum();
   };
-  for(double distance = width; distance < (std::min)(limb.root, other.root); distance += width)
-  {
-    const double one = area(limb, distance), two = area(other, distance);
-    if(std::abs(one - two) > largest_difference * (one + two))
-      return false;
-  }
-  return true;
+  const double one = area(limb), two = area(other);
+  return (std::max)(one, two) <= largest_ratio * (std::min)(one, two);
 }
 
 void Body_plan::find_limbs(const Coarse_surface_3& coarse, const Measure_distances& measure)
@@ -286,7 +282,8 @@ Eigen::RowVector3d Body_plan::direction_across(const std::size_t pair) const
   return (direction - direction.dot(m_axis) * m_axis).normalized();
 }
 
-// Both limbs of a pair are as long, if they are alike; the way from one tip to the other leads past both joints.
+// The way from one tip of a pair to the other leads past both joints. Those of a person are as far from the other limbs and the head as
+// their partners, whatever the lengths of limbs are.
 void Body_plan::set_joints()
 {
   constexpr double least_cosine = .6, length_of_legs = .97;
@@ -298,10 +295,7 @@ void Body_plan::set_joints()
   for(const std::size_t i : {0, 2})
   {
     Limb &limb = m_limbs[i], &other = m_limbs[i + 1];
-    limb.root = (std::min)(limb.root, between(limb, other) / 2);
-    other.root = (std::min)(other.root, between(limb, other) / 2);
-    if(is_like(limb, other))
-      limb.root = other.root = (limb.root + other.root) / 2;
+    limb.root = other.root = (std::min)((limb.root + other.root) / 2, between(limb, other) / 2);
   }
   set_trunk();
   // The canonical pose of a person is twisted: its four limbs are as long as the trunk, and keep away from each other.
@@ -312,6 +306,16 @@ void Body_plan::set_joints()
   {
     for(const std::size_t i : {2, 3})
       m_limbs[i].root = length_of_legs * between(m_limbs[2], m_limbs[3]) / 2;
+    for(const std::size_t i : {0, 2})
+    {
+      Limb &limb = m_limbs[i], &other = m_limbs[i + 1];
+      double longer = between(limb, head()) - between(other, head());
+      for(const std::size_t j : {2 - i, 3 - i})
+        longer += between(limb, m_limbs[j]) - between(other, m_limbs[j]);
+      longer = std::clamp(longer / 3, -limb.root, limb.root);
+      limb.root += longer / 2;
+      other.root -= longer / 2;
+    }
     set_trunk();
   }
   for(const std::size_t i : {0, 2})

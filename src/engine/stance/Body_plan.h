@@ -116,7 +116,7 @@ public:
   // Wrist or ankle, or where the neck begins: on the line of the limb before it, since the skin around it is bent.
   Eigen::RowVector3d end_joint(const Point_matrix& points, const Limb& limb) const;
 
-  // Whether the areas within each distance of the tips, in the input, are about those of another limb.
+  // Whether the areas of two limbs are about the same in the input.
   bool is_like(const Limb& limb, const Limb& other) const;
 
   // How much directions in the pose are shorter or longer in the input, in each of `number` groups of triangles: the mean over triangles

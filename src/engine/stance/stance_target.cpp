@@ -29,7 +29,8 @@ namespace Canonical_pose_3 {
 namespace internal {
 namespace {
 
-// The pose, moved along the axis of the trunk so that this is as long as in the input. Limbs follow their joints.
+// The pose, moved along the axis of the trunk so that this is as long as in the input. Limbs follow their joints, those of a pair to the
+// same height.
 Point_matrix with_trunk_of_rest(const Body_plan& body)
 {
   constexpr std::size_t number = 8; // of sections
@@ -62,11 +63,19 @@ Point_matrix with_trunk_of_rest(const Body_plan& body)
         += std::clamp(height - length * static_cast<double>(k), 0., length) * (stretches[k] - 1);
     return result;
   };
-  std::array<double, 4> shifts_of_joints;
-  for(std::size_t i = 0; i < shifts_of_joints.size(); ++i)
-    shifts_of_joints[i]
-      = shift((body.center(body.pose(), body.limbs()[i], body.limbs()[i].root) - body.origin())
-                .dot(body.axis()));
+  // Joints of a pair are level.
+  std::array<double, 4> heights_of_joints, shifts_of_joints;
+  for(std::size_t i = 0; i < heights_of_joints.size(); ++i)
+  {
+    const Limb& limb = body.limbs()[i];
+    heights_of_joints[i]
+      = (body.center(body.pose(), limb, limb.root) - body.origin()).dot(body.axis());
+  }
+  for(std::size_t i = 0; i < heights_of_joints.size(); ++i)
+  {
+    const double mean = (heights_of_joints[i] + heights_of_joints[i ^ 1]) / 2;
+    shifts_of_joints[i] = mean + shift(mean) - heights_of_joints[i];
+  }
   Point_matrix result = body.pose();
   for(Eigen::Index v = 0; v < result.rows(); ++v)
   {
