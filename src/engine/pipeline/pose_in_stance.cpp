@@ -77,6 +77,7 @@ std::string in_degrees(const double angle)
 // their partners, or pass through each other. `to_body`: from the pose to the frame of the body.
 std::vector<std::string> warnings_of_limbs(const Body_plan& plan, const Point_matrix& pose,
                                            const Surface_component_3& surface,
+                                           const Coarse_surface_3& coarse,
                                            const std::array<Eigen::Vector3d, 4>& directions,
                                            const Limb_goals& goals,
                                            const Eigen::Isometry3d& to_body)
@@ -105,7 +106,7 @@ std::vector<std::string> warnings_of_limbs(const Body_plan& plan, const Point_ma
     if((std::max)(lengths[i], lengths[i + 1])
        > largest_ratio * (std::min)(lengths[i], lengths[i + 1]))
       unequal.push_back(name_of_limb(plan.kind(), i) + " and " + name_of_limb(plan.kind(), i + 1));
-  for(const auto& [limb, other] : limb_intersections(plan, pose, surface.triangles))
+  for(const auto& [limb, other] : limb_intersections(plan, coarse, pose, surface.triangles))
     crossing.push_back(
       name_of_limb(plan.kind(), limb) + " and "
       + (other < goals.size() ? name_of_limb(plan.kind(), other) : "trunk or head"));
@@ -210,7 +211,7 @@ Result pose_in_stance(const Surface_component_3& surface, const Coarse_surface_3
   if(directions)
   {
     const auto warnings
-      = warnings_of_limbs(plan, pose, surface, *directions, goals, result.skeleton->frame);
+      = warnings_of_limbs(plan, pose, surface, coarse, *directions, goals, result.skeleton->frame);
     result.summary.warnings.insert(result.summary.warnings.end(), warnings.begin(), warnings.end());
   }
   if(!plan.is_certain())

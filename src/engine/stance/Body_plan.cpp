@@ -278,8 +278,7 @@ Eigen::RowVector3d Body_plan::direction_across(const std::size_t pair) const
   const auto ends = [&](const Limb& limb) -> Eigen::RowVector3d {
     return m_pose.row(static_cast<Eigen::Index>(limb.tip)) + joint(limb);
   };
-  const Eigen::RowVector3d direction = ends(m_limbs[2 * pair]) - ends(m_limbs[2 * pair + 1]);
-  return (direction - direction.dot(m_axis) * m_axis).normalized();
+  return orthogonal_to_trunk(ends(m_limbs[2 * pair]) - ends(m_limbs[2 * pair + 1]));
 }
 
 // The way from one tip of a pair to the other leads past both joints. Those of a person are as far from the other limbs and the head as
@@ -472,7 +471,10 @@ void Body_plan::set_frames(const Surface_component_3& surface, const Coarse_surf
   const bool is_person = m_kind == Skeleton_3::Kind::PERSON;
   if(are_legs_on_other_sides(coarse, measure))
     std::swap(m_limbs[2], m_limbs[3]);
-  std::array<Eigen::RowVector3d, 2> left = {direction_across(0), direction_across(1)};
+  std::array<Eigen::RowVector3d, 2> left;
+  for(std::size_t i = 0; i < 2; ++i)
+    left[i] = is_person ? orthogonal_to_trunk(joint(m_limbs[2 * i]) - joint(m_limbs[2 * i + 1]))
+                        : direction_across(i);
   // The front of a person, or the back of an animal, if the first limbs are on the left.
   const auto third = [&](const Eigen::RowVector3d& side) {
     return Eigen::RowVector3d(is_person ? side.cross(m_axis) : m_axis.cross(side));

@@ -168,6 +168,10 @@ private:
                                const Measure_distances& measure) const;
   Eigen::RowVector3d joint(const Limb& limb) const { return center(m_pose, limb, limb.root); }
   Eigen::RowVector3d direction_across(std::size_t pair) const;
+  Eigen::RowVector3d orthogonal_to_trunk(const Eigen::RowVector3d& direction) const
+  {
+    return (direction - direction.dot(m_axis) * m_axis).normalized();
+  }
   Eigen::Vector3d direction_of_toes(const Limb& limb) const;
   Eigen::Vector3d direction_of_leg(const Limb& limb) const;
 

@@ -70,14 +70,15 @@ private:
 
 } // namespace
 
-Eigen::Vector3d direction_across(const Point_matrix& points, const Eigen::Vector3d& left)
+Eigen::Vector3d direction_across(const Point_matrix& points, const Eigen::Vector3d& left,
+                                 const Eigen::Vector3d& up)
 {
   constexpr double first_step = 12, last_step = 1.5, largest_angle = 60, largest_ratio = .7;
   constexpr Eigen::Index least_number = 20;
   if(points.rows() < least_number)
     return left;
   const Mirror_error error(points);
-  const Eigen::Vector3d up = left.unitOrthogonal(), front = left.cross(up);
+  const Eigen::Vector3d front = left.cross(up);
   const auto turned = [&](const Eigen::Vector2d& angles) -> Eigen::Vector3d {
     const Eigen::Vector3d axis = angles[0] * up + angles[1] * front;
     return Eigen::AngleAxisd(axis.norm() * CGAL_PI / 180, axis.normalized()) * left;

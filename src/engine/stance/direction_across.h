@@ -12,9 +12,10 @@ namespace CGAL {
 namespace Canonical_pose_3 {
 namespace internal {
 
-// The unit normal of the plane in which the mirror image of points is nearest to them, near `left`, a unit vector; `left` itself if
-// other planes are nearly as good, or if it is not within 60 degrees.
-Eigen::Vector3d direction_across(const Point_matrix& points, const Eigen::Vector3d& left);
+// The unit normal of the plane in which the mirror image of points is nearest to them, within 60 degrees of `left`; `left` itself if
+// others are nearly as good. `left` and `up`: orthogonal unit vectors.
+Eigen::Vector3d direction_across(const Point_matrix& points, const Eigen::Vector3d& left,
+                                 const Eigen::Vector3d& up);
 
 } // namespace internal
 } // namespace Canonical_pose_3

@@ -225,7 +225,8 @@ void restore_head(const Body_plan& body, Stance_target& result)
   const Eigen::Vector3d left
     = Eigen::Vector3d::UnitX(),
     pivot = body.center(result.points, head, head.end).transpose(),
-    across = direction_across(rest(vertices, Eigen::all), motion.linear().transpose() * left);
+    across = direction_across(rest(vertices, Eigen::all), motion.linear().transpose() * left,
+                              motion.linear().transpose() * Eigen::Vector3d::UnitY());
   motion = Eigen::Translation3d(pivot)
            * Eigen::Quaterniond::FromTwoVectors(motion.linear() * across, left)
            * Eigen::Translation3d(-pivot) * motion;
@@ -275,7 +276,7 @@ Stance_target stance_target(const Body_plan& body, const Method_options::Stance 
   }
   if(stance == Method_options::Stance::STAND)
     rest_neck_and_tail(body, straight, result);
-  else if(stance != Method_options::Stance::CANONICAL)
+  else if(body.kind() == Skeleton_3::Kind::PERSON)
     blend(body, body.head(), straight, straight,
           Moved_limb(body, body.head(), straight, {Eigen::Vector3d::UnitY(), true, {}}), result);
   restore_head(body, result);
