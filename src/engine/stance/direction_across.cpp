@@ -60,7 +60,7 @@ public:
   }
 
 private:
-  static constexpr Eigen::Index number_of_samples = 300;
+  static constexpr Eigen::Index number_of_samples = 150;
 
   const Point_matrix& m_points;
   Point_search m_search;
