@@ -107,6 +107,35 @@ Eigen::Matrix3d rotation_at(const std::size_t vertex, const double radius, const
     .topLeftCorner<3, 3>();
 }
 
+std::size_t vertex_at(const Result& result, const Eigen::RowVector3d& position)
+{
+  Eigen::Index vertex = 0;
+  (result.pose.rowwise() - position).rowwise().squaredNorm().minCoeff(&vertex);
+  return static_cast<std::size_t>(vertex);
+}
+
+// By how much edges that follow a joint are longer in a pose than in the input.
+template <class Triangles>
+double stretch_of(const std::string& name, const Triangles& triangles, const Point_matrix& points,
+                  const Result& result)
+{
+  const Skeleton_3& skeleton = *result.skeleton;
+  const Eigen::VectorXd weights
+    = skeleton.weights.col(&joint(skeleton, name) - skeleton.joints.data());
+  double before = 0, after = 0;
+  for(const auto& triangle : triangles)
+    for(std::size_t k = 0; k < 3; ++k)
+    {
+      const auto a = static_cast<Eigen::Index>(triangle[k]),
+                 b = static_cast<Eigen::Index>(triangle[(k + 1) % 3]);
+      if((std::min)(weights[a], weights[b]) < .5)
+        continue;
+      before += (points.row(a) - points.row(b)).norm();
+      after += (result.pose.row(a) - result.pose.row(b)).norm();
+    }
+  return after / before;
+}
+
 // The skeleton of a body of this kind, whose pose is as good as a pose should be.
 const Skeleton_3& checked_skeleton(const Result& result, const Skeleton_3::Kind kind)
 {
@@ -152,6 +181,15 @@ TEST(Stances, person_from_any_posture)
     EXPECT_GT(at(result, left_foot)[2], joint(skeleton, "left ankle").position[2] + .05 * size);
     for(const std::size_t hand : {left_hand, right_hand})
       EXPECT_GT(rotation_at(hand, length_of_hand, rest, result.pose)(1, 1), .9) << hand;
+    // Knees and the head point to the front, as in the rest shape; and limbs have the lengths of the input.
+    EXPECT_GT(rotation_at(head, length_of_hand, rest, result.pose)(2, 2), .95);
+    for(const char* const name : {"left knee", "right knee"})
+      EXPECT_GT(rotation_at(vertex_at(result, joint(skeleton, name).position), length_of_hand, rest,
+                            result.pose)(2, 2),
+                .9)
+        << name;
+    for(const char* const name : {"left elbow", "right elbow", "left knee", "right knee"})
+      EXPECT_NEAR(stretch_of(name, figure.triangles(), points, result), 1, .05) << name;
     poses.push_back(result.pose);
   }
   for(std::size_t i = 1; i < poses.size(); ++i)
@@ -289,9 +327,18 @@ TEST(Stances, limbs_of_different_lengths)
   const Eigen::RowVector3d center = elbow.transpose() * points / elbow.sum();
   for(Eigen::Index v = 0; v < points.rows(); ++v)
     points.row(v) -= .6 * (lower[v] + hand[v]) * (points.row(v) - center);
+  const Result result = result_of(points, figure.triangles(), in_stance(Stance::T));
   EXPECT_EQ(
-    result_of(points, figure.triangles(), in_stance(Stance::T)).summary.warnings,
+    result.summary.warnings,
     std::vector<std::string>{"limbs have different lengths in the stance: left arm and right arm"});
+  // Nevertheless, the trunk stands upright.
+  for(const std::string name : {"shoulder", "hip"})
+  {
+    const Eigen::RowVector3d way = joint(*result.skeleton, "left " + name).position
+                                   - joint(*result.skeleton, "right " + name).position;
+    EXPECT_LT(std::abs(way[1]), .1 * way.norm()) << name;
+  }
+  EXPECT_LT(angle_of(*result.skeleton, "hips", "neck", {0, 1, 0}), 5);
 }
 
 // An arm that is not matched remains bent, and a warning says so.
