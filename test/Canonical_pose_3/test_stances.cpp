@@ -19,7 +19,7 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/stance/direction_across.h"
+#include "engine/stance/mirror_plane_normal.h"
 #include "engine/stance/relief_in_front.h"
 #include "matchers.h"
 #include "shapes.h"
@@ -549,12 +549,12 @@ TEST(Stances, relief_of_the_face)
 }
 
 // Exact: the turned head is symmetric about its own plane, whose normal is turned with it. A sphere is symmetric about all planes.
-TEST(Stances, direction_across_a_head)
+TEST(Stances, mirror_plane_of_a_head)
 {
   const auto sphere = Canonical_pose_test::icosphere_soup(4, 1.);
   Point_matrix points = to_matrix(sphere.points);
   const Eigen::Vector3d left = Eigen::Vector3d::UnitX(), up = Eigen::Vector3d::UnitY();
-  EXPECT_EQ(CP::internal::direction_across(points, left, up), left);
+  EXPECT_EQ(CP::internal::mirror_plane_normal(points, left, up), left);
   for(Eigen::Index v = 0; v < points.rows(); ++v)
   {
     const Eigen::RowVector3d p = points.row(v);
@@ -570,7 +570,7 @@ TEST(Stances, direction_across_a_head)
          * Eigen::AngleAxisd(.3, Eigen::Vector3d::UnitZ()))
           .toRotationMatrix();
     const Point_matrix turned = points * rotation.transpose();
-    const Eigen::Vector3d across = CP::internal::direction_across(turned, left, up);
+    const Eigen::Vector3d across = CP::internal::mirror_plane_normal(turned, left, up);
     EXPECT_LT(std::acos(across.dot(rotation * left)) * 180 / CGAL_PI, 3) << angle;
   }
 }

@@ -3,8 +3,8 @@
 
 #include "stance_target.h"
 #include "Moved_limb.h"
-#include "direction_across.h"
 #include "limb_goals.h"
+#include "mirror_plane_normal.h"
 #include "smooth_step.h"
 #include "../target/aligning_motion.h"
 
@@ -222,13 +222,12 @@ void restore_head(const Body_plan& body, Stance_target& result)
     if(shares[v] == 1)
       vertices.push_back(v);
   Eigen::Isometry3d motion = aligning_motion(rest, result.points, weights);
-  const Eigen::Vector3d left
-    = Eigen::Vector3d::UnitX(),
-    pivot = body.center(result.points, head, head.end).transpose(),
-    across = direction_across(rest(vertices, Eigen::all), motion.linear().transpose() * left,
-                              motion.linear().transpose() * Eigen::Vector3d::UnitY());
-  motion = Eigen::Translation3d(pivot)
-           * Eigen::Quaterniond::FromTwoVectors(motion.linear() * across, left)
+  const Eigen::Vector3d left = Eigen::Vector3d::UnitX(), up = Eigen::Vector3d::UnitY(),
+                        pivot = body.center(result.points, head, head.end).transpose();
+  const Eigen::Matrix3d rotation = motion.linear();
+  const Eigen::Vector3d across = mirror_plane_normal(
+    rest(vertices, Eigen::all), rotation.transpose() * left, rotation.transpose() * up);
+  motion = Eigen::Translation3d(pivot) * Eigen::Quaterniond::FromTwoVectors(rotation * across, left)
            * Eigen::Translation3d(-pivot) * motion;
   const Point_matrix moved = (motion * rest.transpose()).transpose();
   for(Eigen::Index v = 0; v < rest.rows(); ++v)

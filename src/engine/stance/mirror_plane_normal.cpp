@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Canonical_pose_3 authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "direction_across.h"
+#include "mirror_plane_normal.h"
 #include "../support/Point_search.h"
 
 #include <CGAL/number_type_config.h>
@@ -70,8 +70,8 @@ private:
 
 } // namespace
 
-Eigen::Vector3d direction_across(const Point_matrix& points, const Eigen::Vector3d& left,
-                                 const Eigen::Vector3d& up)
+Eigen::Vector3d mirror_plane_normal(const Point_matrix& points, const Eigen::Vector3d& left,
+                                    const Eigen::Vector3d& up)
 {
   constexpr double first_step = 12, last_step = 1.5, largest_angle = 60, largest_ratio = .7;
   constexpr Eigen::Index least_number = 20;
