@@ -127,6 +127,7 @@ public:
                                         const std::vector<Eigen::Vector3d>& directions,
                                         const Group& group_of) const
   {
+    constexpr double largest_projection = 1.01, largest_stretch = 4;
     const std::size_t number = directions.size();
     std::vector<double> sums(number, 0), weights(number, 0);
     for(const auto& t : m_triangles)
@@ -149,7 +150,10 @@ public:
         continue;
       const Eigen::Vector2d in_plane = products.inverse() * (edges.transpose() * directions[k]);
       const double along = (edges * in_plane).norm();
-      sums[k] += area * along * (edges_of(m_rest) * in_plane).norm();
+      if(!(along <= largest_projection)) // of a needle
+        continue;
+      sums[k]
+        += area * along * (std::min)((edges_of(m_rest) * in_plane).norm(), largest_stretch * along);
       weights[k] += area * along * along;
     }
     for(std::size_t k = 0; k < number; ++k)
