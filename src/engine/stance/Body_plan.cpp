@@ -337,8 +337,9 @@ void Body_plan::set_joints()
 // Limbs are longer than the way around them. Fingers have no trunk between them, and the back of a chair is flat.
 void Body_plan::check_proportions() const
 {
-  constexpr double largest_girth = .9; // of the length of a limb
-  constexpr double least_trunk_of_person = .15, least_trunk_of_animal = .3;
+  const bool is_person = m_kind == Skeleton_3::Kind::PERSON;
+  const double largest_girth = is_person ? .7 : .9; // of the length of a limb
+  const double least_trunk = is_person ? .15 : .3;
   constexpr double radius_of_head = .3, least_depth = .62; // of the width
   const auto refuse_if = [](const bool condition, const std::string& found) {
     if(condition)
@@ -348,9 +349,7 @@ void Body_plan::check_proportions() const
   for(const Limb& limb : m_limbs)
     sum += girth(limb, (limb.end + limb.root) / 2) / limb.root;
   refuse_if(!(sum / 4 <= largest_girth), "limbs that are thicker than long");
-  refuse_if(!(m_length_of_trunk >= (m_kind == Skeleton_3::Kind::PERSON ? least_trunk_of_person
-                                                                       : least_trunk_of_animal)),
-            "limbs without a trunk between them");
+  refuse_if(!(m_length_of_trunk >= least_trunk), "limbs without a trunk between them");
   const Principal_axes axes(
     m_pose, (head().distances.array() < radius_of_head).select(m_shares.array(), 0).matrix());
   refuse_if(!(axes.variances[2] >= least_depth * least_depth * axes.variances[1]),
