@@ -162,8 +162,9 @@ struct Method_options
   /// `Vertex_options::limb_directions` leads to other ones.
   ///
   /// The canonical pose tells what the limbs are: a head, two arms and two legs, or four legs. Then trunk and
-  /// limbs are moved rigidly to their directions, which is the target of another registration, with all details.
-  /// Other shapes are refused, stating how many limbs were found.
+  /// limbs, as long as in the input, are moved to their directions, which is the target of another registration, with all
+  /// details. The head looks to the front, and the neck of a person is upright. Parts that then pass through each other are
+  /// named by warnings. Other shapes are refused, stating what was found.
   enum class Stance { CANONICAL, T, A, VITRUVIAN, STAND };
 
   /// whether the target is made symmetric where the surface has a clear symmetry, see `symmetric_target()`: poses of one

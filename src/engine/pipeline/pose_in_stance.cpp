@@ -99,7 +99,7 @@ std::vector<std::string> warnings_of_limbs(const Body_plan& plan, const Point_ma
                           lower = plan.end_joint(pose, limb).transpose() - middle;
     lengths[i] = upper.norm() + lower.norm();
     const double bend = degrees_per_radian * angle_between(upper, lower);
-    if(goals[i].direction && goals[i].is_straightened && bend > largest_bend)
+    if(goals[i].is_straight() && bend > largest_bend)
       bent.push_back(name + " by " + in_degrees(bend));
   }
   for(const std::size_t i : {0, 2})

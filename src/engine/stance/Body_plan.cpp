@@ -223,6 +223,45 @@ bool Body_plan::is_like(const Limb& limb, const Limb& other) const
   return (std::max)(one, two) <= largest_ratio * (std::min)(one, two);
 }
 
+std::vector<double> Body_plan::stretches_of_rest(
+  const Point_matrix& points, const std::vector<Eigen::Vector3d>& directions,
+  const Eigen::VectorXd& values, const std::function<std::size_t(double mean)>& group_of) const
+{
+  constexpr double largest_projection = 1.01, largest_stretch = 4;
+  const std::size_t number = directions.size();
+  std::vector<double> sums(number, 0), weights(number, 0);
+  for(const auto& t : m_triangles)
+  {
+    const std::array<Eigen::Index, 3> v
+      = {static_cast<Eigen::Index>(t[0]), static_cast<Eigen::Index>(t[1]),
+         static_cast<Eigen::Index>(t[2])};
+    const std::size_t k = group_of((values[v[0]] + values[v[1]] + values[v[2]]) / 3);
+    if(k >= number)
+      continue;
+    const auto edges_of = [&](const Point_matrix& corners) {
+      Eigen::Matrix<double, 3, 2> edges;
+      edges << (corners.row(v[1]) - corners.row(v[0])).transpose(),
+        (corners.row(v[2]) - corners.row(v[0])).transpose();
+      return edges;
+    };
+    const Eigen::Matrix<double, 3, 2> edges = edges_of(points);
+    const Eigen::Matrix2d products = edges.transpose() * edges;
+    const double area = std::sqrt(products.determinant());
+    if(!(area > 0))
+      continue;
+    const Eigen::Vector2d in_plane = products.inverse() * (edges.transpose() * directions[k]);
+    const double along = (edges * in_plane).norm();
+    if(!(along <= largest_projection)) // of a needle
+      continue;
+    sums[k]
+      += area * along * (std::min)((edges_of(m_rest) * in_plane).norm(), largest_stretch * along);
+    weights[k] += area * along * along;
+  }
+  for(std::size_t k = 0; k < number; ++k)
+    sums[k] = weights[k] > 0 ? sums[k] / weights[k] * m_unit_of_rest / m_unit : 1;
+  return sums;
+}
+
 void Body_plan::find_limbs(const Coarse_surface_3& coarse, const Measure_distances& measure)
 {
   constexpr double least_prominence = .15;

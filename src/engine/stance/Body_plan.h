@@ -17,7 +17,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <vector>
@@ -119,47 +118,13 @@ public:
   // Whether the areas of two limbs are about the same in the input.
   bool is_like(const Limb& limb, const Limb& other) const;
 
-  // How much directions in the pose are shorter or longer in the input, in each of `number` groups of triangles: the mean over triangles
-  // of how vectors in the plane of each are stretched, which does not depend on how the shape is bent. `group_of`: of a triangle,
-  // `number` if none. `directions`: one per group; `points`: a motion of the pose.
-  template <class Group>
-  std::vector<double> stretches_of_rest(const Point_matrix& points,
-                                        const std::vector<Eigen::Vector3d>& directions,
-                                        const Group& group_of) const
-  {
-    constexpr double largest_projection = 1.01, largest_stretch = 4;
-    const std::size_t number = directions.size();
-    std::vector<double> sums(number, 0), weights(number, 0);
-    for(const auto& t : m_triangles)
-    {
-      const std::size_t k = group_of(t);
-      if(k >= number)
-        continue;
-      const auto edges_of = [&](const Point_matrix& corners) {
-        const auto corner = [&](const std::size_t i) {
-          return corners.row(static_cast<Eigen::Index>(t[i])).transpose();
-        };
-        Eigen::Matrix<double, 3, 2> edges;
-        edges << corner(1) - corner(0), corner(2) - corner(0);
-        return edges;
-      };
-      const Eigen::Matrix<double, 3, 2> edges = edges_of(points);
-      const Eigen::Matrix2d products = edges.transpose() * edges;
-      const double area = std::sqrt(products.determinant());
-      if(!(area > 0))
-        continue;
-      const Eigen::Vector2d in_plane = products.inverse() * (edges.transpose() * directions[k]);
-      const double along = (edges * in_plane).norm();
-      if(!(along <= largest_projection)) // of a needle
-        continue;
-      sums[k]
-        += area * along * (std::min)((edges_of(m_rest) * in_plane).norm(), largest_stretch * along);
-      weights[k] += area * along * along;
-    }
-    for(std::size_t k = 0; k < number; ++k)
-      sums[k] = weights[k] > 0 ? sums[k] / weights[k] * m_unit_of_rest / m_unit : 1;
-    return sums;
-  }
+  // How much directions in the pose are shorter or longer in the input, in each of several groups of triangles: the mean over triangles
+  // of how vectors in the plane of each are stretched, which does not depend on how the shape is bent. `directions`: one per
+  // group; `points`: a motion of the pose; `group_of`: the group for the mean of `values` in a triangle, or another number.
+  std::vector<double>
+  stretches_of_rest(const Point_matrix& points, const std::vector<Eigen::Vector3d>& directions,
+                    const Eigen::VectorXd& values,
+                    const std::function<std::size_t(double mean)>& group_of) const;
 
 private:
   void find_limbs(const Coarse_surface_3& coarse, const Measure_distances& measure);

@@ -14,7 +14,6 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -35,7 +34,6 @@ public:
              const Limb_goal& goal)
     : m_distances(limb.distances), m_end(limb.end), m_width_of_end((std::min)(.05, .1 * limb.root))
   {
-    const bool is_straight = goal.direction && goal.is_straightened;
     constexpr double length_of_section = .05, width = .035;
     const auto number = static_cast<std::size_t>(
       (std::max)(2., std::round((limb.root - m_end) / length_of_section)));
@@ -57,11 +55,8 @@ public:
       = (points.row(static_cast<Eigen::Index>(limb.tip)).transpose() - m_centers[0]).normalized();
     tangents.push_back(m_along_tip);
     const std::vector<double> stretches
-      = body.stretches_of_rest(points, tangents, [&](const std::array<std::size_t, 3>& triangle) {
-          double sum = 0;
-          for(const std::size_t v : triangle)
-            sum += m_distances[static_cast<Eigen::Index>(v)];
-          const double section = (sum / 3 - m_end) / m_length;
+      = body.stretches_of_rest(points, tangents, m_distances, [&](const double distance) {
+          const double section = (distance - m_end) / m_length;
           return section < 0                             ? number
                  : section < static_cast<double>(number) ? static_cast<std::size_t>(section)
                                                          : number + 1;
@@ -80,16 +75,16 @@ public:
     m_positions[number] = m_centers[number];
     for(std::size_t k = number; k-- > 0;)
     {
-      if(is_straight)
+      if(goal.is_straight())
         m_rotations[k]
           = k + 1 == number
               ? Eigen::Quaterniond::FromTwoVectors(tangent(k), m_direction)
               : m_rotations[k + 1] * Eigen::Quaterniond::FromTwoVectors(tangent(k), tangent(k + 1));
       m_positions[k] = m_positions[k + 1]
-                       + (is_straight ? sections[k].norm() * m_direction
-                                      : Eigen::Vector3d(m_rotations[k] * sections[k]));
+                       + (goal.is_straight() ? sections[k].norm() * m_direction
+                                             : Eigen::Vector3d(m_rotations[k] * sections[k]));
     }
-    if(!is_straight)
+    if(!goal.is_straight())
       return;
     const auto to_tip = [&]() -> Eigen::Vector3d {
       return moved(points.row(static_cast<Eigen::Index>(limb.tip)).transpose(), 0) - m_positions[0];

@@ -29,6 +29,8 @@ struct Limb_goal
   std::optional<Eigen::Vector3d> direction;
   bool is_straightened = true;
   std::optional<Eigen::Vector3d> direction_of_tip; // of a foot, if the limb is straight
+
+  bool is_straight() const { return direction && is_straightened; }
 };
 
 // In the order of Body_plan::limbs().

@@ -21,7 +21,8 @@ namespace internal {
 
 namespace {
 
-// How often a closed surface winds around a point.
+// How often a surface winds around a point, by solid angles: unlike Triangle_tree, which counts what a ray crosses, about right also if
+// there are holes.
 double winding_number(const Point_matrix& points, const std::vector<Index_triangle>& triangles,
                       const Eigen::RowVector3d& point)
 {

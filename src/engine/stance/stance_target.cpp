@@ -21,6 +21,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -36,22 +37,15 @@ Point_matrix with_trunk_of_rest(const Body_plan& body)
   constexpr std::size_t number = 8; // of sections
   const double length = body.length_of_trunk() / number;
   const Eigen::VectorXd heights = (body.pose().rowwise() - body.origin()) * body.axis().transpose();
-  const auto is_of_trunk = [&](const Eigen::Index v) {
-    return std::all_of(body.limbs().begin(), body.limbs().end(),
-                       [&](const Limb& limb) { return body.share_of_limb(limb, v) == 0; });
-  };
+  Eigen::VectorXd heights_of_trunk = heights; // elsewhere infinite
+  for(const Limb& limb : body.limbs())
+    for(Eigen::Index v = 0; v < heights.size(); ++v)
+      if(body.share_of_limb(limb, v) > 0)
+        heights_of_trunk[v] = (std::numeric_limits<double>::infinity)();
   const std::vector<double> stretches = body.stretches_of_rest(
-    body.pose(), std::vector<Eigen::Vector3d>(number, body.axis().transpose()),
-    [&](const std::array<std::size_t, 3>& triangle) {
-      double sum = 0;
-      for(const std::size_t vertex : triangle)
-      {
-        const auto v = static_cast<Eigen::Index>(vertex);
-        if(!is_of_trunk(v))
-          return number;
-        sum += heights[v];
-      }
-      const double section = sum / 3 / length;
+    body.pose(), std::vector<Eigen::Vector3d>(number, body.axis().transpose()), heights_of_trunk,
+    [&](const double height) {
+      const double section = height / length;
       return section >= 0 && section < static_cast<double>(number)
                ? static_cast<std::size_t>(section)
                : number;
@@ -266,12 +260,12 @@ Stance_target stance_target(const Body_plan& body, const Method_options::Stance 
   for(std::size_t i = 0; i < goals.size(); ++i)
   {
     const Limb& limb = body.limbs()[i];
-    const bool is_straight = goals[i].direction && goals[i].is_straightened;
-    if(is_straight && !goals[i].direction_of_tip)
+    if(goals[i].is_straight() && !goals[i].direction_of_tip)
       limbs[i].twist(angle_of_hand(body, limb, i % 2 == 0, points[i / 2], limbs[i]), 1);
     blend(body, limb, points[i / 2], straight, limbs[i], result);
-    result.directions[i] = is_straight ? *goals[i].direction
-                                       : direction_of_limb(body, limb, result.points).normalized();
+    result.directions[i] = goals[i].is_straight()
+                             ? *goals[i].direction
+                             : direction_of_limb(body, limb, result.points).normalized();
   }
   if(stance == Method_options::Stance::STAND)
     rest_neck_and_tail(body, straight, result);
