@@ -28,6 +28,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <map>
 #include <stdexcept>
 #include <string>
@@ -136,6 +137,19 @@ double stretch_of(const std::string& name, const Triangles& triangles, const Poi
   return after / before;
 }
 
+// The height of the lowest point that follows a joint.
+double lowest_point(const Result& result, const std::string& name)
+{
+  const Skeleton_3& skeleton = *result.skeleton;
+  const Eigen::VectorXd weights
+    = skeleton.weights.col(&joint(skeleton, name) - skeleton.joints.data());
+  double lowest = (std::numeric_limits<double>::infinity)();
+  for(Eigen::Index v = 0; v < weights.size(); ++v)
+    if(weights[v] > .5)
+      lowest = (std::min)(lowest, result.pose(v, 1));
+  return lowest;
+}
+
 // The skeleton of a body of this kind, whose pose is as good as a pose should be.
 const Skeleton_3& checked_skeleton(const Result& result, const Skeleton_3::Kind kind)
 {
@@ -194,6 +208,29 @@ TEST(Stances, person_from_any_posture)
   }
   for(std::size_t i = 1; i < poses.size(); ++i)
     EXPECT_LT(CP::pose_difference(poses[0], poses[i]), .06) << i;
+}
+
+// Exact: the head of the rest shape looks to the front and is level, so it does wherever the input has it.
+TEST(Stances, turned_and_bent_head)
+{
+  const Articulated_figure figure(NUMBER_OF_VERTICES);
+  const std::size_t head = figure.landmark(Landmark::HEAD);
+  const auto pose_of = [&](const double turn, const double bend) {
+    Canonical_pose_examples::Joint_angles angles;
+    angles.neck.turn = turn;
+    angles.neck.bend = bend;
+    return result_of(to_matrix(figure.points(angles)), figure.triangles(), in_stance(Stance::T))
+      .pose;
+  };
+  const Point_matrix straight = pose_of(0, 0);
+  const double radius = .08 * straight.col(1).maxCoeff();
+  for(const auto& [turn, bend] : {std::make_pair(70., 0.), {-50., 0.}, {0., 30.}, {0., -20.}})
+  {
+    const Point_matrix pose = pose_of(turn, bend);
+    const Eigen::Matrix3d rotation = rotation_at(head, radius, straight, pose);
+    EXPECT_LT(std::acos(std::min(rotation(0, 0), 1.)) * 180 / CGAL_PI, 12) << turn << ' ' << bend;
+    EXPECT_LT(std::acos(std::min(rotation(1, 1), 1.)) * 180 / CGAL_PI, 12) << turn << ' ' << bend;
+  }
 }
 
 TEST(Stances, directions_of_all_stances)
@@ -416,11 +453,39 @@ TEST(Stances, animal_from_any_posture)
     EXPECT_LT(std::abs(std::atan2(head[1], head[2])), 30 * CGAL_PI / 180);
     EXPECT_LT(tail[1], 0);
     EXPECT_LT(tail[2], 0);
+    // Feet are on one floor.
+    for(const char* const name : {"left wrist", "right wrist", "left ankle", "right ankle"})
+      EXPECT_LT(lowest_point(result, name), .05 * size) << name;
     // Ears are as far from the nose as in the input.
     EXPECT_NEAR((result.pose.row(ear) - result.pose.row(front)).norm()
                   / (points.row(ear) - points.row(front)).norm(),
                 1, .25);
   }
+}
+
+// Hind legs of half the length do not reach the floor, and a warning says so.
+TEST(Stances, feet_above_the_floor)
+{
+  const Articulated_animal animal(NUMBER_OF_VERTICES);
+  Point_matrix points = to_matrix(animal.points());
+  const Result before = result_of(points, animal.triangles(), in_stance(Stance::STAND));
+  const Skeleton_3& skeleton = *before.skeleton;
+  for(const std::string side : {"left ", "right "})
+  {
+    const auto weights = [&](const std::string& name) {
+      return Eigen::VectorXd(
+        skeleton.weights.col(&joint(skeleton, side + name) - skeleton.joints.data()));
+    };
+    const Eigen::VectorXd leg = weights("hip") + weights("knee") + weights("ankle"),
+                          top = weights("hip").cwiseProduct(
+                            Eigen::VectorXd(Eigen::VectorXd::Ones(points.rows()) - leg));
+    const double height = top.dot(points.col(1)) / top.sum();
+    points.col(1) -= .5 * leg.cwiseProduct((points.col(1).array() - height).matrix());
+  }
+  const Result result = result_of(points, animal.triangles(), in_stance(Stance::STAND));
+  EXPECT_EQ(result.summary.warnings,
+            std::vector<std::string>{
+              "feet are above the floor in the stance: left hind leg, right hind leg"});
 }
 
 // A paw that is given.

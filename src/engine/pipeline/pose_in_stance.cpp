@@ -32,6 +32,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -74,7 +76,7 @@ std::string in_degrees(const double angle)
 }
 
 // Names the limbs that are far from their directions, are bent by far though they should be straight, have another length than
-// their partners, or pass through each other. `to_body`: from the pose to the frame of the body.
+// their partners, pass through each other, or end above the floor though they stand. `to_body`: from the pose to the frame of the body.
 std::vector<std::string> warnings_of_limbs(const Body_plan& plan, const Point_matrix& pose,
                                            const Surface_component_3& surface,
                                            const Coarse_surface_3& coarse,
@@ -83,9 +85,12 @@ std::vector<std::string> warnings_of_limbs(const Body_plan& plan, const Point_ma
                                            const Eigen::Isometry3d& to_body)
 {
   const double largest_bend = plan.kind() == Skeleton_3::Kind::PERSON ? 30 : 45;
-  constexpr double largest_angle = 15, largest_ratio = 1.25;
-  std::vector<std::string> off, bent, unequal, crossing;
+  constexpr double largest_angle = 15, largest_ratio = 1.25, largest_height = .06;
+  std::vector<std::string> off, bent, unequal, crossing, above;
   std::array<double, 4> lengths;
+  const Eigen::VectorXd heights
+    = pose * to_body.linear().row(1).transpose(); // above an arbitrary plane
+  std::map<std::size_t, double> heights_of_feet;
   for(std::size_t i = 0; i < goals.size(); ++i)
   {
     const Limb& limb = plan.limbs()[i];
@@ -101,7 +106,19 @@ std::vector<std::string> warnings_of_limbs(const Body_plan& plan, const Point_ma
     const double bend = degrees_per_radian * angle_between(upper, lower);
     if(goals[i].is_straight() && bend > largest_bend)
       bent.push_back(name + " by " + in_degrees(bend));
+    if((i >= 2 || plan.kind() == Skeleton_3::Kind::FOUR_LEGGED) && goals[i].is_straight()
+       && points_down(directions[i]))
+      heights_of_feet[i] = (limb.distances.array() <= limb.end)
+                             .select(heights.array(), (std::numeric_limits<double>::infinity)())
+                             .minCoeff();
   }
+  const double size = heights.maxCoeff() - heights.minCoeff();
+  const auto lowest = std::min_element(
+    heights_of_feet.begin(), heights_of_feet.end(),
+    [](const auto& foot, const auto& other) { return foot.second < other.second; });
+  for(const auto& [limb, height] : heights_of_feet)
+    if(height - lowest->second > largest_height * size)
+      above.push_back(name_of_limb(plan.kind(), limb));
   for(const std::size_t i : {0, 2})
     if((std::max)(lengths[i], lengths[i + 1])
        > largest_ratio * (std::min)(lengths[i], lengths[i + 1]))
@@ -114,7 +131,8 @@ std::vector<std::string> warnings_of_limbs(const Body_plan& plan, const Point_ma
   for(const auto& [text, limbs] : {std::make_pair("limbs are off their directions", off),
                                    std::make_pair("limbs are bent", bent),
                                    std::make_pair("limbs have different lengths", unequal),
-                                   std::make_pair("parts pass through each other", crossing)})
+                                   std::make_pair("parts pass through each other", crossing),
+                                   std::make_pair("feet are above the floor", above)})
     if(!limbs.empty())
       result.push_back(std::string(text)
                        + " in the stance: " + boost::algorithm::join(limbs, ", "));

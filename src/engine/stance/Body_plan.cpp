@@ -119,9 +119,11 @@ void set_ends(const std::vector<Limb*>& limbs, const Eigen::VectorXd& shares)
 }
 
 // The neck, from the head to the trunk: from where its girth is least between larger ones, to where it exceeds that by far.
-std::pair<double, double> distances_of_neck(const Limb& head, const Eigen::VectorXd& shares)
+std::pair<double, double> distances_of_neck(const Limb& head, const Eigen::VectorXd& shares,
+                                            const bool is_person)
 {
-  constexpr double step = .02, first = .1, last = .6, reach = .3, without = .36, factor = 1.6;
+  constexpr double step = .02, first = .1, reach = .3, factor = 1.6;
+  const double last = is_person ? .36 : .6, without = is_person ? .24 : .36;
   std::vector<double> girths;
   for(double distance = first; distance <= last + reach; distance += step)
     girths.push_back(girth_at(head.distances, shares, distance));
@@ -360,12 +362,18 @@ void Body_plan::set_joints()
     set_ends({&m_limbs[i], &m_limbs[i + 1]}, m_shares);
   constexpr double factor_of_tail = 1.6, least_length_of_neck = .08;
   Limb& head = m_others[0];
-  std::tie(head.end, head.root) = distances_of_neck(head, m_shares);
-  for(std::size_t i = 0; i < 2; ++i)
-    for(Eigen::Index v = 0; v < head.distances.size(); ++v)
-      if(m_limbs[i].distances[v] <= m_limbs[i].root)
-        head.root = (std::min)(head.root, head.distances[v]);
-  head.end = (std::min)(head.end, head.root - least_length_of_neck);
+  const bool is_person = m_kind == Skeleton_3::Kind::PERSON;
+  std::tie(head.end, head.root) = distances_of_neck(head, m_shares, is_person);
+  if(is_person)
+    head.root = (std::max)(head.root, head.end + least_length_of_neck);
+  else // the neck ends before the legs
+  {
+    for(std::size_t i = 0; i < 2; ++i)
+      for(Eigen::Index v = 0; v < head.distances.size(); ++v)
+        if(m_limbs[i].distances[v] <= m_limbs[i].root)
+          head.root = (std::min)(head.root, head.distances[v]);
+    head.end = (std::min)(head.end, head.root - least_length_of_neck);
+  }
   for(std::size_t i = 1; i < m_others.size(); ++i)
   {
     m_others[i].root = distance_of_root(m_others[i].distances, m_shares, factor_of_tail);

@@ -33,6 +33,9 @@ struct Limb_goal
   bool is_straight() const { return direction && is_straightened; }
 };
 
+// Whether a leg in a direction of length 1 stands on the floor.
+inline bool points_down(const Eigen::Vector3d& direction) { return direction.y() < -.9; }
+
 // In the order of Body_plan::limbs().
 using Limb_goals = std::array<Limb_goal, 4>;
 

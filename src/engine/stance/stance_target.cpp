@@ -103,9 +103,9 @@ Stance_target trunk(const Body_plan& body, const Point_matrix& pose)
   return result;
 }
 
-// Moves the points of a limb, and blends them with the trunk near its root. There, and in wrist or ankle, nothing is matched.
+// Moves the points of a limb, and blends them with what is there near its root. There, and in wrist or ankle, nothing is matched.
 void blend(const Body_plan& body, const Limb& limb, const Point_matrix& points,
-           const Point_matrix& trunk, const Moved_limb& moved, Stance_target& result)
+           const Moved_limb& moved, Stance_target& result)
 {
   constexpr double least_share = .03;
   for(Eigen::Index v = 0; v < points.rows(); ++v)
@@ -114,7 +114,7 @@ void blend(const Body_plan& body, const Limb& limb, const Point_matrix& points,
     if(share == 0)
       continue;
     result.points.row(v)
-      = share * moved(points.row(v).transpose(), v).transpose() + (1 - share) * trunk.row(v);
+      += share * (moved(points.row(v).transpose(), v).transpose() - result.points.row(v));
     const bool is_in_joint = share > least_share && share < 1 - least_share;
     if(is_in_joint || moved.is_in_end(v))
       result.weights[v] = 0;
@@ -127,6 +127,33 @@ void make_equally_long(Moved_limb& limb, Moved_limb& other)
   const double length = (std::max)(limb.length(), other.length());
   limb.lengthen(length / limb.length());
   other.lengthen(length / other.length());
+}
+
+// Makes the pair of legs whose feet are higher longer, within limits: where legs are folded, they are shorter.
+void put_on_one_floor(const Body_plan& body, const std::array<Point_matrix, 2>& points,
+                      std::vector<Moved_limb>& legs)
+{
+  constexpr double largest_factor = 1.4;
+  std::array<double, 2> floors, lengths;
+  for(std::size_t pair = 0; pair < 2; ++pair)
+  {
+    floors[pair] = lengths[pair] = 0;
+    for(const std::size_t i : {2 * pair, 2 * pair + 1})
+    {
+      const Limb& leg = body.limbs()[i];
+      double least = (std::numeric_limits<double>::infinity)();
+      for(Eigen::Index v = 0; v < leg.distances.size(); ++v)
+        if(leg.distances[v] <= leg.end)
+          least = (std::min)(least, legs[i](points[pair].row(v).transpose(), v).y());
+      floors[pair] += least / 2;
+      lengths[pair] += legs[i].length() / 2;
+    }
+  }
+  const std::size_t shorter = floors[0] > floors[1] ? 0 : 1;
+  const double factor
+    = (std::min)(1 + (floors[shorter] - floors[1 - shorter]) / lengths[shorter], largest_factor);
+  for(const std::size_t i : {2 * shorter, 2 * shorter + 1})
+    legs[i].lengthen(factor);
 }
 
 // The angle by which a hand is turned about its arm so that it lies level, with the palm downward and the thumb in front; 0 if it is
@@ -189,13 +216,22 @@ void rest_neck_and_tail(const Body_plan& body, const Point_matrix& straight, Sta
       (body.center(straight, limb, limb.end) - body.center(straight, limb, limb.root)).transpose(),
       least, largest);
     const Moved_limb moved(body, limb, straight, {direction, true, direction_of_tip});
-    blend(body, limb, straight, straight, moved, result);
+    blend(body, limb, straight, moved, result);
   };
   Limb head = body.head();
   head.tip = body.nose();
   move(head, 15, 45, nose);
   if(body.tail())
     move(*body.tail(), -60, -30, std::nullopt);
+}
+
+// By which the head of a person is turned about the axis to the left, so that it is level: its middle is a little behind that of the ring
+// around the neck, which passes below the chin. 0 if it is elsewhere by far.
+double angle_to_level(const Eigen::Vector3d& middle_from_neck)
+{
+  constexpr double angle_of_level_head = -12 * CGAL_PI / 180, largest_angle = 30 * CGAL_PI / 180;
+  const double angle = angle_of_level_head - std::atan2(middle_from_neck.z(), middle_from_neck.y());
+  return std::abs(angle) <= largest_angle ? angle : 0;
 }
 
 // Gives the head the shape that it has in the input, since the canonical pose bends what sticks out of it, such as ears, and turns it
@@ -223,6 +259,14 @@ void restore_head(const Body_plan& body, Stance_target& result)
     rest(vertices, Eigen::all), rotation.transpose() * left, rotation.transpose() * up);
   motion = Eigen::Translation3d(pivot) * Eigen::Quaterniond::FromTwoVectors(rotation * across, left)
            * Eigen::Translation3d(-pivot) * motion;
+  if(body.kind() == Skeleton_3::Kind::PERSON)
+  {
+    const Eigen::Vector3d middle
+      = (weights.transpose() * rest).transpose() / weights.sum(),
+      from_neck = motion.linear() * (middle - body.center(rest, head, head.end).transpose());
+    motion = Eigen::Translation3d(pivot) * Eigen::AngleAxisd(angle_to_level(from_neck), left)
+             * Eigen::Translation3d(-pivot) * motion;
+  }
   const Point_matrix moved = (motion * rest.transpose()).transpose();
   for(Eigen::Index v = 0; v < rest.rows(); ++v)
   {
@@ -257,12 +301,17 @@ Stance_target stance_target(const Body_plan& body, const Method_options::Stance 
   for(const std::size_t i : {0, 2})
     if(body.is_like(body.limbs()[i], body.limbs()[i + 1]))
       make_equally_long(limbs[i], limbs[i + 1]);
+  if(stance == Method_options::Stance::STAND
+     && std::all_of(goals.begin(), goals.end(), [](const Limb_goal& goal) {
+          return goal.is_straight() && points_down(*goal.direction);
+        }))
+    put_on_one_floor(body, points, limbs);
   for(std::size_t i = 0; i < goals.size(); ++i)
   {
     const Limb& limb = body.limbs()[i];
     if(goals[i].is_straight() && !goals[i].direction_of_tip)
       limbs[i].twist(angle_of_hand(body, limb, i % 2 == 0, points[i / 2], limbs[i]), 1);
-    blend(body, limb, points[i / 2], straight, limbs[i], result);
+    blend(body, limb, points[i / 2], limbs[i], result);
     result.directions[i] = goals[i].is_straight()
                              ? *goals[i].direction
                              : direction_of_limb(body, limb, result.points).normalized();
@@ -270,7 +319,7 @@ Stance_target stance_target(const Body_plan& body, const Method_options::Stance 
   if(stance == Method_options::Stance::STAND)
     rest_neck_and_tail(body, straight, result);
   else if(body.kind() == Skeleton_3::Kind::PERSON)
-    blend(body, body.head(), straight, straight,
+    blend(body, body.head(), straight,
           Moved_limb(body, body.head(), straight, {Eigen::Vector3d::UnitY(), true, {}}), result);
   restore_head(body, result);
   result.points *= body.unit();
