@@ -127,7 +127,9 @@ Limb_pairs limb_pairs(const std::vector<Extremity>& limbs, const std::vector<Ext
   const auto n = static_cast<Eigen::Index>(limbs.size());
   if(n < 5 || n > 6)
     throw std::invalid_argument("no head and four limbs were found, but "
-                                + std::to_string(limbs.size()) + " limbs");
+                                + std::to_string(limbs.size())
+                                + (limbs.size() == 1 ? " part that sticks" : " parts that stick")
+                                + " out, where persons have 5 and animals with a tail 6");
   Eigen::MatrixXd between(n, n);
   for(Eigen::Index i = 0; i < n; ++i)
     between.row(i)
