@@ -8,7 +8,10 @@
 #include "limb_measures.h"
 #include "median.h"
 
+#include <CGAL/Canonical_pose_3/point_matrix.h>
 #include <CGAL/Canonical_pose_3/pose_difference.h>
+
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <array>
@@ -43,6 +46,7 @@ inline double largest(const std::vector<double>& values)
 struct Consistency
 {
   double stance = 0, pose = 0;      // mean differences over all pairs
+  double ratio_of_lengths = 0;      // of stances to poses, if differences are lengths
   std::vector<double> to_others;    // mean difference of a stance from the others
   std::vector<double> shares_alike; // of the vertices that follow the same limb as in most postures
 
@@ -58,21 +62,39 @@ struct Consistency
   }
 
 private:
+  // Relative to the root of the area of the input.
+  static double radius_of_gyration(const Point_matrix& points, const double root_of_area)
+  {
+    const Eigen::RowVector3d mean = points.colwise().mean();
+    return std::sqrt((points.rowwise() - mean).rowwise().squaredNorm().mean()) / root_of_area;
+  }
+
   void set_differences(const Trials& trials)
   {
     using CGAL::Canonical_pose_3::pose_difference;
     const auto number = static_cast<double>(trials.size());
     to_others.resize(trials.size());
+    double length_of_stances = 0, length_of_poses = 0;
+    std::vector<double> radii, radii_of_poses;
+    for(const Stance_trial* trial : trials)
+    {
+      radii.push_back(radius_of_gyration(trial->pose, trial->mesh->root_of_area));
+      radii_of_poses.push_back(radius_of_gyration(trial->mesh->pose, trial->mesh->root_of_area));
+    }
     for(std::size_t i = 0; i < trials.size(); ++i)
       for(std::size_t j = 0; j < i; ++j)
       {
-        const double difference = pose_difference(trials[i]->pose, trials[j]->pose);
+        const double difference = pose_difference(trials[i]->pose, trials[j]->pose),
+                     difference_of_poses
+                     = pose_difference(trials[i]->mesh->pose, trials[j]->mesh->pose);
         for(const std::size_t k : {i, j})
           to_others[k] += difference / (number - 1);
-        pose += 2 * pose_difference(trials[i]->mesh->pose, trials[j]->mesh->pose)
-                / (number * (number - 1));
+        pose += 2 * difference_of_poses / (number * (number - 1));
+        length_of_stances += (radii[i] + radii[j]) * difference;
+        length_of_poses += (radii_of_poses[i] + radii_of_poses[j]) * difference_of_poses;
       }
     stance = mean(to_others);
+    ratio_of_lengths = length_of_stances / length_of_poses;
   }
 
   void set_shares(const Trials& trials)
@@ -96,15 +118,15 @@ private:
 
 struct Differences
 {
-  std::vector<double> stances, poses, names;
+  std::vector<double> stances, poses, ratios_of_lengths, names;
 };
 
 inline void print_header_of_classes()
 {
-  std::printf("\n%-22s%-11s%7s%6s%8s%7s%7s%7s%8s%8s%7s%8s%7s%8s%8s%9s%8s%8s%7s%7s%9s%7s%7s\n",
+  std::printf("\n%-22s%-11s%7s%6s%8s%7s%7s%7s%8s%8s%7s%8s%7s%8s%8s%9s%8s%8s%7s%8s%7s%9s%7s%7s\n",
               "class", "stance", "meshes", "found", "refused", "failed", "arms", "legs", "largest",
               "within", "bend", "largest", "l-r", "strain", "largest", "inverted", "stance", "pose",
-              "ratio", "alike", "seconds", "pose", "ratio");
+              "ratio", "lengths", "alike", "seconds", "pose", "ratio");
 }
 
 /// \param found those of them that have a stance.
@@ -148,10 +170,11 @@ inline void print_row(const std::string& class_name, const Trials& all, const Tr
               mean(bends), largest(bends), 100 * mean(asymmetries), median(strains),
               largest(strains), inverted);
   if(differences.stances.empty())
-    std::printf("%8s%8s%7s%7s", "-", "-", "-", "-");
+    std::printf("%8s%8s%7s%8s%7s", "-", "-", "-", "-", "-");
   else
-    std::printf("%8.4f%8.4f%7.2f%7.3f", mean(differences.stances), mean(differences.poses),
-                mean(differences.stances) / mean(differences.poses), mean(differences.names));
+    std::printf("%8.4f%8.4f%7.2f%8.2f%7.3f", mean(differences.stances), mean(differences.poses),
+                mean(differences.stances) / mean(differences.poses),
+                mean(differences.ratios_of_lengths), mean(differences.names));
   std::printf("%9.2f%7.2f%7.2f\n", median(seconds), median(seconds_of_poses), median(ratios));
 }
 
@@ -216,9 +239,13 @@ private:
       Differences differences;
       if(!consistency.to_others.empty())
       {
-        differences = {{consistency.stance}, {consistency.pose}, {mean(consistency.shares_alike)}};
+        differences = {{consistency.stance},
+                       {consistency.pose},
+                       {consistency.ratio_of_lengths},
+                       {mean(consistency.shares_alike)}};
         of_classes.stances.push_back(consistency.stance);
         of_classes.poses.push_back(consistency.pose);
+        of_classes.ratios_of_lengths.push_back(consistency.ratio_of_lengths);
         of_classes.names.push_back(mean(consistency.shares_alike));
       }
       print_row(class_name, classes.at(class_name), found, differences);

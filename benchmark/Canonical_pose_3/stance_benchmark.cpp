@@ -19,6 +19,8 @@
 //   largest one. `inverted`: cells turned inside out, in total.
 // - `stance`, `pose`: mean difference over all pairs of a class (pose_difference()) of the stances and of
 //   the canonical poses of the same meshes, and their ratio; for all classes, the mean of the classes.
+//   pose_difference() is relative to the size of poses, and canonical poses are larger: `lengths` is the
+//   ratio if differences are lengths, relative to the root of the area of the input.
 // - `alike`: the share of vertices that follow the same limb, head, tail or trunk as in most postures of
 //   the class, mean. Meshes below .8 follow the tables: their left and right are confused, for instance.
 // - `seconds`: processor time of the stance and of the canonical pose, medians, and the median of the

@@ -503,6 +503,8 @@ TEST(Stances, given_direction_of_an_animal)
   const Skeleton_3& skeleton = *result.skeleton;
   EXPECT_LT(angle_of(skeleton, "left elbow", "left wrist", {.2, 0, 1}), 15);
   EXPECT_LT(angle_of(skeleton, "right elbow", "right wrist", {0, -1, 0}), 12);
+  for(const char* const name : {"right wrist", "left ankle", "right ankle"})
+    EXPECT_LT(lowest_point(result, name), .03 * result.pose.col(1).maxCoeff()) << name;
 }
 
 // Exact: in the frame of the body, the stance of a moved and scaled copy is the scaled one.

@@ -85,7 +85,7 @@ std::vector<std::string> warnings_of_limbs(const Body_plan& plan, const Point_ma
                                            const Eigen::Isometry3d& to_body)
 {
   const double largest_bend = plan.kind() == Skeleton_3::Kind::PERSON ? 30 : 45;
-  constexpr double largest_angle = 15, largest_ratio = 1.25, largest_height = .06;
+  constexpr double largest_angle = 15, largest_ratio = 1.25, largest_height = .04;
   std::vector<std::string> off, bent, unequal, crossing, above;
   std::array<double, 4> lengths;
   const Eigen::VectorXd heights
@@ -106,8 +106,7 @@ std::vector<std::string> warnings_of_limbs(const Body_plan& plan, const Point_ma
     const double bend = degrees_per_radian * angle_between(upper, lower);
     if(goals[i].is_straight() && bend > largest_bend)
       bent.push_back(name + " by " + in_degrees(bend));
-    if((i >= 2 || plan.kind() == Skeleton_3::Kind::FOUR_LEGGED) && goals[i].is_straight()
-       && points_down(directions[i]))
+    if(goals[i].stands())
       heights_of_feet[i] = (limb.distances.array() <= limb.end)
                              .select(heights.array(), (std::numeric_limits<double>::infinity)())
                              .minCoeff();

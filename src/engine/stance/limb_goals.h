@@ -31,10 +31,10 @@ struct Limb_goal
   std::optional<Eigen::Vector3d> direction_of_tip; // of a foot, if the limb is straight
 
   bool is_straight() const { return direction && is_straightened; }
-};
 
-// Whether a leg in a direction of length 1 stands on the floor.
-inline bool points_down(const Eigen::Vector3d& direction) { return direction.y() < -.9; }
+  // Whether it is a leg that stands on the floor.
+  bool stands() const { return is_straight() && direction_of_tip && direction->y() < -.9; }
+};
 
 // In the order of Body_plan::limbs().
 using Limb_goals = std::array<Limb_goal, 4>;

@@ -129,30 +129,38 @@ void make_equally_long(Moved_limb& limb, Moved_limb& other)
   other.lengthen(length / other.length());
 }
 
-// Makes the pair of legs whose feet are higher longer, within limits: where legs are folded, they are shorter.
-void put_on_one_floor(const Body_plan& body, const std::array<Point_matrix, 2>& points,
-                      std::vector<Moved_limb>& legs)
+// Makes the pair of legs whose feet are higher longer, within limits: where legs are folded, they are shorter. Of legs that do not stand,
+// the other one of the pair decides.
+void put_on_one_floor(const Body_plan& body, const Limb_goals& goals,
+                      const std::array<Point_matrix, 2>& points, std::vector<Moved_limb>& legs)
 {
   constexpr double largest_factor = 1.4;
-  std::array<double, 2> floors, lengths;
+  std::array<double, 2> floors = {0, 0}, lengths = {0, 0};
   for(std::size_t pair = 0; pair < 2; ++pair)
   {
-    floors[pair] = lengths[pair] = 0;
+    double number = 0;
     for(const std::size_t i : {2 * pair, 2 * pair + 1})
     {
+      if(!goals[i].stands())
+        continue;
       const Limb& leg = body.limbs()[i];
-      double least = (std::numeric_limits<double>::infinity)();
+      double lowest = (std::numeric_limits<double>::infinity)();
       for(Eigen::Index v = 0; v < leg.distances.size(); ++v)
         if(leg.distances[v] <= leg.end)
-          least = (std::min)(least, legs[i](points[pair].row(v).transpose(), v).y());
-      floors[pair] += least / 2;
-      lengths[pair] += legs[i].length() / 2;
+          lowest = (std::min)(lowest, legs[i](points[pair].row(v).transpose(), v).y());
+      floors[pair] += lowest;
+      lengths[pair] += legs[i].length();
+      ++number;
     }
+    if(number == 0)
+      return;
+    floors[pair] /= number;
+    lengths[pair] /= number;
   }
-  const std::size_t shorter = floors[0] > floors[1] ? 0 : 1;
+  const std::size_t higher = floors[0] > floors[1] ? 0 : 1;
   const double factor
-    = (std::min)(1 + (floors[shorter] - floors[1 - shorter]) / lengths[shorter], largest_factor);
-  for(const std::size_t i : {2 * shorter, 2 * shorter + 1})
+    = (std::min)(1 + (floors[higher] - floors[1 - higher]) / lengths[higher], largest_factor);
+  for(const std::size_t i : {2 * higher, 2 * higher + 1})
     legs[i].lengthen(factor);
 }
 
@@ -225,13 +233,15 @@ void rest_neck_and_tail(const Body_plan& body, const Point_matrix& straight, Sta
     move(*body.tail(), -60, -30, std::nullopt);
 }
 
-// By which the head of a person is turned about the axis to the left, so that it is level: its middle is a little behind that of the ring
-// around the neck, which passes below the chin. 0 if it is elsewhere by far.
+// By which the head of a person is turned about the axis to the left, so that it is level: its middle is a little in front of that of the
+// ring around the neck, as it is for persons who stand and look ahead. 0 if it is elsewhere by far.
 double angle_to_level(const Eigen::Vector3d& middle_from_neck)
 {
-  constexpr double angle_of_level_head = -12 * CGAL_PI / 180, largest_angle = 30 * CGAL_PI / 180;
-  const double angle = angle_of_level_head - std::atan2(middle_from_neck.z(), middle_from_neck.y());
-  return std::abs(angle) <= largest_angle ? angle : 0;
+  constexpr double angle_of_level_head = 8, least = -15, largest = 60;
+  const double angle
+    = angle_of_level_head
+      - std::atan2(middle_from_neck.z(), middle_from_neck.y()) * 180 / CGAL_PI;
+  return angle >= least && angle <= largest ? angle * CGAL_PI / 180 : 0;
 }
 
 // Gives the head the shape that it has in the input, since the canonical pose bends what sticks out of it, such as ears, and turns it
@@ -301,11 +311,8 @@ Stance_target stance_target(const Body_plan& body, const Method_options::Stance 
   for(const std::size_t i : {0, 2})
     if(body.is_like(body.limbs()[i], body.limbs()[i + 1]))
       make_equally_long(limbs[i], limbs[i + 1]);
-  if(stance == Method_options::Stance::STAND
-     && std::all_of(goals.begin(), goals.end(), [](const Limb_goal& goal) {
-          return goal.is_straight() && points_down(*goal.direction);
-        }))
-    put_on_one_floor(body, points, limbs);
+  if(stance == Method_options::Stance::STAND)
+    put_on_one_floor(body, goals, points, limbs);
   for(std::size_t i = 0; i < goals.size(); ++i)
   {
     const Limb& limb = body.limbs()[i];
