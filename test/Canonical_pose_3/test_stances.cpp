@@ -460,6 +460,24 @@ TEST(Stances, animal_from_any_posture)
   }
 }
 
+// Exact: legs of a pair are beside each other, also if they are forward and backward in the input.
+TEST(Stances, legs_of_an_animal_that_walks)
+{
+  const Articulated_animal animal(NUMBER_OF_VERTICES);
+  Canonical_pose_examples::Animal_joint_angles angles;
+  angles.left_foreleg.flexion = angles.right_hind_leg.flexion = 45;
+  angles.right_foreleg.flexion = angles.left_hind_leg.flexion = -35;
+  const Result result
+    = result_of(to_matrix(animal.points(angles)), animal.triangles(), in_stance(Stance::STAND));
+  const double size = result.pose.col(1).maxCoeff();
+  for(const std::string name : {"shoulder", "elbow", "wrist", "hip", "knee", "ankle"})
+  {
+    const Eigen::RowVector3d way = joint(*result.skeleton, "left " + name).position
+                                   - joint(*result.skeleton, "right " + name).position;
+    EXPECT_LT(std::hypot(way[1], way[2]), .02 * size) << name;
+  }
+}
+
 // Hind legs that are somewhat shorter become longer, since folded legs seem shorter. Those of half the length do not reach the floor, and
 // a warning says so.
 TEST(Stances, feet_on_the_floor_and_above)

@@ -90,6 +90,7 @@ std::vector<std::string> warnings_of_limbs(const Body_plan& plan, const Point_ma
   std::array<double, 4> lengths;
   const Eigen::VectorXd heights
     = pose * to_body.linear().row(1).transpose(); // above an arbitrary plane
+  const double size = heights.maxCoeff() - heights.minCoeff();
   std::map<std::size_t, double> heights_of_feet;
   for(std::size_t i = 0; i < goals.size(); ++i)
   {
@@ -111,7 +112,6 @@ std::vector<std::string> warnings_of_limbs(const Body_plan& plan, const Point_ma
                              .select(heights.array(), (std::numeric_limits<double>::infinity)())
                              .minCoeff();
   }
-  const double size = heights.maxCoeff() - heights.minCoeff();
   const auto lowest = std::min_element(
     heights_of_feet.begin(), heights_of_feet.end(),
     [](const auto& foot, const auto& other) { return foot.second < other.second; });

@@ -30,11 +30,12 @@ namespace Canonical_pose_3 {
 namespace internal {
 namespace {
 
-// The pose, moved along the axis of the trunk so that this is as long as in the input. Limbs follow their joints, those of a pair to the
-// same height.
+// The pose, moved along the axis of the trunk so that this is as long as in the input. Limbs follow their joints, and those of a pair are
+// moved beside each other.
 Point_matrix with_trunk_of_rest(const Body_plan& body)
 {
   constexpr std::size_t number = 8; // of sections
+  constexpr double reach = .1;      // of a joint into the trunk
   const double length = body.length_of_trunk() / number;
   const Eigen::VectorXd heights = (body.pose().rowwise() - body.origin()) * body.axis().transpose();
   Eigen::VectorXd heights_of_trunk = heights; // elsewhere infinite
@@ -57,26 +58,28 @@ Point_matrix with_trunk_of_rest(const Body_plan& body)
         += std::clamp(height - length * static_cast<double>(k), 0., length) * (stretches[k] - 1);
     return result;
   };
-  // Joints of a pair are level.
-  std::array<double, 4> heights_of_joints, shifts_of_joints;
-  for(std::size_t i = 0; i < heights_of_joints.size(); ++i)
+  std::array<Eigen::RowVector3d, 4> ways_of_joints;
+  for(std::size_t i = 0; i < ways_of_joints.size(); ++i)
   {
-    const Limb& limb = body.limbs()[i];
-    heights_of_joints[i]
-      = (body.center(body.pose(), limb, limb.root) - body.origin()).dot(body.axis());
-  }
-  for(std::size_t i = 0; i < heights_of_joints.size(); ++i)
-  {
-    const double mean = (heights_of_joints[i] + heights_of_joints[i ^ 1]) / 2;
-    shifts_of_joints[i] = mean + shift(mean) - heights_of_joints[i];
+    const auto joint = [&](const std::size_t limb) {
+      const Limb& of = body.limbs()[limb];
+      return Eigen::RowVector3d(body.center(body.pose(), of, of.root) - body.origin());
+    };
+    const Eigen::RowVector3d left = body.frames()[i / 2].row(0);
+    const Eigen::RowVector3d own = joint(i), other = joint(i ^ 1), to_middle = (other - own) / 2;
+    ways_of_joints[i] = to_middle - to_middle.dot(left) * left
+                        + shift((own + to_middle).dot(body.axis())) * body.axis();
   }
   Point_matrix result = body.pose();
   for(Eigen::Index v = 0; v < result.rows(); ++v)
   {
-    double along = shift(heights[v]);
-    for(std::size_t i = 0; i < shifts_of_joints.size(); ++i)
-      along += body.share_of_limb(body.limbs()[i], v) * (shifts_of_joints[i] - along);
-    result.row(v) += along * body.axis();
+    Eigen::RowVector3d way = shift(heights[v]) * body.axis();
+    for(std::size_t i = 0; i < ways_of_joints.size(); ++i)
+    {
+      const Limb& limb = body.limbs()[i];
+      way += smooth_step((limb.root - limb.distances[v]) / reach + 1) * (ways_of_joints[i] - way);
+    }
+    result.row(v) += way;
   }
   return result;
 }
