@@ -323,10 +323,10 @@ Eigen::RowVector3d Body_plan::direction_across(const std::size_t pair) const
 }
 
 // The way from one tip of a pair to the other leads past both joints. Those of a person are as far from the other limbs and the head as
-// their partners, whatever the lengths of limbs are.
+// their partners, whatever the lengths of limbs are. Those of an animal are above its thighs, which are thicker than the rest of its legs.
 void Body_plan::set_joints()
 {
-  constexpr double least_cosine = .6, length_of_legs = .97;
+  constexpr double least_cosine = .6, length_of_legs = .97, length_with_thighs = .95;
   const auto between = [&](const Limb& limb, const Limb& other) {
     return (limb.distances[static_cast<Eigen::Index>(other.tip)]
             + other.distances[static_cast<Eigen::Index>(limb.tip)])
@@ -356,6 +356,13 @@ void Body_plan::set_joints()
       limb.root += longer / 2;
       other.root -= longer / 2;
     }
+    set_trunk();
+  }
+  else
+  {
+    for(const std::size_t i : {0, 2})
+      m_limbs[i].root = m_limbs[i + 1].root
+        = (std::max)(m_limbs[i].root, length_with_thighs * between(m_limbs[i], m_limbs[i + 1]) / 2);
     set_trunk();
   }
   for(const std::size_t i : {0, 2})
