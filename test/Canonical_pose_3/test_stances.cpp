@@ -475,6 +475,7 @@ TEST(Stances, legs_of_an_animal_that_walks)
     const Eigen::RowVector3d way = joint(*result.skeleton, "left " + name).position
                                    - joint(*result.skeleton, "right " + name).position;
     EXPECT_LT(std::hypot(way[1], way[2]), .02 * size) << name;
+    EXPECT_NEAR(way[0], .2, .03) << name; // as at rest: thighs do not stick out
   }
 }
 
