@@ -233,6 +233,22 @@ TEST(Stances, turned_and_bent_head)
   }
 }
 
+// Exact: legs are as long as those of the rest shape, although the skin of knees is compressed where they are folded.
+TEST(Stances, length_of_folded_legs)
+{
+  const Articulated_figure figure(NUMBER_OF_VERTICES);
+  const auto length_of_leg = [&](const double knee) {
+    Canonical_pose_examples::Joint_angles angles;
+    angles.left_leg.knee = angles.right_leg.knee = knee;
+    const Result result
+      = result_of(to_matrix(figure.points(angles)), figure.triangles(), in_stance(Stance::T));
+    return (joint(*result.skeleton, "left hip").position
+            - joint(*result.skeleton, "left ankle").position)
+      .norm();
+  };
+  EXPECT_NEAR(length_of_leg(165) / length_of_leg(0), 1, .07);
+}
+
 TEST(Stances, directions_of_all_stances)
 {
   const Articulated_figure figure(NUMBER_OF_VERTICES);

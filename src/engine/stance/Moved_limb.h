@@ -62,11 +62,14 @@ public:
                                                          : number + 1;
         });
     m_stretch_of_tip = stretches[number];
+    // Knees that are folded far are lumps, through which the line of centers takes a short cut.
+    const bool is_leg = body.kind() == Skeleton_3::Kind::PERSON && goal.direction_of_tip;
     std::vector<Eigen::Vector3d> sections;
     Eigen::Vector3d to_end = Eigen::Vector3d::Zero();
     for(std::size_t k = 0; k < number; ++k)
     {
-      sections.push_back(stretches[k] * tangent(k));
+      sections.push_back(stretches[k]
+                         * (is_leg ? Eigen::Vector3d(m_length * tangents[k]) : tangent(k)));
       to_end += sections[k];
     }
     m_direction = goal.direction.value_or(to_end.normalized());

@@ -73,7 +73,8 @@ private:
 Eigen::Vector3d mirror_plane_normal(const Point_matrix& points, const Eigen::Vector3d& left,
                                     const Eigen::Vector3d& up)
 {
-  constexpr double first_step = 12, last_step = 1.5, largest_angle = 84, largest_ratio = .7;
+  constexpr double first_step = 14, last_step = 1.75, largest_turn = 84, largest_tilt = 42,
+                   largest_ratio = .7;
   constexpr Eigen::Index least_number = 20;
   if(points.rows() < least_number)
     return left;
@@ -87,7 +88,7 @@ Eigen::Vector3d mirror_plane_normal(const Point_matrix& points, const Eigen::Vec
   double least = error(left);
   std::vector<double> errors = {least};
   const auto try_out = [&](const Eigen::Vector2d& angles) {
-    if(angles.norm() > largest_angle)
+    if(std::abs(angles[0]) > largest_turn || std::abs(angles[1]) > largest_tilt)
       return;
     errors.push_back(error(turned(angles)));
     if(errors.back() < least)
@@ -96,8 +97,8 @@ Eigen::Vector3d mirror_plane_normal(const Point_matrix& points, const Eigen::Vec
       best = angles;
     }
   };
-  for(double i = -largest_angle; i <= largest_angle; i += first_step)
-    for(double j = -largest_angle; j <= largest_angle; j += first_step)
+  for(double i = -largest_turn; i <= largest_turn; i += first_step)
+    for(double j = -largest_tilt; j <= largest_tilt; j += first_step)
       try_out({i, j});
   const auto middle = errors.begin() + static_cast<std::ptrdiff_t>(errors.size() / 2);
   std::nth_element(errors.begin(), middle, errors.end());
