@@ -73,7 +73,7 @@ private:
 Eigen::Vector3d mirror_plane_normal(const Point_matrix& points, const Eigen::Vector3d& left,
                                     const Eigen::Vector3d& up)
 {
-  constexpr double first_step = 14, last_step = 1.75, largest_turn = 84, largest_tilt = 42,
+  constexpr double first_step = 12, last_step = 1.5, largest_turn = 84, largest_tilt = 48,
                    largest_ratio = .7;
   constexpr Eigen::Index least_number = 20;
   if(points.rows() < least_number)

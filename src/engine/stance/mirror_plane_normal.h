@@ -13,7 +13,7 @@ namespace Canonical_pose_3 {
 namespace internal {
 
 // The unit normal of the plane in which the mirror image of points is nearest to them; `left` itself if others are nearly as
-// good. It is turned by up to 84 degrees from `left` about `up`, and tilted by up to 42. `left` and `up`: orthogonal unit vectors.
+// good. It is turned by up to 84 degrees from `left` about `up`, and tilted by up to 48. `left` and `up`: orthogonal unit vectors.
 Eigen::Vector3d mirror_plane_normal(const Point_matrix& points, const Eigen::Vector3d& left,
                                     const Eigen::Vector3d& up);
 
