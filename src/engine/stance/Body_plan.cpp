@@ -377,7 +377,7 @@ void Body_plan::set_joints()
   {
     for(std::size_t i = 0; i < 2; ++i)
       for(Eigen::Index v = 0; v < head.distances.size(); ++v)
-        if(m_limbs[i].distances[v] <= m_limbs[i].root)
+        if(share_of_limb(m_limbs[i], v) > .5)
           head.root = (std::min)(head.root, head.distances[v]);
     head.end = (std::min)(head.end, head.root - least_length_of_neck);
   }
