@@ -115,14 +115,18 @@ std::size_t vertex_at(const Result& result, const Eigen::RowVector3d& position)
   return static_cast<std::size_t>(vertex);
 }
 
+// By how much each vertex follows a joint.
+Eigen::VectorXd weights_of(const Skeleton_3& skeleton, const std::string& name)
+{
+  return skeleton.weights.col(&joint(skeleton, name) - skeleton.joints.data());
+}
+
 // By how much edges that follow a joint are longer in a pose than in the input.
 template <class Triangles>
 double stretch_of(const std::string& name, const Triangles& triangles, const Point_matrix& points,
                   const Result& result)
 {
-  const Skeleton_3& skeleton = *result.skeleton;
-  const Eigen::VectorXd weights
-    = skeleton.weights.col(&joint(skeleton, name) - skeleton.joints.data());
+  const Eigen::VectorXd weights = weights_of(*result.skeleton, name);
   double before = 0, after = 0;
   for(const auto& triangle : triangles)
     for(std::size_t k = 0; k < 3; ++k)
@@ -140,9 +144,7 @@ double stretch_of(const std::string& name, const Triangles& triangles, const Poi
 // The height of the lowest point that follows a joint.
 double lowest_point(const Result& result, const std::string& name)
 {
-  const Skeleton_3& skeleton = *result.skeleton;
-  const Eigen::VectorXd weights
-    = skeleton.weights.col(&joint(skeleton, name) - skeleton.joints.data());
+  const Eigen::VectorXd weights = weights_of(*result.skeleton, name);
   double lowest = (std::numeric_limits<double>::infinity)();
   for(Eigen::Index v = 0; v < weights.size(); ++v)
     if(weights[v] > .5)
@@ -216,7 +218,7 @@ TEST(Stances, turned_and_bent_head)
   const Articulated_figure figure(NUMBER_OF_VERTICES);
   const std::size_t head = figure.landmark(Landmark::HEAD);
   const auto pose_of = [&](const double turn, const double bend) {
-    Canonical_pose_examples::Joint_angles angles;
+    Joint_angles angles;
     angles.neck.turn = turn;
     angles.neck.bend = bend;
     return result_of(to_matrix(figure.points(angles)), figure.triangles(), in_stance(Stance::T))
@@ -238,7 +240,7 @@ TEST(Stances, length_of_folded_legs)
 {
   const Articulated_figure figure(NUMBER_OF_VERTICES);
   const auto length_of_leg = [&](const double knee) {
-    Canonical_pose_examples::Joint_angles angles;
+    Joint_angles angles;
     angles.left_leg.knee = angles.right_leg.knee = knee;
     const Result result
       = result_of(to_matrix(figure.points(angles)), figure.triangles(), in_stance(Stance::T));
@@ -372,11 +374,9 @@ TEST(Stances, limbs_of_different_lengths)
   Options options;
   options.frame = Options::Frame::BODY;
   const Skeleton_3 skeleton = *result_of(points, figure.triangles(), options).skeleton;
-  const auto weights = [&](const std::string& name) {
-    return Eigen::VectorXd(skeleton.weights.col(&joint(skeleton, name) - skeleton.joints.data()));
-  };
-  const Eigen::VectorXd lower = weights("left elbow"), hand = weights("left wrist"),
-                        elbow = weights("left shoulder").cwiseProduct(lower);
+  const Eigen::VectorXd lower = weights_of(skeleton, "left elbow"),
+                        hand = weights_of(skeleton, "left wrist"),
+                        elbow = weights_of(skeleton, "left shoulder").cwiseProduct(lower);
   const Eigen::RowVector3d center = elbow.transpose() * points / elbow.sum();
   for(Eigen::Index v = 0; v < points.rows(); ++v)
     points.row(v) -= .6 * (lower[v] + hand[v]) * (points.row(v) - center);
@@ -405,8 +405,7 @@ TEST(Stances, limb_that_remains_bent)
   const Skeleton_3 skeleton = *result_of(points, figure.triangles(), options).skeleton;
   options.matching_weights = Eigen::VectorXd::Ones(points.rows());
   for(const char* const name : {"left shoulder", "left elbow", "left wrist"})
-    options.matching_weights
-      -= Eigen::VectorXd(skeleton.weights.col(&joint(skeleton, name) - skeleton.joints.data()));
+    options.matching_weights -= weights_of(skeleton, name);
   options.matching_weights = options.matching_weights.cwiseMax(0);
   const auto warnings = result_of(points, figure.triangles(), options).summary.warnings;
   EXPECT_TRUE(std::any_of(warnings.begin(), warnings.end(),
@@ -507,13 +506,10 @@ TEST(Stances, feet_on_the_floor_and_above)
     Point_matrix changed = points;
     for(const std::string side : {"left ", "right "})
     {
-      const auto weights = [&](const std::string& name) {
-        return Eigen::VectorXd(
-          skeleton.weights.col(&joint(skeleton, side + name) - skeleton.joints.data()));
-      };
-      const Eigen::VectorXd leg = weights("hip") + weights("knee") + weights("ankle"),
-                            top = weights("hip").cwiseProduct(
-                              Eigen::VectorXd(Eigen::VectorXd::Ones(points.rows()) - leg));
+      const Eigen::VectorXd hip
+        = weights_of(skeleton, side + "hip"),
+        leg = hip + weights_of(skeleton, side + "knee") + weights_of(skeleton, side + "ankle"),
+        top = hip.cwiseProduct(Eigen::VectorXd::Ones(points.rows()) - leg);
       const double height = top.dot(points.col(1)) / top.sum();
       changed.col(1) -= (1 - factor) * leg.cwiseProduct((points.col(1).array() - height).matrix());
     }

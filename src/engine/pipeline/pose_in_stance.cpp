@@ -76,7 +76,8 @@ std::string in_degrees(const double angle)
 }
 
 // Names the limbs that are far from their directions, are bent by far though they should be straight, have another length than
-// their partners, pass through each other, or end above the floor though they stand. `to_body`: from the pose to the frame of the body.
+// their partners, pass through each other, or end above the floor though they stand. `to_body`: from the pose to the frame of the
+// body.
 std::vector<std::string> warnings_of_limbs(const Body_plan& plan, const Point_matrix& pose,
                                            const Surface_component_3& surface,
                                            const Coarse_surface_3& coarse,

@@ -270,15 +270,16 @@ void restore_head(const Body_plan& body, Stance_target& result)
   const Eigen::Matrix3d rotation = motion.linear();
   const Eigen::Vector3d across = mirror_plane_normal(
     rest(vertices, Eigen::all), rotation.transpose() * left, rotation.transpose() * up);
-  motion = Eigen::Translation3d(pivot) * Eigen::Quaterniond::FromTwoVectors(rotation * across, left)
-           * Eigen::Translation3d(-pivot) * motion;
+  const auto turn = [&](const Eigen::Quaterniond& about_pivot) {
+    motion = Eigen::Translation3d(pivot) * about_pivot * Eigen::Translation3d(-pivot) * motion;
+  };
+  turn(Eigen::Quaterniond::FromTwoVectors(rotation * across, left));
   if(body.kind() == Skeleton_3::Kind::PERSON)
   {
     const Eigen::Vector3d middle
       = (weights.transpose() * rest).transpose() / weights.sum(),
       from_neck = motion.linear() * (middle - body.center(rest, head, head.end).transpose());
-    motion = Eigen::Translation3d(pivot) * Eigen::AngleAxisd(angle_to_level(from_neck), left)
-             * Eigen::Translation3d(-pivot) * motion;
+    turn(Eigen::Quaterniond(Eigen::AngleAxisd(angle_to_level(from_neck), left)));
   }
   const Point_matrix moved = (motion * rest.transpose()).transpose();
   for(Eigen::Index v = 0; v < rest.rows(); ++v)
